@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "core/progress.h"
+
+namespace pellucid {
+
+/// Options that every command takes.
+struct GlobalOptions {
+  bool json = false;
+  bool quiet = false;
+  int threads = 0;  // 0: as many as the machine has
+  std::string gl = "osmesa";
+};
+
+/// Each adds one subcommand, in app/NAME.cpp, whose callback runs it. Errors leave as InputError or
+/// WorkError; main() prints them and picks the exit code.
+void add_study_command(CLI::App& app, GlobalOptions& globals);
+void add_render_command(CLI::App& app, GlobalOptions& globals);
+void add_compare_command(CLI::App& app, GlobalOptions& globals);
+void add_trace_command(CLI::App& app, GlobalOptions& globals);
+void add_list_command(CLI::App& app, GlobalOptions& globals);
+
+/// Adds --json, --quiet and --threads to a subcommand.
+void add_global_options(CLI::App& command, GlobalOptions& globals);
+
+/// Prints how far the work is to stderr: one line that is rewritten, with an estimate of the time
+/// left, on a terminal; plain lines elsewhere; nothing when quiet.
+Progress console_progress(const GlobalOptions& globals);
+
+}  // namespace pellucid

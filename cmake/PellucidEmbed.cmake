@@ -1,0 +1,19 @@
+# pellucid_embed(TARGET NAMESPACE FILE…): makes each file's bytes available as
+#   std::string_view NAMESPACE::name(), name = the file's name with . and - as _
+# through the generated header "NAMESPACE.h" (in the target's binary folder).
+function(pellucid_embed target namespace)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)
+  set(outputs "")
+  foreach(file ${ARGN})
+    get_filename_component(path ${file} ABSOLUTE)
+    list(APPEND paths ${path})
+  endforeach()
+  add_custom_command(
+    OUTPUT ${folder}/${namespace}.cpp ${folder}/${namespace}.h
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${folder}/${namespace} -DNAMESPACE=${namespace} "-DFILES=${paths}"
+            -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${paths} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+    VERBATIM)
+  target_sources(${target} PRIVATE ${folder}/${namespace}.cpp ${folder}/${namespace}.h)
+  target_include_directories(${target} PRIVATE ${folder})
+endfunction()

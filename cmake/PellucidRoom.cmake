@@ -1,0 +1,9 @@
+# pellucid_room(NAME ROOMS … LIBRARIES …): one static library per room from the room's .cpp files.
+# ROOMS are the rooms to its left that it includes; LIBRARIES come from elsewhere.
+function(pellucid_room name)
+  cmake_parse_arguments(room "" "" "ROOMS;LIBRARIES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(pellucid_${name} STATIC ${sources})
+  list(TRANSFORM room_ROOMS PREPEND pellucid_)
+  target_link_libraries(pellucid_${name} PUBLIC pellucid_options ${room_ROOMS} ${room_LIBRARIES})
+endfunction()

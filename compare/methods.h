@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// Ground truth and every order-independent method: the one table that the command line, study
+/// files, property tests, benchmarks, report and README iterate. The reference comes first.
+std::span<const MethodRow> methods();
+
+}  // namespace pellucid

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pellucid {
+
+/// The known names, the most similar to `name` first (Levenshtein distance, ties in given order).
+std::vector<std::string_view> nearest_first(std::string_view name,
+                                            std::span<const std::string_view> known);
+
+/// "unknown method 'furier'; known: fourier, raytrace, …", for the message of an InputError.
+std::string unknown_name(std::string_view kind, std::string_view name,
+                         std::span<const std::string_view> known);
+
+/// The row of `table` whose `.name` is `name`. Throws InputError with the nearest names.
+template <class Table>
+const auto& find_row(std::string_view kind, std::string_view name, const Table& table);
+
+}  // namespace pellucid
+
+#include "core/error.h"
+
+namespace pellucid {
+
+template <class Table>
+const auto& find_row(std::string_view kind, std::string_view name, const Table& table) {
+  for (const auto& row : table)
+    if (row.name == name) return row;
+  std::vector<std::string_view> known;
+  for (const auto& row : table) known.push_back(row.name);
+  throw InputError(unknown_name(kind, name, known));
+}
+
+}  // namespace pellucid

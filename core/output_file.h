@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace pellucid {
+
+/// A file that appears whole or not at all: it is written beside its place and renamed by commit().
+/// Without commit() nothing remains. Throws InputError when the folder is missing or not writable,
+/// WorkError when the disk is full.
+class OutputFile {
+ public:
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Where a library that writes by path has to write. It keeps the extension of the final name.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Flushes to the disk and renames.
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+};
+
+/// Writes the whole text by an OutputFile.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+/// Throws InputError when `path` cannot be read as a file.
+std::string read_text(const std::filesystem::path& path);
+
+}  // namespace pellucid

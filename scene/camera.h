@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/vec.h"
+
+namespace pellucid {
+
+enum class Projection { perspective, orthographic };
+
+/// World frame, right-handed. View space: x right, y up, the camera looks along -z; view depth is
+/// the distance along the viewing axis, positive in front.
+struct Camera {
+  Projection projection = Projection::perspective;
+  Vec3 eye{0, 0, 5};
+  Vec3 target{0, 0, 0};
+  Vec3 up{0, 1, 0};
+  double fov = 45;   // perspective: vertical, degrees, in (0, 180)
+  double height = 2;  // orthographic: world units over the picture's height
+};
+
+/// An orthonormal frame at the eye.
+struct CameraFrame {
+  Vec3 eye, right, up, forward;
+};
+
+/// Throws InputError when eye equals target, when up is parallel to the viewing axis, or when a
+/// number is not finite or outside its range.
+CameraFrame camera_frame(const Camera& camera);
+
+/// Half the picture's height: at distance 1 for a perspective camera, in world units otherwise.
+double half_height(const Camera& camera);
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  // its component along the viewing axis is 1: the parameter is the view depth
+};
+
+/// Rays through points of the picture. Built once per picture.
+class RayGenerator {
+ public:
+  RayGenerator(const Camera& camera, int width, int height);
+
+  /// x runs right from the left edge, y down from the top, in pixels: a pixel's centre is at +0.5.
+  Ray ray(double x, double y) const;
+
+  const CameraFrame& frame() const { return frame_; }
+  Projection projection() const { return projection_; }
+  /// World vectors by which one pixel to the right and one pixel down move the ray's direction
+  /// (perspective) or its origin (orthographic).
+  const Vec3& step_x() const { return step_x_; }
+  const Vec3& step_y() const { return step_y_; }
+
+ private:
+  CameraFrame frame_;
+  Projection projection_;
+  Vec3 step_x_, step_y_, corner_;  // corner_: direction, or origin offset, of the top left corner
+};
+
+/// Distance of x along the viewing axis.
+inline double view_depth(const CameraFrame& frame, const Vec3& x) {
+  return glm::dot(frame.forward, x - frame.eye);
+}
+
+}  // namespace pellucid

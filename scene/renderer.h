@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/parameters.h"
+#include "core/progress.h"
+#include "core/raster.h"
+#include "scene/scene.h"
+
+namespace pellucid {
+
+struct StepTime {
+  std::string name;
+  double seconds = 0;  // wall clock, GL work finished
+};
+
+struct NamedBytes {
+  std::string name;
+  std::uint64_t bytes = 0;
+};
+
+/// What a frame took. Bytes are those a method allocates beyond the scene's own geometry and the
+/// final picture, counted at the allocation.
+struct RenderStats {
+  std::vector<StepTime> steps;
+  std::vector<NamedBytes> bytes;
+  std::uint64_t fragments = 0;      // crossings seen
+  std::uint64_t dropped = 0;        // crossings that did not reach the picture
+  std::uint32_t max_layers = 0;     // crossings in one pixel
+
+  double seconds() const;
+  std::uint64_t total_bytes() const;
+};
+
+struct Rendering {
+  Image image;
+  RenderStats stats;
+  CountImage layers;  // crossings per pixel; empty unless asked for
+};
+
+struct RenderRequest {
+  bool layers = false;  // also fill Rendering::layers, fragments and max_layers; not timed
+  Progress progress;
+};
+
+/// One method over one scene: made once (geometry uploaded, hierarchies built), rendered as often
+/// as a timing needs. The scene has to outlive it.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  virtual Rendering render(const RenderRequest& request) = 0;
+  /// What was modelled for this scene, what was left out, and why; a line each.
+  virtual std::vector<std::string> explain() const = 0;
+  /// Facts for the provenance of a result: "driver", "embree", …
+  virtual std::map<std::string, std::string> facts() const { return {}; }
+};
+
+/// What a method is given beside its scene.
+struct RenderContext {
+  std::string gl = "osmesa";  // "osmesa" | "egl"
+};
+
+/// What a row of the method table promises; a property test holds every row to it.
+struct Promises {
+  bool exact = false;              // equals the exact composite, up to coverage and float rounding
+  bool order_independent = false;  // bit-equal for any order of primitives
+  double order_spread = 0;         // if not: largest change of a pixel under shuffled primitives
+  bool convex_hull = false;        // colours stay in the hull of fragment and background colours
+  bool fixed_memory = false;       // bytes depend on the picture alone, not on the scene
+};
+
+/// One row of the method table.
+struct MethodRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view citation;
+  std::string_view equations;  // which of the citation's equations it implements
+  std::span<const ParameterSpec> parameters;
+  Promises promises;
+  std::string_view bytes_per_pixel;  // formula, for people
+  std::unique_ptr<Renderer> (*make)(const Scene&, const Parameters&, const RenderContext&);
+};
+
+}  // namespace pellucid

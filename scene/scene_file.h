@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/progress.h"
+#include "scene/scene.h"
+
+namespace pellucid {
+
+/// Reads a scene file ("pellucid-scene", version 1), its meshes, and integrates its surfaces.
+/// Scene::name is the file's stem. Throws InputError that names file, key and accepted values.
+Scene load_scene(const std::filesystem::path& path, const Progress& progress = {});
+
+}  // namespace pellucid
