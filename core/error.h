@@ -5,7 +5,8 @@
 
 namespace pellucid {
 
-/// The caller's input or call is wrong. One line: where, what was got, what is accepted. Exit code 2.
+/// The caller's input or call is wrong. One line: where, what was got, what is accepted. Exit
+/// code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -48,8 +48,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
   temporary_ = path_.parent_path() / fmt::format(".{}.{}{}", path_.stem().string(), ::getpid(),
                                                  path_.extension().string());
   if (fs::is_directory(path_)) fail(path_, EISDIR);
-  const Descriptor file{
-      ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+  const Descriptor file{::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
   if (file.fd < 0) fail(path_, errno);
 }
 

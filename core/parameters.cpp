@@ -42,9 +42,12 @@ bool is_choice(std::string_view value, std::string_view choices) {
 bool is_valid(const ParameterSpec& spec, std::string_view value) {
   double number = 0;
   switch (spec.kind) {
-    case ParameterSpec::Kind::text: return true;
-    case ParameterSpec::Kind::flag: return value == "on" || value == "off";
-    case ParameterSpec::Kind::choice: return is_choice(value, spec.choices);
+    case ParameterSpec::Kind::text:
+      return true;
+    case ParameterSpec::Kind::flag:
+      return value == "on" || value == "off";
+    case ParameterSpec::Kind::choice:
+      return is_choice(value, spec.choices);
     case ParameterSpec::Kind::integer:
       return parse_number(value, number) && number == std::floor(number) && number >= spec.min &&
              number <= spec.max;
@@ -72,11 +75,16 @@ bool parse_number(std::string_view text, double& value) {
 
 std::string ParameterSpec::accepted() const {
   switch (kind) {
-    case Kind::text: return "text";
-    case Kind::flag: return "on|off";
-    case Kind::choice: return std::string(choices);
-    case Kind::integer: return range(*this, "integer");
-    case Kind::real: return range(*this, "number");
+    case Kind::text:
+      return "text";
+    case Kind::flag:
+      return "on|off";
+    case Kind::choice:
+      return std::string(choices);
+    case Kind::integer:
+      return range(*this, "integer");
+    case Kind::real:
+      return range(*this, "number");
   }
   return {};
 }
@@ -117,8 +125,7 @@ Parameters::Parameters(std::string_view owner, std::span<const ParameterSpec> sp
       throw InputError(fmt::format("{}: unknown key '{}'; it takes no parameters", owner, key));
     if (!spec) throw InputError(fmt::format("{}: {}", owner, unknown_name("key", key, known)));
     if (!is_valid(*spec, value))
-      throw InputError(
-          fmt::format("{}: {}={}; accepted: {}", owner, key, value, spec->accepted()));
+      throw InputError(fmt::format("{}: {}={}; accepted: {}", owner, key, value, spec->accepted()));
     values_[key] = value;
   }
 }

@@ -3,12 +3,12 @@
 // for what a float method draws.
 
 #define GLM_FORCE_EXPLICIT_CTOR
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <glm/geometric.hpp>
 #include <limits>
 
 namespace pellucid {

@@ -13,7 +13,7 @@ struct Camera {
   Vec3 eye{0, 0, 5};
   Vec3 target{0, 0, 0};
   Vec3 up{0, 1, 0};
-  double fov = 45;   // perspective: vertical, degrees, in (0, 180)
+  double fov = 45;    // perspective: vertical, degrees, in (0, 180)
   double height = 2;  // orthographic: world units over the picture's height
 };
 

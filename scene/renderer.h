@@ -30,9 +30,9 @@ struct NamedBytes {
 struct RenderStats {
   std::vector<StepTime> steps;
   std::vector<NamedBytes> bytes;
-  std::uint64_t fragments = 0;      // crossings seen
-  std::uint64_t dropped = 0;        // crossings that did not reach the picture
-  std::uint32_t max_layers = 0;     // crossings in one pixel
+  std::uint64_t fragments = 0;   // crossings seen
+  std::uint64_t dropped = 0;     // crossings that did not reach the picture
+  std::uint32_t max_layers = 0;  // crossings in one pixel
 
   double seconds() const;
   std::uint64_t total_bytes() const;
