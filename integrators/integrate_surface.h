@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string_view>
+
+#include "core/parameters.h"
+#include "core/progress.h"
+#include "fields/field.h"
+#include "geometry/triangle_mesh.h"
+#include "integrators/seed_curve.h"
+
+namespace pellucid {
+
+/// Why a particle went no further.
+enum class EndReason { duration, left_domain, stagnated, not_finite, length, steps, particles };
+
+/// "duration", "left-domain", …; as `trace --json` prints them.
+std::string_view name_of(EndReason reason);
+
+/// What a surface took.
+struct SurfaceStats {
+  std::uint64_t particles = 0;    // trajectories started on the seed curve
+  std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian
+  double seconds = 0;             // wall clock
+  std::uint64_t bytes = 0;        // largest size of the mesh and the trajectories together
+  std::map<EndReason, std::uint64_t> ends;  // how many particles ended for which reason
+};
+
+/// A surface to be swept by the particles of a seed curve.
+struct SurfaceRequest {
+  const VectorField* field = nullptr;
+  SeedCurve seed;
+  double duration = 0;    // > 0
+  double start_time = 0;  // where the field's own time starts
+  bool path = false;      // path surface of an unsteady field; otherwise its time stays start_time
+  Progress progress;
+};
+
+/// The mesh has unit `normals` and the scalars "s" (on the seed curve), "t" (since the seed),
+/// "time" (t + start_time) and "speed".
+struct IntegratedSurface {
+  TriangleMesh mesh;
+  SurfaceStats stats;
+};
+
+/// What a row of the table promises; a property test holds every row to it.
+struct IntegratorPromises {
+  bool refines = false;       // neighbours that part get new particles between them
+  bool coarsens = false;      // neighbours that meet are merged
+  bool bounds_error = false;  // the mesh lies within `tolerance` of the surface
+};
+
+/// One row of the table that `trace`, `list`, study files and the tests read.
+struct IntegratorRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view citation;
+  std::span<const ParameterSpec> parameters;
+  IntegratorPromises promises;
+  IntegratedSurface (*run)(const SurfaceRequest&, const Parameters&);
+};
+
+std::span<const IntegratorRow> integrators();
+
+/// `integrator` is "NAME[:key=value,…]". Throws InputError for an unknown name, key or value, and
+/// for a request that no surface can be made of.
+IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRequest& request);
+
+}  // namespace pellucid

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace pellucid {
+
+/// Where particles start: a curve c(s), s in [0, 1], in world units. On a closed curve c(0) = c(1).
+/// A value; made by one of the functions below.
+struct SeedCurve {
+  bool closed = false;
+  std::function<Vec3(double s)> point_at;
+  std::function<Vec3(double s)> tangent_at;  // dc/ds; at a corner that of the piece after it
+  std::vector<double> corners;               // s in (0, 1) where the tangent jumps, ascending
+};
+
+SeedCurve segment_seed(const Vec3& from, const Vec3& to);
+
+/// s is proportional to arc length. Repeated points are dropped. Throws InputError when a point is
+/// not finite or fewer than two differ.
+SeedCurve polyline_seed(std::span<const Vec3> points, bool closed = false);
+
+SeedCurve circle_seed(const Vec3& center, const Vec3& normal, double radius);
+
+/// A C¹ curve through the points: Catmull-Rom with centripetal knots.
+SeedCurve spline_seed(std::span<const Vec3> points, bool closed = false);
+
+/// Any curve that is smooth on [0, 1]; its tangent is differenced unless given.
+SeedCurve callable_seed(std::function<Vec3(double)> point, bool closed = false,
+                        std::function<Vec3(double)> tangent = {});
+
+}  // namespace pellucid
