@@ -1,0 +1,118 @@
+#include "geometry/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/output_file.h"
+#include "geometry/mesh_formats.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending(const fs::path& path) {
+  std::string text = path.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+[[noreturn]] void unknown_ending(const fs::path& path) {
+  throw InputError(fmt::format("{}: unknown kind of mesh file '{}'; accepted: .ply, .obj, .vtp",
+                               path.string(), path.extension().string()));
+}
+
+bool has_all(const VertexAttributes& attributes, std::initializer_list<const char*> names) {
+  return std::all_of(names.begin(), names.end(),
+                     [&](const char* name) { return attributes.contains(name); });
+}
+
+void check_unit_interval(const std::string& file, std::string_view name, std::size_t vertex,
+                         double value) {
+  if (!(value >= 0 && value <= 1))
+    throw InputError(
+        fmt::format("{}: vertex {}: {} is {}; accepted: 0 … 1", file, vertex, name, value));
+}
+
+}  // namespace
+
+void take_attributes(VertexAttributes attributes, TriangleMesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  const auto take = [&](const char* name) {
+    auto node = attributes.extract(name);
+    return node.empty() ? std::vector<double>(count, 1.0) : std::move(node.mapped());
+  };
+  if (has_all(attributes, {"red", "green", "blue"}) || has_all(attributes, {"alpha"})) {
+    const auto red = take("red"), green = take("green"), blue = take("blue"), alpha = take("alpha");
+    mesh.colors.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      mesh.colors[i] = Rgba(red[i], green[i], blue[i], alpha[i]);
+  }
+  if (has_all(attributes, {"nx", "ny", "nz"})) {
+    const auto x = take("nx"), y = take("ny"), z = take("nz");
+    mesh.normals.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 n(x[i], y[i], z[i]);
+      const double length = glm::length(n);
+      mesh.normals[i] = length > 0 ? n / length : n;
+    }
+  }
+  if (has_all(attributes, {"importance"})) {
+    const auto g = take("importance");
+    mesh.importance.assign(g.begin(), g.end());
+  }
+  mesh.scalars = std::move(attributes);
+}
+
+void check_mesh(const std::string& file, const TriangleMesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(mesh.positions[i][axis]))
+        throw InputError(fmt::format("{}: vertex {}: {} is {}; accepted: finite numbers", file, i,
+                                     "xyz"[axis], mesh.positions[i][axis]));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::uint32_t index : mesh.triangles[i])
+      if (index >= count)
+        throw InputError(
+            fmt::format("{}: triangle {}: vertex index {}, but the file has {} vertices", file, i,
+                        index, count));
+  static constexpr std::string_view channel[] = {"red", "green", "blue", "alpha"};
+  for (std::size_t i = 0; i < mesh.colors.size(); ++i)
+    for (int c = 0; c < 4; ++c) check_unit_interval(file, channel[c], i, mesh.colors[i][c]);
+  for (std::size_t i = 0; i < mesh.importance.size(); ++i)
+    check_unit_interval(file, "importance", i, mesh.importance[i]);
+  if (mesh.triangles.empty()) throw InputError(file + ": the file holds no triangles");
+}
+
+TriangleMesh read_mesh(const fs::path& path) {
+  const std::string kind = ending(path);
+  TriangleMesh mesh = kind == ".ply"   ? read_ply(path)
+                      : kind == ".obj" ? read_obj(path)
+                      : kind == ".vtp" ? read_vtp(path)
+                                       : (unknown_ending(path), TriangleMesh{});
+  check_mesh(path.string(), mesh);
+  return mesh;
+}
+
+void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
+  const std::string kind = ending(path);
+  if (kind == ".ply") return write_text(path, encode_ply(mesh));
+  if (kind == ".obj") return write_text(path, encode_obj(mesh));
+  if (kind == ".vtp") return write_vtp(path, mesh);
+  unknown_ending(path);
+}
+
+void write_lines(const fs::path& path, const LineSet& lines) {
+  const std::string kind = ending(path);
+  if (kind == ".ply") return write_text(path, encode_ply(lines));
+  if (kind == ".obj") return write_text(path, encode_obj(lines));
+  if (kind == ".vtp") return write_vtp(path, lines);
+  unknown_ending(path);
+}
+
+}  // namespace pellucid

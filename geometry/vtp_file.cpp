@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "core/error.h"
+#include "core/output_file.h"
+#include "geometry/mesh_formats.h"
+
+namespace pellucid {
+namespace {
+
+/// Keeps VTK's first error message instead of printing it.
+class FirstError : public vtkCommand {
+ public:
+  static FirstError* New() { return new FirstError; }
+  void Execute(vtkObject*, unsigned long, void* text) override {
+    if (message.empty() && text) message = static_cast<const char*>(text);
+  }
+  std::string one_line() const {
+    std::string line =
+        message.substr(message.find("): ") == std::string::npos ? 0 : message.find("): ") + 3);
+    return line.substr(0, line.find('\n'));
+  }
+  std::string message;
+};
+
+vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& path) {
+  read_text(path);  // a missing or unreadable file: the message of every other format
+  vtkNew<FirstError> error;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->AddObserver(vtkCommand::ErrorEvent, error);
+  reader->AddObserver(vtkCommand::WarningEvent, error);
+  reader->Update();
+  if (!error->message.empty())
+    throw InputError(fmt::format("{}: not a valid VTP file: {}", path.string(), error->one_line()));
+  return reader->GetOutput();
+}
+
+void take_column(vtkDataArray& array, const std::string& name, int component, double scale,
+                 VertexAttributes& attributes) {
+  std::vector<double>& column = attributes[name];
+  column.resize(array.GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
+    column[i] = array.GetComponent(i, component) / scale;
+}
+
+/// Scalars keep their name; a 3- or 4-component array that is named like a colour is one; other
+/// vectors give NAME_x, NAME_y, NAME_z.
+void take_array(vtkDataArray& array, VertexAttributes& attributes) {
+  const std::string name = array.GetName() ? array.GetName() : "unnamed";
+  const int components = array.GetNumberOfComponents();
+  const double scale = array.GetDataType() == VTK_UNSIGNED_CHAR ? 255 : 1;
+  static const char* const rgba[] = {"red", "green", "blue", "alpha"};
+  static const char* const axes[] = {"_x", "_y", "_z", "_w"};
+  const bool is_color = components >= 3 && components <= 4 &&
+                        (name == "RGB" || name == "RGBA" || name == "Colors" || name == "color");
+  const bool is_channel = name == "red" || name == "green" || name == "blue" || name == "alpha";
+  if (components == 1) return take_column(array, name, 0, is_channel ? scale : 1, attributes);
+  for (int c = 0; c < std::min(components, 4); ++c)
+    take_column(array, is_color ? rgba[c] : name + axes[c], c, is_color ? scale : 1, attributes);
+}
+
+void add_fans(vtkCellArray* cells, TriangleMesh& mesh) {
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(count, ids);
+    for (vtkIdType k = 2; k < count; ++k)
+      mesh.triangles.push_back(
+          {std::uint32_t(ids[0]), std::uint32_t(ids[k - 1]), std::uint32_t(ids[k])});
+  }
+}
+
+void add_strips(vtkCellArray* cells, TriangleMesh& mesh) {
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(count, ids);
+    for (vtkIdType k = 2; k < count; ++k) {
+      const bool odd = k % 2 == 1;
+      mesh.triangles.push_back({std::uint32_t(ids[k - 2 + odd]), std::uint32_t(ids[k - 1 - odd]),
+                                std::uint32_t(ids[k])});
+    }
+  }
+}
+
+vtkSmartPointer<vtkPoints> to_points(const std::vector<Vec3>& positions) {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    points->SetPoint(static_cast<vtkIdType>(i), positions[i].x, positions[i].y, positions[i].z);
+  return points;
+}
+
+template <class Array, class Vector>
+vtkSmartPointer<Array> to_array(const char* name, const std::vector<Vector>& values) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(Vector::length());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (int c = 0; c < Vector::length(); ++c)
+      array->SetComponent(static_cast<vtkIdType>(i), c, values[i][c]);
+  return array;
+}
+
+template <class Value>
+void add_scalars(const std::string& name, const std::vector<Value>& values, vtkPolyData& data) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    array->SetValue(static_cast<vtkIdType>(i), values[i]);
+  data.GetPointData()->AddArray(array);
+}
+
+void save(const std::filesystem::path& path, vtkPolyData& data) {
+  OutputFile out(path);
+  vtkNew<FirstError> error;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->AddObserver(vtkCommand::ErrorEvent, error);
+  writer->SetFileName(out.temporary().c_str());
+  writer->SetInputData(&data);
+  if (writer->Write() == 0 || !error->message.empty())
+    throw WorkError(fmt::format("{}: cannot write: {}", path.string(), error->one_line()));
+  out.commit();
+}
+
+}  // namespace
+
+TriangleMesh read_vtp(const std::filesystem::path& path) {
+  const auto data = load(path);
+  TriangleMesh mesh;
+  mesh.positions.resize(data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) data->GetPoint(i, &mesh.positions[i].x);
+  add_fans(data->GetPolys(), mesh);
+  add_strips(data->GetStrips(), mesh);
+  VertexAttributes attributes;
+  for (int k = 0; k < data->GetPointData()->GetNumberOfArrays(); ++k)
+    if (vtkDataArray* array = data->GetPointData()->GetArray(k);
+        array && array != data->GetPointData()->GetNormals())
+      take_array(*array, attributes);
+  if (vtkDataArray* normals = data->GetPointData()->GetNormals())
+    for (int c = 0; c < 3; ++c)
+      take_column(*normals, std::string("n") + "xyz"[c], c, 1, attributes);
+  take_attributes(std::move(attributes), mesh);
+  return mesh;
+}
+
+void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(to_points(mesh.positions));
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const vtkIdType ids[] = {a, b, c};
+    cells->InsertNextCell(3, ids);
+  }
+  data->SetPolys(cells);
+  if (!mesh.normals.empty())
+    data->GetPointData()->SetNormals(to_array<vtkDoubleArray>("Normals", mesh.normals));
+  if (!mesh.colors.empty())
+    data->GetPointData()->AddArray(to_array<vtkFloatArray>("RGBA", mesh.colors));
+  if (!mesh.importance.empty()) add_scalars("importance", mesh.importance, *data);
+  for (const auto& [name, values] : mesh.scalars) add_scalars(name, values, *data);
+  save(path, *data);
+}
+
+void write_vtp(const std::filesystem::path& path, const LineSet& lines) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(to_points(lines.positions));
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t line = 0; line < lines.line_count(); ++line) {
+    cells->InsertNextCell(static_cast<int>(lines.offsets[line + 1] - lines.offsets[line]));
+    for (std::uint64_t i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i)
+      cells->InsertCellPoint(static_cast<vtkIdType>(i));
+  }
+  data->SetLines(cells);
+  for (const auto& [name, values] : lines.scalars) add_scalars(name, values, *data);
+  save(path, *data);
+}
+
+}  // namespace pellucid
