@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/vec.h"
+#include "geometry/triangle_mesh.h"
+
+namespace pellucid {
+
+/// Colour by a scalar of the vertices through a named map. `range` maps to the ends of the map;
+/// without it the scalar's own finite range does.
+struct ScalarColor {
+  std::string scalar;
+  std::string map = "viridis";
+  std::optional<Vec2> range;
+};
+
+/// How an object is drawn. What is not set stays as the mesh has it.
+struct Appearance {
+  std::variant<std::monostate, Vec3, ScalarColor> color;
+  std::optional<double> opacity;  // in [0, 1]
+  std::optional<std::string>
+      importance;  // the scalar that gives g, mapped from its range to [0, 1]
+};
+
+/// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar
+/// that the mesh does not have, with those it has.
+void apply_appearance(const Appearance& appearance, TriangleMesh& mesh);
+
+/// Fills `normals` with the area-weighted mean of the facets' normals around each vertex, unless
+/// the mesh has normals already. Vertices of no facet with an area get +z.
+void ensure_normals(TriangleMesh& mesh);
+
+}  // namespace pellucid

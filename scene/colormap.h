@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/vec.h"
+
+namespace pellucid {
+
+/// A named colour map: 256 colours, interpolated linearly.
+struct ColormapRow {
+  std::string_view name;
+  std::string_view citation;
+  const std::uint8_t (*table)[3];
+
+  /// Colour at x, clamped to [0, 1]; x that is not finite gives the first colour.
+  Vec3 operator()(double x) const;
+};
+
+std::span<const ColormapRow> colormaps();
+
+/// Throws InputError with the nearest names.
+const ColormapRow& find_colormap(std::string_view name);
+
+}  // namespace pellucid
