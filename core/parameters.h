@@ -15,12 +15,12 @@ struct ParameterSpec {
 
   std::string_view name;
   Kind kind = Kind::real;
-  std::string_view default_value;  // as written on the command line; empty: not set
+  std::string_view default_value = {};  // as written on the command line; empty: not set
   double min = -std::numeric_limits<double>::infinity();  // numbers: inclusive bounds
   double max = std::numeric_limits<double>::infinity();
-  std::string_view unit;     // "world units", "1", "bands", …
-  std::string_view choices;  // kind choice: "on|off"
-  std::string_view help;     // one line
+  std::string_view unit = {};     // "world units", "1", "bands", …
+  std::string_view choices = {};  // kind choice: "on|off"
+  std::string_view help = {};     // one line
 
   /// "1 … 15", "on|off", "any number", …
   std::string accepted() const;
