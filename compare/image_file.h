@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "core/raster.h"
+
+namespace pellucid {
+
+/// Reads a picture of any format that OpenImageIO knows as float RGBA, values as they are stored
+/// (n/255 for 8 bits, alpha not multiplied in, no transfer curve). One channel becomes grey;
+/// without an alpha channel A = 1. Throws InputError when it is missing, damaged, deep or without
+/// pixels.
+Image read_image(const std::filesystem::path& path);
+
+/// Writes by the file's ending: .exr holds the four channels in 32-bit float; .png holds red, green
+/// and blue in 8 bits without a transfer curve. A PNG has no alpha because colours are already
+/// composited: a viewer would blend them a second time. Throws InputError for another ending or a
+/// folder that cannot be written, WorkError when the disk is full.
+void write_image(const std::filesystem::path& path, const Image& image);
+
+/// Numbers of layers: .exr holds one 32-bit integer channel; .png 8-bit grey, capped at 255.
+void write_counts(const std::filesystem::path& path, const CountImage& counts);
+
+/// Reads what write_counts has written as .exr.
+CountImage read_counts(const std::filesystem::path& path);
+
+/// The nearest n of the 256 values n/255 that a screen shows.
+std::uint8_t displayed_byte(float value);
+
+/// Every channel as n/255.
+Image displayed_values(const Image& image);
+
+}  // namespace pellucid

@@ -1,0 +1,19 @@
+#include "compare/methods.h"
+
+#include <vector>
+
+#include "groundtruth/raytrace.h"
+#include "oit/registry.h"
+
+namespace pellucid {
+
+std::span<const MethodRow> methods() {
+  static const std::vector<MethodRow> table = [] {
+    std::vector<MethodRow> rows{raytrace_method()};
+    rows.insert(rows.end(), oit_methods().begin(), oit_methods().end());
+    return rows;
+  }();
+  return table;
+}
+
+}  // namespace pellucid
