@@ -1,0 +1,27 @@
+#include "scene/unit_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucid {
+
+UnitFrame unit_frame(const Scene& scene) {
+  Box3 box;
+  for (const SceneObject& object : scene.objects)
+    for (const Vec3& x : object.mesh.positions) box.extend(x);
+  if (box.empty()) return {};
+  const Vec3 half = 0.5 * box.max - 0.5 * box.min;
+  const double largest = std::max({half.x, half.y, half.z});
+  if (!(largest > 0)) return {box.center(), 1};
+  return {box.center(), std::exp2(-std::ceil(std::log2(largest)))};
+}
+
+Camera in_unit_frame(const UnitFrame& frame, const Camera& camera) {
+  Camera unit = camera;
+  unit.eye = frame.from_world(camera.eye);
+  unit.target = frame.from_world(camera.target);
+  unit.height = camera.height * frame.scale;
+  return unit;
+}
+
+}  // namespace pellucid
