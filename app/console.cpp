@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+
+#include "app/commands.h"
+#include "core/stopwatch.h"
+
+namespace pellucid {
+namespace {
+
+std::string remaining(double fraction, double elapsed) {
+  // Before this the estimate is noise.
+  if (fraction < 0.02 || elapsed < 1) return "";
+  const double seconds = elapsed * (1 - fraction) / fraction;
+  if (seconds < 90) return fmt::format(", {:.0f} s left", seconds);
+  return fmt::format(", {:.0f} min left", seconds / 60);
+}
+
+/// What was printed last; shared by the copies of one Progress.
+struct ConsoleState {
+  Stopwatch since_start;
+  Stopwatch since_print;
+  bool printed = false;
+  std::string what;
+};
+
+void print_on_terminal(ConsoleState& state, double fraction, std::string_view what) {
+  const bool finished = fraction >= 1;
+  if (state.printed && !finished && state.since_print.seconds() < 0.1) return;
+  std::cerr << fmt::format("\r\x1b[K{:3.0f} %  {}{}", 100 * fraction, what,
+                           remaining(fraction, state.since_start.seconds()))
+            << (finished ? "\n" : "") << std::flush;
+  state.printed = true;
+  state.since_print.restart();
+}
+
+void print_as_line(ConsoleState& state, double fraction, std::string_view what) {
+  if (state.printed && state.what == what && state.since_print.seconds() < 10) return;
+  std::cerr << fmt::format("{:3.0f} %  {}{}\n", 100 * fraction, what,
+                           remaining(fraction, state.since_start.seconds()));
+  state.printed = true;
+  state.what = what;
+  state.since_print.restart();
+}
+
+}  // namespace
+
+Progress console_progress(const GlobalOptions& globals) {
+  if (globals.quiet) return {};
+  const auto state = std::make_shared<ConsoleState>();
+  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  return [state, terminal](double fraction, std::string_view what) {
+    terminal ? print_on_terminal(*state, fraction, what) : print_as_line(*state, fraction, what);
+  };
+}
+
+void add_global_options(CLI::App& command, GlobalOptions& globals) {
+  command.add_flag("--json", globals.json, "Print JSON");
+  command.add_flag("--quiet", globals.quiet, "Print no progress");
+  command.add_option("--threads", globals.threads, "Threads; 0: as many as the machine has")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+void add_gl_option(CLI::App& command, GlobalOptions& globals) {
+  command.add_option("--gl", globals.gl, "Where OpenGL runs: osmesa (software) or egl")
+      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->capture_default_str();
+}
+
+}  // namespace pellucid

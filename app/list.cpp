@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "compare/methods.h"
+#include "compare/metrics.h"
+#include "compare/study.h"
+#include "core/names.h"
+#include "fields/catalogue.h"
+#include "integrators/integrate_surface.h"
+
+namespace pellucid {
+namespace {
+
+nlohmann::json to_json(std::span<const ParameterSpec> parameters) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const ParameterSpec& spec : parameters)
+    rows.push_back({{"name", spec.name},
+                    {"default", spec.default_value},
+                    {"accepted", spec.accepted()},
+                    {"unit", spec.unit},
+                    {"help", spec.help}});
+  return rows;
+}
+
+nlohmann::json list_methods() {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const MethodRow& row : methods())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"equations", row.equations},
+                    {"bytes per pixel", row.bytes_per_pixel},
+                    {"exact", row.promises.exact},
+                    {"order-independent", row.promises.order_independent},
+                    {"order spread", row.promises.order_spread},
+                    {"convex hull", row.promises.convex_hull},
+                    {"fixed memory", row.promises.fixed_memory},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::json list_integrators() {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const IntegratorRow& row : integrators())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::json list_fields() {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const FieldRow& row : analytic_fields())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"formula", row.formula},
+                    {"steady", row.steady},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::json list_metrics() {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const MetricRow& row : metrics())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"definition", row.definition},
+                    {"citation", row.citation},
+                    {"unit", row.unit}});
+  return rows;
+}
+
+nlohmann::json list_all_studies() {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const StudySummary& study : list_studies())
+    rows.push_back({{"name", study.name}, {"title", study.title}, {"source", study.source}});
+  return rows;
+}
+
+struct Listing {
+  std::string_view name;
+  nlohmann::json (*make)();
+};
+
+constexpr Listing listings[] = {{"methods", list_methods},
+                                {"integrators", list_integrators},
+                                {"fields", list_fields},
+                                {"metrics", list_metrics},
+                                {"studies", list_all_studies}};
+
+std::string text_of(const nlohmann::json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void print_parameter(const nlohmann::json& parameter) {
+  std::string line = "      " + text_of(parameter["name"]);
+  if (!text_of(parameter["default"]).empty()) line += "=" + text_of(parameter["default"]);
+  line += fmt::format("   [{}]", text_of(parameter["accepted"]));
+  if (!text_of(parameter["unit"]).empty()) line += "  " + text_of(parameter["unit"]);
+  std::cout << line << "   " << text_of(parameter["help"]) << '\n';
+}
+
+void print(const nlohmann::json& rows) {
+  for (const nlohmann::json& row : rows) {
+    std::cout << text_of(row["name"]) << "   " << text_of(row["title"]) << '\n';
+    for (const auto& [key, value] : row.items())
+      if (key != "name" && key != "title" && key != "parameters" && !text_of(value).empty())
+        std::cout << "   " << key << ": " << text_of(value) << '\n';
+    if (row.contains("parameters") && !row["parameters"].empty()) {
+      std::cout << "   parameters:\n";
+      for (const nlohmann::json& parameter : row["parameters"]) print_parameter(parameter);
+    }
+    std::cout << '\n';
+  }
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& app, GlobalOptions& globals) {
+  std::string names;
+  for (const Listing& listing : listings)
+    names += (names.empty() ? "" : ", ") + std::string(listing.name);
+  CLI::App* command = app.add_subcommand("list", "List " + names);
+  const auto what = std::make_shared<std::string>();
+  command->add_option("WHAT", *what, names)->required();
+  add_global_options(*command, globals);
+  command->callback([what, &globals] {
+    const nlohmann::json rows = find_row("listing", *what, listings).make();
+    if (globals.json)
+      std::cout << rows.dump(2) << '\n';
+    else
+      print(rows);
+  });
+}
+
+}  // namespace pellucid

@@ -1,0 +1,73 @@
+#include <tbb/global_control.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <optional>
+
+#include "app/commands.h"
+#include "core/build_info.h"
+#include "core/error.h"
+
+namespace pellucid {
+namespace {
+
+/// Exit codes of the command line; scripts rely on them.
+enum ExitCode { done = 0, work_failed = 1, input_wrong = 2 };
+
+int complain(const std::exception& error, ExitCode code) {
+  std::cerr << "pellucid: " << error.what() << '\n';
+  return code;
+}
+
+/// The limit holds while `limit` lives. Runs before any command does.
+void limit_threads(int threads, std::optional<tbb::global_control>& limit) {
+  if (threads == 0) return;
+  limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);  // the software GL rasterizer
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "Renders transparent flow visualizations exactly and by order-independent methods,\n"
+      "and says how far each is from the truth and what it costs."};
+  app.set_version_flag("--version",
+                       std::string("pellucid ") + build_version + " (" + build_commit + ")");
+  app.require_subcommand(1);
+  GlobalOptions globals;
+  add_study_command(app, globals);
+  add_render_command(app, globals);
+  add_compare_command(app, globals);
+  add_trace_command(app, globals);
+  add_list_command(app, globals);
+  std::optional<tbb::global_control> thread_limit;
+  app.parse_complete_callback([&] { limit_threads(globals.threads, thread_limit); });
+  try {
+    app.parse(argc, argv);
+    return done;
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::RuntimeError& exit) {  // a command that picks its own exit code
+    return exit.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    return complain(error, input_wrong);
+  } catch (const InputError& error) {
+    return complain(error, input_wrong);
+  } catch (const WorkError& error) {
+    return complain(error, work_failed);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "pellucid: out of memory\n";
+    return work_failed;
+  } catch (const std::exception& error) {
+    return complain(error, work_failed);
+  }
+}
+
+}  // namespace
+}  // namespace pellucid
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  return pellucid::run(argc, argv);
+}

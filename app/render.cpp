@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "compare/image_file.h"
+#include "compare/methods.h"
+#include "core/machine.h"
+#include "core/names.h"
+#include "core/output_file.h"
+#include "scene/scene_file.h"
+
+namespace pellucid {
+namespace {
+
+struct RenderOptions {
+  std::string scene, method, output, stats, layers;
+  bool explain = false;
+};
+
+nlohmann::json to_json(const MethodRow& row, const Parameters& parameters, const RenderStats& stats,
+                       const Renderer& renderer) {
+  nlohmann::json json;
+  json["method"] = row.name;
+  json["parameters"] = parameters.all();
+  json["seconds"]["total"] = stats.seconds();
+  for (const StepTime& step : stats.steps) json["seconds"]["steps"][step.name] = step.seconds;
+  json["bytes"]["total"] = stats.total_bytes();
+  for (const NamedBytes& part : stats.bytes) json["bytes"][part.name] = part.bytes;
+  json["fragments"] = stats.fragments;
+  json["dropped"] = stats.dropped;
+  json["max_layers"] = stats.max_layers;
+  json["machine"] = machine_facts();
+  json["machine"].update(nlohmann::json(renderer.facts()));
+  return json;
+}
+
+void print_summary(const RenderOptions& options, const RenderStats& stats) {
+  std::cout << fmt::format("{}: {:.1f} ms, {:.2f} MB, {} fragments, at most {} layers\n",
+                           options.output, 1e3 * stats.seconds(), 1e-6 * stats.total_bytes(),
+                           stats.fragments, stats.max_layers);
+}
+
+void render(const RenderOptions& options, const GlobalOptions& globals) {
+  const NameAndOptions named = parse_name_and_options(options.method);
+  const MethodRow& row = find_row("method", named.name, methods());
+  const Parameters parameters(row.name, row.parameters, named.options);
+  const Progress progress = console_progress(globals);
+  const Scene scene = load_scene(options.scene, progress);
+  const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
+  if (options.explain)
+    for (const std::string& line : renderer->explain()) std::cout << line << '\n';
+  report(progress, 0.5, fmt::format("rendering {}", row.name));
+  // A first frame compiles shaders and touches memory for the first time; the second is timed.
+  renderer->render({});
+  const Rendering rendering = renderer->render({.layers = true, .progress = progress});
+  report(progress, 1, fmt::format("rendered {}", row.name));
+  write_image(options.output, rendering.image);
+  if (!options.layers.empty()) write_counts(options.layers, rendering.layers);
+  const nlohmann::json json = to_json(row, parameters, rendering.stats, *renderer);
+  if (!options.stats.empty()) write_text(options.stats, json.dump(2) + '\n');
+  if (globals.json)
+    std::cout << json.dump(2) << '\n';
+  else
+    print_summary(options, rendering.stats);
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, GlobalOptions& globals) {
+  CLI::App* command = app.add_subcommand("render", "Render one picture of a scene by one method");
+  const auto options = std::make_shared<RenderOptions>();
+  command->add_option("SCENE", options->scene, "Scene file")->required();
+  command->add_option("-m,--method", options->method, "NAME[:key=value,...]; see 'list methods'")
+      ->required();
+  command->add_option("-o,--output", options->output, "Picture: .exr (32-bit float) or .png")
+      ->required();
+  command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
+  command->add_option("--layers", options->layers, "Write the number of crossings per pixel");
+  command->add_flag("--explain", options->explain, "Print what was modelled and left out, and why");
+  add_gl_option(*command, globals);
+  add_global_options(*command, globals);
+  command->callback([options, &globals] { render(*options, globals); });
+}
+
+}  // namespace pellucid
