@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string_view>
 
@@ -9,15 +8,10 @@
 #include "core/progress.h"
 #include "fields/field.h"
 #include "geometry/triangle_mesh.h"
+#include "integrators/end_reason.h"
 #include "integrators/seed_curve.h"
 
 namespace pellucid {
-
-/// Why a particle went no further.
-enum class EndReason { duration, left_domain, stagnated, not_finite, length, steps, particles };
-
-/// "duration", "left-domain", …; as `trace --json` prints them.
-std::string_view name_of(EndReason reason);
 
 /// What a surface took.
 struct SurfaceStats {
@@ -25,7 +19,7 @@ struct SurfaceStats {
   std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian
   double seconds = 0;             // wall clock
   std::uint64_t bytes = 0;        // largest size of the mesh and the trajectories together
-  std::map<EndReason, std::uint64_t> ends;  // how many particles ended for which reason
+  EndCounts ends;                 // how many particles ended for which reason
 };
 
 /// A surface to be swept by the particles of a seed curve.

@@ -1,0 +1,70 @@
+#include "integrators/surface_builder.h"
+
+#include <cmath>
+
+namespace pellucid {
+namespace {
+
+/// 0 where v and w are parallel or vanish: the surface has no normal there.
+Vec3 normal_of(const FlowPoint& point) {
+  // Each first by itself: velocities of 1e±200 would leave the range of the product.
+  const double v = glm::length(point.v), w = glm::length(point.w);
+  if (!(v > 0) || !(w > 0)) return Vec3(0);
+  const Vec3 normal = glm::cross(point.w / w, point.v / v);
+  const double sine = glm::length(normal);
+  return sine > 1e-9 ? normal / sine : Vec3(0);
+}
+
+}  // namespace
+
+SurfaceBuilder::SurfaceBuilder(double start_time, bool with_normals)
+    : start_time_(start_time), with_normals_(with_normals) {}
+
+std::uint32_t SurfaceBuilder::add_vertex(const FlowPoint& point, double s, double t) {
+  positions_.push_back(point.x);
+  if (with_normals_) normals_.push_back(normal_of(point));
+  s_.push_back(s > 1 ? s - std::floor(s) : s);
+  t_.push_back(t);
+  speed_.push_back(glm::length(point.v));
+  return std::uint32_t(positions_.size() - 1);
+}
+
+std::uint64_t SurfaceBuilder::bytes() const {
+  return (positions_.capacity() + normals_.capacity()) * sizeof(Vec3) +
+         (s_.capacity() + t_.capacity() + speed_.capacity()) * sizeof(double) +
+         triangles_.capacity() * sizeof(triangles_[0]);
+}
+
+/// Where the flow has no normal, that of the triangles around stands in.
+void SurfaceBuilder::fill_missing_normals() {
+  std::vector<bool> missing(normals_.size());
+  for (std::size_t i = 0; i < normals_.size(); ++i) missing[i] = normals_[i] == Vec3(0);
+  for (const auto& [a, b, c] : triangles_) {
+    if (!missing[a] && !missing[b] && !missing[c]) continue;
+    const Vec3 area = glm::cross(positions_[b] - positions_[a], positions_[c] - positions_[a]);
+    for (const std::uint32_t corner : {a, b, c})
+      if (missing[corner]) normals_[corner] += area;
+  }
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    if (!missing[i]) continue;
+    const double length = glm::length(normals_[i]);
+    normals_[i] = length > 0 ? normals_[i] / length : Vec3(0, 0, 1);
+  }
+}
+
+TriangleMesh SurfaceBuilder::finish() {
+  if (with_normals_) fill_missing_normals();
+  TriangleMesh mesh;
+  std::vector<double> time(t_);
+  for (double& t : time) t += start_time_;
+  mesh.positions = std::move(positions_);
+  mesh.normals = std::move(normals_);
+  mesh.scalars = {{"s", std::move(s_)},
+                  {"t", std::move(t_)},
+                  {"time", std::move(time)},
+                  {"speed", std::move(speed_)}};
+  mesh.triangles = std::move(triangles_);
+  return mesh;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/parameters.h"
+
+namespace pellucid {
+
+/// What every surface integrator takes beside its own parameters; surface_options() reads them.
+inline constexpr ParameterSpec surface_parameters[] = {
+    {.name = "stepper",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "dopri5",
+     .choices = "euler|rk4|dopri5",
+     .help = "scheme that moves the particles"},
+    {.name = "accuracy",
+     .kind = ParameterSpec::Kind::real,
+     .min = 0,
+     .unit = "world units",
+     .help = "largest error of one step; default 1e-9 of the seed curve's extent"},
+    {.name = "dt",
+     .kind = ParameterSpec::Kind::real,
+     .min = 0,
+     .unit = "time",
+     .help = "largest time step; euler and rk4 take it, default a 500th of the duration"},
+    {.name = "length",
+     .kind = ParameterSpec::Kind::real,
+     .min = 0,
+     .unit = "world units",
+     .help = "a particle ends when it has gone so far; default: no limit"},
+    {.name = "normals",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "variational",
+     .choices = "variational|ghost|none",
+     .help = "∂x/∂s by the variational equation, by a ghost particle, or not at all"},
+    {.name = "ghost",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "reset",
+     .choices = "reset|rescale",
+     .help = "pull the ghost back when it is too far, or after every step"},
+    {.name = "rip",
+     .kind = ParameterSpec::Kind::real,
+     .default_value = "1e-6",
+     .min = 1e-12,
+     .max = 0.5,
+     .unit = "1",
+     .help = "neighbours that part are torn once their seeds are so close, in s"},
+    {.name = "max-steps",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "1000000",
+     .min = 1,
+     .max = 1e9,
+     .unit = "steps",
+     .help = "a particle ends after so many"},
+    {.name = "max-particles",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "1000000",
+     .min = 2,
+     .max = 1e9,
+     .unit = "particles",
+     .help = "the surface is not refined any more"},
+    {.name = "max-triangles",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "50000000",
+     .min = 1,
+     .max = 1e9,
+     .unit = "triangles",
+     .help = "the surface ends"},
+};
+
+/// A row's own parameters, then those of all rows.
+template <std::size_t n>
+constexpr auto with_surface_parameters(const ParameterSpec (&own)[n]) {
+  std::array<ParameterSpec, n + std::size(surface_parameters)> all{};
+  std::size_t i = 0;
+  for (const ParameterSpec& spec : own) all[i++] = spec;
+  for (const ParameterSpec& spec : surface_parameters) all[i++] = spec;
+  return all;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <memory>
+
+#include "integrators/integrate_surface.h"
+#include "integrators/trajectory.h"
+
+namespace pellucid {
+
+/// What every surface integrator takes beside its own parameters.
+struct SurfaceOptions {
+  TrajectoryOptions trajectory;
+  double extent = 1;  // of the seed curve: the unit of what is relative
+  double rip = 1e-6;  // neighbours whose seeds are closer, in s, are torn, not refined
+  std::uint64_t max_particles = 1'000'000;
+  std::uint64_t max_triangles = 50'000'000;
+};
+
+/// A number > 0, or what it is when it is not given. Throws InputError.
+double positive(const Parameters& parameters, std::string_view name, double otherwise);
+
+/// Checks the request. Throws InputError.
+SurfaceOptions surface_options(const SurfaceRequest& request, const Parameters& parameters);
+
+/// Starts particles on the seed curve. Every thread has its own sampler of the field.
+class ParticleSource {
+ public:
+  ParticleSource(const SurfaceRequest& request, const SurfaceOptions& options);
+
+  /// s may run past 1 on a closed curve.
+  Trajectory start(double s);
+  FieldSampler& sampler() { return *samplers_.local(); }
+
+ private:
+  const SeedCurve& seed_;
+  const TrajectoryOptions& options_;
+  tbb::enumerable_thread_specific<std::unique_ptr<FieldSampler>> samplers_;
+};
+
+}  // namespace pellucid

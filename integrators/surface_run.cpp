@@ -1,0 +1,136 @@
+#include "integrators/surface_run.h"
+
+#include <algorithm>
+
+#include "core/stopwatch.h"
+
+namespace pellucid {
+namespace {
+
+/// A stretch of the seed curve; it may run past s = 1 on a closed one.
+struct Piece {
+  double begin, end;
+  bool ring;
+};
+
+/// What is left of the seed curve between the tears.
+std::vector<Piece> pieces_between(std::vector<std::pair<double, double>> tears, bool closed,
+                                  double rip) {
+  if (tears.empty()) return {{0, 1, closed}};
+  std::sort(tears.begin(), tears.end());
+  std::vector<double> bounds;
+  for (const auto& [left, right] : tears) bounds.insert(bounds.end(), {left, right});
+  if (closed) {  // from the first tear once around to itself
+    bounds.erase(bounds.begin());
+    bounds.push_back(tears.front().first + 1);
+  } else {
+    bounds.insert(bounds.begin(), 0);
+    bounds.push_back(1);
+  }
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i + 1 < bounds.size(); i += 2)
+    if (bounds[i + 1] - bounds[i] > 4 * rip) pieces.push_back({bounds[i], bounds[i + 1], false});
+  return pieces;
+}
+
+/// Where the piece's first particles start: evenly over the whole curve, and at its corners.
+std::vector<double> seeds_of(const Piece& piece, const SeedCurve& curve, int particles) {
+  std::vector<double> seeds{piece.begin, piece.end};
+  const int intervals = curve.closed ? particles : particles - 1;
+  for (const double turn : {0., 1.}) {
+    for (int i = 0; i < intervals; ++i) seeds.push_back(turn + double(i) / intervals);
+    for (const double s : curve.corners) seeds.push_back(turn + s);
+  }
+  std::sort(seeds.begin(), seeds.end());
+  const auto begin = std::lower_bound(seeds.begin(), seeds.end(), piece.begin);
+  const auto end = std::upper_bound(seeds.begin(), seeds.end(), piece.end);
+  std::vector<double> inside(begin, end);
+  const auto same = [](double a, double b) { return b - a < 1e-9; };
+  inside.erase(std::unique(inside.begin(), inside.end(), same), inside.end());
+  if (piece.ring) inside.pop_back();
+  return inside;
+}
+
+}  // namespace
+
+SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& options)
+    : request_(request),
+      options_(options),
+      source_(request, options),
+      builder_(request.start_time, options.trajectory.companion != Companion::none) {}
+
+std::optional<FrontParticle> SurfaceRun::spawn(double s, double t) {
+  FrontParticle particle{s, source_.start(s), {}, {}};
+  ++stats_.particles;
+  if (!particle.path.exists() || !particle.path.reach(t, sampler())) {
+    ++stats_.ends[*particle.path.end()];
+    stats_.evaluations += particle.path.evaluations();
+    return std::nullopt;
+  }
+  particle.path.release(t);
+  particle.head = {t, particle.path.at(t)};
+  return particle;
+}
+
+std::uint32_t SurfaceRun::add_vertex(const FrontParticle& particle) {
+  return builder_.add_vertex(particle.head.flow, particle.s, particle.head.t);
+}
+
+void SurfaceRun::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  builder_.add_triangle(a, b, c);
+  if (builder_.triangle_count() % (1 << 14) == 0)
+    report(request_.progress, builder_.newest_t() / request_.duration, "surface");
+}
+
+bool SurfaceRun::may_spawn() {
+  if (stats_.particles < options_.max_particles) return true;
+  budget_ = EndReason::particles;
+  return false;
+}
+
+bool SurfaceRun::is_full() {
+  if (builder_.triangle_count() < options_.max_triangles) return false;
+  budget_ = EndReason::triangles;
+  return true;
+}
+
+void SurfaceRun::retire(std::span<const FrontParticle> particles) {
+  std::uint64_t bytes = builder_.bytes();
+  for (const FrontParticle& particle : particles) {
+    stats_.evaluations += particle.path.evaluations();
+    bytes += sizeof particle + particle.path.bytes();
+    if (particle.merged)
+      ++stats_.ends[EndReason::merged];
+    else if (particle.path.end() && !particle.next)
+      ++stats_.ends[*particle.path.end()];
+    else
+      ++stats_.ends[budget_.value_or(EndReason::torn)];
+  }
+  stats_.bytes = std::max(stats_.bytes, bytes);
+}
+
+IntegratedSurface SurfaceRun::finish() { return {builder_.finish(), stats_}; }
+
+IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOptions& options,
+                              int particles, const Sweep& sweep) {
+  const Stopwatch watch;
+  std::vector<std::pair<double, double>> tears;
+  const auto sweep_all = [&] {
+    SurfaceRun run(request, options);
+    for (const Piece& piece : pieces_between(tears, request.seed.closed, options.rip))
+      sweep(run, seeds_of(piece, request.seed, particles), piece.ring);
+    tears = run.tears();
+    return run.finish();
+  };
+  IntegratedSurface surface = sweep_all();
+  if (!tears.empty()) {
+    const SurfaceStats first = surface.stats;
+    surface = sweep_all();
+    surface.stats.particles += first.particles;
+    surface.stats.evaluations += first.evaluations;
+  }
+  surface.stats.seconds = watch.seconds();
+  return surface;
+}
+
+}  // namespace pellucid
