@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// What a method has allocated, by name, counted where it is allocated. An allocation of a name
+/// that is there already replaces it.
+class Ledger {
+ public:
+  void record(std::string_view name, std::uint64_t bytes) {
+    const auto found = std::find_if(parts_.begin(), parts_.end(),
+                                    [&](const NamedBytes& part) { return part.name == name; });
+    if (found != parts_.end())
+      found->bytes = bytes;
+    else
+      parts_.push_back({std::string(name), bytes});
+  }
+  const std::vector<NamedBytes>& parts() const { return parts_; }
+
+ private:
+  std::vector<NamedBytes> parts_;
+};
+
+}  // namespace pellucid

@@ -1,0 +1,13 @@
+#include "fragment.glsl"
+#include "fragment_list.glsl"
+
+layout(binding = 0) uniform atomic_uint node_count;
+
+void main() {
+  Fragment f = fragment();
+  int node = int(atomicCounterIncrement(node_count)) + 1;
+  uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
+  imageStore(nexts, node, uvec4(next));
+  imageStore(keys, node, uvec4(floatBitsToUint(f.depth), gl_PrimitiveID, 0u, 0u));
+  imageStore(colors, node, vec4(f.color, f.alpha));
+}

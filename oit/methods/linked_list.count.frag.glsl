@@ -1,0 +1,2 @@
+// Counted by the query around this pass.
+void main() {}

@@ -1,0 +1,108 @@
+#include "oit/methods/linked_list.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "oit/oit_renderer.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+/// Places for the nodes of all lists, in texture buffers: a storage block ends at 128 MiB.
+struct NodePool {
+  std::uint64_t nodes = 0;  // without node 0, which ends a list
+  BufferTexture nexts, keys, colors;
+};
+
+NodePool make_pool(const Gl& gl, std::uint64_t nodes) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (nodes >= std::uint64_t(most))
+    throw WorkError(
+        fmt::format("linked-list: the picture has {} fragments, but the driver's "
+                    "largest texture buffer holds {}; draw a smaller picture",
+                    nodes, most));
+  const std::uint64_t n = nodes + 1;
+  return {nodes, {gl, GL_R32UI, 4 * n}, {gl, GL_RG32UI, 8 * n}, {gl, GL_RGBA32F, 16 * n}};
+}
+
+class LinkedList final : public OitMethod {
+ public:
+  LinkedList(Stage& stage, const Parameters&)
+      : stage_(stage),
+        heads_(stage.target("list heads", GL_R32UI)),
+        node_count_(stage.gl(), sizeof(std::uint32_t)),
+        no_targets_(stage.gl(), stage.width(), stage.height()),
+        query_(stage.gl()),
+        count_(stage.geometry_program(oit_glsl::linked_list_count_frag_glsl())),
+        build_(stage.geometry_program(oit_glsl::linked_list_build_frag_glsl())),
+        resolve_(stage.screen_program(oit_glsl::linked_list_resolve_frag_glsl())) {
+    stage.record("node counter", node_count_.bytes());
+  }
+
+  void draw(Frame& frame) override {
+    frame.step("count", [&] { reserve(count_fragments()); });
+    frame.step("build", [&] { build(); });
+    frame.step("sort and composite", [&] {
+      stage_.begin_pass(frame.picture(), {Blend::replace});
+      stage_.draw_screen(resolve_);
+    });
+    frame.stats().fragments = pool_.nodes;
+  }
+
+ private:
+  std::uint64_t count_fragments() const {
+    stage_.begin_pass(no_targets_, {Blend::replace});
+    query_.begin();
+    stage_.draw_geometry(count_);
+    return query_.end();
+  }
+
+  void reserve(std::uint64_t fragments) {
+    if (fragments == pool_.nodes && pool_.nexts.bytes() > 0) return;
+    pool_ = {};  // the old pool is gone before the new one is there
+    pool_ = make_pool(stage_.gl(), fragments);
+    stage_.record("list nodes", pool_.nexts.bytes() + pool_.keys.bytes() + pool_.colors.bytes());
+  }
+
+  void build() const {
+    heads_.clear(0);
+    node_count_.clear(0);
+    heads_.bind_image(0);
+    pool_.nexts.bind_image(1);
+    pool_.keys.bind_image(2);
+    pool_.colors.bind_image(3);
+    node_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
+    stage_.begin_pass(no_targets_, {Blend::replace});
+    stage_.draw_geometry(build_);
+    stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  }
+
+  Stage& stage_;
+  Texture heads_;
+  Buffer node_count_;
+  NodePool pool_;
+  Framebuffer no_targets_;
+  SampleQuery query_;
+  Program count_, build_, resolve_;
+};
+
+}  // namespace
+
+const MethodRow& linked_list_method() {
+  static constexpr MethodRow row{
+      .name = "linked-list",
+      .title = "Linked lists",
+      .citation =
+          "Yang, Hensley, Gruen and Thibieroz 2010, Real-time concurrent linked list "
+          "construction on the GPU, CGF 29(4)",
+      .equations = "sections 3 and 4: construction, sorting and blending",
+      .parameters = {},
+      .promises = {.exact = true, .order_independent = true, .convex_hull = true},
+      .bytes_per_pixel = "4 + 28 per layer",
+      .make = make_oit<LinkedList>};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,115 @@
+#include "oit/oit_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+std::string describe_lighting(const Scene& scene) {
+  if (scene.lighting == Lighting::none)
+    return "lighting: left out, the scene is unlit; no normals are uploaded";
+  return "lighting: headlight; normals are uploaded";
+}
+
+class OitRenderer final : public Renderer {
+ public:
+  OitRenderer(const Scene& scene, const Parameters& parameters, const RenderContext& context,
+              const MakeOitMethod& make_method)
+      : scene_(scene),
+        stage_(scene, context),
+        picture_(stage_.gl(), GL_RGBA32F, stage_.width(), stage_.height()),
+        picture_target_(stage_.gl(), {{picture_}}),
+        method_(make_method(stage_, parameters)) {
+    stage_.context().check("preparing the method");
+  }
+  // Deleting OpenGL objects needs their own context, whichever is current.
+  ~OitRenderer() override { stage_.make_current(); }
+
+  Rendering render(const RenderRequest& request) override;
+  std::vector<std::string> explain() const override;
+  std::map<std::string, std::string> facts() const override {
+    return {{"driver", stage_.context().driver()}};
+  }
+
+ private:
+  CountImage count_layers() const;
+
+  const Scene& scene_;
+  Stage stage_;
+  Texture picture_;
+  Framebuffer picture_target_;
+  std::unique_ptr<OitMethod> method_;
+};
+
+Rendering OitRenderer::render(const RenderRequest& request) {
+  stage_.make_current();
+  Frame frame(stage_, picture_target_);
+  method_->draw(frame);
+  Rendering rendering;
+  rendering.stats = frame.stats();
+  rendering.stats.bytes = stage_.ledger().parts();
+  rendering.image = Image(stage_.width(), stage_.height());
+  auto& pixels = rendering.image.pixels;
+  picture_.read(GL_RGBA, GL_FLOAT, pixels.size() * sizeof pixels[0], pixels.data());
+  if (!request.layers) return rendering;
+  rendering.layers = count_layers();
+  const auto& counts = rendering.layers.pixels;
+  rendering.stats.fragments = std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+  rendering.stats.max_layers = *std::max_element(counts.begin(), counts.end());
+  return rendering;
+}
+
+// Counts in float are exact up to 2^24 layers.
+CountImage OitRenderer::count_layers() const {
+  const Texture counts(stage_.gl(), GL_R32F, stage_.width(), stage_.height());
+  const Framebuffer target(stage_.gl(), {{counts}});
+  const Program program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
+  target.clear_all(0);
+  stage_.begin_pass(target, {Blend::add});
+  stage_.draw_geometry(program);
+  std::vector<float> floats(stage_.pixel_count());
+  counts.read(GL_RED, GL_FLOAT, floats.size() * sizeof(float), floats.data());
+  stage_.context().check("counting layers");
+  CountImage layers(stage_.width(), stage_.height());
+  std::copy(floats.begin(), floats.end(), layers.pixels.begin());
+  return layers;
+}
+
+std::vector<std::string> OitRenderer::explain() const {
+  std::vector<std::string> lines = {
+      fmt::format("context: {}", stage_.context().driver()),
+      fmt::format("geometry: {} triangles of {} objects", stage_.geometry().triangle_count(),
+                  scene_.objects.size()),
+      describe_lighting(scene_), "antialiasing: left out, one sample at the pixel's centre"};
+  for (std::string& line : method_->explain()) lines.push_back(std::move(line));
+  for (const NamedBytes& part : stage_.ledger().parts())
+    lines.push_back(fmt::format("memory: {}, {} bytes", part.name, part.bytes));
+  return lines;
+}
+
+}  // namespace
+
+void Frame::finish(std::string_view name, const Stopwatch& watch) {
+  stage_.gl().Finish();
+  const double seconds = watch.seconds();
+  stage_.context().check(name);
+  const auto found = std::find_if(stats_.steps.begin(), stats_.steps.end(),
+                                  [&](const StepTime& step) { return step.name == name; });
+  if (found != stats_.steps.end())
+    found->seconds += seconds;
+  else
+    stats_.steps.push_back({std::string(name), seconds});
+}
+
+std::unique_ptr<Renderer> make_oit_renderer(const Scene& scene, const Parameters& parameters,
+                                            const RenderContext& context,
+                                            const MakeOitMethod& make_method) {
+  return std::make_unique<OitRenderer>(scene, parameters, context, make_method);
+}
+
+}  // namespace pellucid

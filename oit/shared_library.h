@@ -1,0 +1,32 @@
+#pragma once
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "core/error.h"
+
+namespace pellucid {
+
+/// A library loaded at run time. It stays loaded until the process ends: Mesa keeps threads that
+/// run its code.
+class SharedLibrary {
+ public:
+  explicit SharedLibrary(const char* name) : name_(name), handle_(::dlopen(name, RTLD_NOW)) {
+    if (!handle_) throw WorkError(fmt::format("cannot load {}: {}", name, ::dlerror()));
+  }
+
+  template <class Function>
+  Function function(const char* symbol) const {
+    void* address = ::dlsym(handle_, symbol);
+    if (!address) throw WorkError(fmt::format("{} has no {}", name_, symbol));
+    return reinterpret_cast<Function>(address);
+  }
+
+ private:
+  const char* name_;
+  void* handle_;
+};
+
+}  // namespace pellucid

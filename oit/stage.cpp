@@ -1,0 +1,81 @@
+#include "oit/stage.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+void set_blend(const Gl& gl, GLuint attachment, Blend blend) {
+  if (blend == Blend::replace) return gl.Disablei(GL_BLEND, attachment);
+  gl.Enablei(GL_BLEND, attachment);
+  gl.BlendEquationi(attachment, GL_FUNC_ADD);
+  if (blend == Blend::add) gl.BlendFunci(attachment, GL_ONE, GL_ONE);
+  if (blend == Blend::transmit) gl.BlendFunci(attachment, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
+}
+
+// llvmpipe's largest framebuffer is 16384; a larger one is refused before anything is allocated.
+void check_size(const Gl& gl, int width, int height) {
+  GLint largest = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (width < 1 || height < 1 || width > largest || height > largest)
+    throw InputError(
+        fmt::format("resolution: {} x {}; accepted: 1 … {} each way", width, height, largest));
+}
+
+}  // namespace
+
+Stage::Stage(const Scene& scene, const RenderContext& context)
+    : context_(context.gl),
+      width_(scene.width),
+      height_(scene.height),
+      background_(scene.background),
+      geometry_(context_.gl(), scene),
+      no_attributes_(context_.gl()) {
+  check_size(gl(), width_, height_);
+  gl().Viewport(0, 0, width_, height_);
+  context_.check("uploading the scene");
+}
+
+Texture Stage::target(std::string_view name, GLenum format, int layers) {
+  Texture texture(gl(), format, width_, height_, layers);
+  record(name, texture.bytes());
+  return texture;
+}
+
+Program Stage::geometry_program(std::string_view fragment, Defines defines) const {
+  for (auto& define : geometry_.defines()) defines.push_back(std::move(define));
+  Program program(context_, oit_glsl::geometry_vert_glsl(), fragment, defines);
+  geometry_.set_uniforms(program);
+  return program;
+}
+
+Program Stage::screen_program(std::string_view fragment, const Defines& defines) const {
+  Program program(context_, oit_glsl::screen_vert_glsl(), fragment, defines);
+  program.set("background", background_);
+  return program;
+}
+
+void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const {
+  target.bind();
+  const Blend* blend = blends.begin();
+  for (int i = 0; i < target.attachments(); ++i) {
+    set_blend(gl(), GLuint(i), *blend);
+    if (blend + 1 != blends.end()) ++blend;
+  }
+}
+
+void Stage::draw_geometry(const Program& program) const {
+  program.use();
+  geometry_.draw();
+}
+
+void Stage::draw_screen(const Program& program) const {
+  program.use();
+  gl().BindVertexArray(no_attributes_.id());
+  gl().DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "oit/geometry.h"
+#include "oit/gl_context.h"
+#include "oit/gl_objects.h"
+#include "oit/ledger.h"
+#include "oit/program.h"
+
+namespace pellucid {
+
+enum class Blend {
+  replace,
+  add,      // destination + source
+  transmit  // destination * (1 - source): the product of transmittances
+};
+
+/// What all methods draw on: a context, the scene's geometry, and the means to run a pass. A method
+/// makes its programs and targets from it.
+class Stage {
+ public:
+  Stage(const Scene& scene, const RenderContext& context);
+
+  void make_current() const { context_.make_current(); }
+  const GlContext& context() const { return context_; }
+  const Gl& gl() const { return context_.gl(); }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::uint64_t pixel_count() const { return std::uint64_t(width_) * height_; }
+  const Geometry& geometry() const { return geometry_; }
+  const Ledger& ledger() const { return ledger_; }
+  /// Counts what a method allocated by other means than target().
+  void record(std::string_view name, std::uint64_t bytes) { ledger_.record(name, bytes); }
+
+  /// A texture of the picture's size, in the ledger. `layers` 0: a plain texture.
+  Texture target(std::string_view name, GLenum format, int layers = 0);
+  /// A program over the scene's triangles from a fragment shader's body.
+  Program geometry_program(std::string_view fragment, Defines defines = {}) const;
+  /// A program over every pixel of the picture. `background` is set where it is used.
+  Program screen_program(std::string_view fragment, const Defines& defines = {}) const;
+
+  /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow.
+  void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
+  void draw_geometry(const Program& program) const;
+  void draw_screen(const Program& program) const;
+
+ private:
+  GlContext context_;
+  int width_, height_;
+  glm::vec3 background_;
+  Geometry geometry_;
+  VertexArray no_attributes_;
+  Ledger ledger_;
+};
+
+}  // namespace pellucid
