@@ -14,8 +14,8 @@
 namespace pellucid {
 namespace {
 
-nlohmann::json to_json(std::span<const ParameterSpec> parameters) {
-  nlohmann::json rows = nlohmann::json::array();
+nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const ParameterSpec& spec : parameters)
     rows.push_back({{"name", spec.name},
                     {"default", spec.default_value},
@@ -25,8 +25,8 @@ nlohmann::json to_json(std::span<const ParameterSpec> parameters) {
   return rows;
 }
 
-nlohmann::json list_methods() {
-  nlohmann::json rows = nlohmann::json::array();
+nlohmann::ordered_json list_methods() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const MethodRow& row : methods())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
@@ -42,8 +42,8 @@ nlohmann::json list_methods() {
   return rows;
 }
 
-nlohmann::json list_integrators() {
-  nlohmann::json rows = nlohmann::json::array();
+nlohmann::ordered_json list_integrators() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const IntegratorRow& row : integrators())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
@@ -52,8 +52,8 @@ nlohmann::json list_integrators() {
   return rows;
 }
 
-nlohmann::json list_fields() {
-  nlohmann::json rows = nlohmann::json::array();
+nlohmann::ordered_json list_fields() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const FieldRow& row : analytic_fields())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
@@ -64,8 +64,8 @@ nlohmann::json list_fields() {
   return rows;
 }
 
-nlohmann::json list_metrics() {
-  nlohmann::json rows = nlohmann::json::array();
+nlohmann::ordered_json list_metrics() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const MetricRow& row : metrics())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
@@ -75,8 +75,8 @@ nlohmann::json list_metrics() {
   return rows;
 }
 
-nlohmann::json list_all_studies() {
-  nlohmann::json rows = nlohmann::json::array();
+nlohmann::ordered_json list_all_studies() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const StudySummary& study : list_studies())
     rows.push_back({{"name", study.name}, {"title", study.title}, {"source", study.source}});
   return rows;
@@ -84,7 +84,7 @@ nlohmann::json list_all_studies() {
 
 struct Listing {
   std::string_view name;
-  nlohmann::json (*make)();
+  nlohmann::ordered_json (*make)();
 };
 
 constexpr Listing listings[] = {{"methods", list_methods},
@@ -93,12 +93,12 @@ constexpr Listing listings[] = {{"methods", list_methods},
                                 {"metrics", list_metrics},
                                 {"studies", list_all_studies}};
 
-std::string text_of(const nlohmann::json& value) {
+std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-void print_parameter(const nlohmann::json& parameter) {
+void print_parameter(const nlohmann::ordered_json& parameter) {
   std::string line = "      " + text_of(parameter["name"]);
   if (!text_of(parameter["default"]).empty()) line += "=" + text_of(parameter["default"]);
   line += fmt::format("   [{}]", text_of(parameter["accepted"]));
@@ -106,15 +106,15 @@ void print_parameter(const nlohmann::json& parameter) {
   std::cout << line << "   " << text_of(parameter["help"]) << '\n';
 }
 
-void print(const nlohmann::json& rows) {
-  for (const nlohmann::json& row : rows) {
+void print(const nlohmann::ordered_json& rows) {
+  for (const nlohmann::ordered_json& row : rows) {
     std::cout << text_of(row["name"]) << "   " << text_of(row["title"]) << '\n';
     for (const auto& [key, value] : row.items())
       if (key != "name" && key != "title" && key != "parameters" && !text_of(value).empty())
         std::cout << "   " << key << ": " << text_of(value) << '\n';
     if (row.contains("parameters") && !row["parameters"].empty()) {
       std::cout << "   parameters:\n";
-      for (const nlohmann::json& parameter : row["parameters"]) print_parameter(parameter);
+      for (const nlohmann::ordered_json& parameter : row["parameters"]) print_parameter(parameter);
     }
     std::cout << '\n';
   }
@@ -131,7 +131,7 @@ void add_list_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("WHAT", *what, names)->required();
   add_global_options(*command, globals);
   command->callback([what, &globals] {
-    const nlohmann::json rows = find_row("listing", *what, listings).make();
+    const nlohmann::ordered_json rows = find_row("listing", *what, listings).make();
     if (globals.json)
       std::cout << rows.dump(2) << '\n';
     else

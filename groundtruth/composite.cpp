@@ -1,5 +1,6 @@
 #include "groundtruth/composite.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pellucid {
@@ -18,7 +19,8 @@ double headlight(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t
 Fragment shade(const Scene& scene, const Crossing& crossing, const Vec3& ray_direction) {
   const TriangleMesh& mesh = scene.objects[crossing.object].mesh;
   const auto& t = mesh.triangles[crossing.triangle];
-  const Vec3 w(1 - crossing.u - crossing.v, crossing.u, crossing.v);
+  // Rounding may leave the first weight an ulp below 0, and the colour outside its hull.
+  const Vec3 w(std::max(0.0, 1 - crossing.u - crossing.v), crossing.u, crossing.v);
   const glm::dvec4 rgba = w.x * glm::dvec4(mesh.colors[t[0]]) +
                           w.y * glm::dvec4(mesh.colors[t[1]]) + w.z * glm::dvec4(mesh.colors[t[2]]);
   Fragment fragment{Vec3(rgba), rgba.a};

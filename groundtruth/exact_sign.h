@@ -27,7 +27,7 @@ struct EdgeFunctions {
 
 enum class Precision {
   rounded,  // signs as double arithmetic gives them; ties by the top-left rule
-  exact  // signs of the exact values: a filter first, exact rational numbers where it cannot tell
+  exact     // signs of the exact values: a filter first, unbounded precision where it cannot tell
 };
 
 /// True when the perturbed ray's line crosses the triangle; then `edges` holds e, all of one sign

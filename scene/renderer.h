@@ -46,7 +46,7 @@ struct Rendering {
 
 struct RenderRequest {
   bool layers = false;  // also fill Rendering::layers, fragments and max_layers; not timed
-  Progress progress;
+  Progress progress = {};
 };
 
 /// One method over one scene: made once (geometry uploaded, hierarchies built), rendered as often

@@ -1,0 +1,146 @@
+// Each crossing once: rays aimed at edges and vertices of meshes with known numbers of crossings.
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+
+#include "groundtruth/crossing_finder.h"
+#include "scene/view_depth.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+
+/// Picture coordinates (pixels) of a world point.
+Vec2 picture_point(const Scene& scene, const Vec3& x) {
+  const CameraFrame frame = camera_frame(scene.camera);
+  const double scale =
+      scene.camera.projection == Projection::perspective ? view_depth(frame, x) : 1;
+  const double pixel = 2 * half_height(scene.camera) / scene.height * scale;
+  return {scene.width / 2.0 + glm::dot(frame.right, x - frame.eye) / pixel,
+          scene.height / 2.0 - glm::dot(frame.up, x - frame.eye) / pixel};
+}
+
+TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
+  // Eight sheets of 95 × 95 cells, ten pixels wide, whose grid lines run through pixel centres from
+  // 25.5 to 975.5: a top-left rule covers 950² pixels of each.
+  Scene scene = orthographic_scene(1000, 1000);
+  scene.camera.height = 1000;
+  for (int layer = 0; layer < 8; ++layer) {
+    TriangleMesh sheet;
+    for (int j = 0; j <= 95; ++j)
+      for (int i = 0; i <= 95; ++i)
+        sheet.positions.push_back({25.5 + 10 * i - 500, 500 - 25.5 - 10 * j, -layer});
+    for (std::uint32_t j = 0; j < 95; ++j)
+      for (std::uint32_t i = 0; i < 95; ++i) {
+        const std::uint32_t v = 96 * j + i;
+        sheet.triangles.push_back({v, v + 1, v + 97});
+        sheet.triangles.push_back({v, v + 97, v + 96});
+      }
+    scene.objects.push_back({"sheet", sheet});
+  }
+  const CrossingFinder finder(scene, Precision::exact);
+  std::atomic<std::uint64_t> total = 0;
+  tbb::parallel_for(0, 1000, [&](int y) {
+    std::vector<Crossing> crossings;
+    for (int x = 0; x < 1000; ++x) {
+      finder.find(x + 0.5, y + 0.5, crossings);
+      total += crossings.size();
+    }
+  });
+  EXPECT_EQ(total, 7220000u);
+}
+
+class PropertyClosedMesh : public ::testing::TestWithParam<Projection> {
+ protected:
+  Scene scene() const {
+    Scene scene;
+    scene.width = scene.height = 500;
+    scene.camera = {.projection = GetParam(), .eye = {1.3, 0.7, 3}, .fov = 45, .height = 2.5};
+    scene.objects = {{"sphere", sphere(5, Rgba(1))}};
+    return scene;
+  }
+};
+
+TEST_P(PropertyClosedMesh, RaysThroughVerticesAndEdgesCrossTwiceOrNever) {
+  const Scene world = scene();
+  const CrossingFinder finder(world, Precision::exact);
+  const TriangleMesh& mesh = world.objects[0].mesh;
+  std::vector<Crossing> crossings;
+  std::uint64_t twice = 0, rays = 0;
+  const auto aim = [&](const Vec3& target) {
+    const Vec2 p = picture_point(world, target);
+    finder.find(p.x, p.y, crossings);
+    ++rays;
+    twice += crossings.size() == 2;
+    EXPECT_TRUE(crossings.empty() || crossings.size() == 2) << crossings.size();
+  };
+  for (const Vec3& vertex : mesh.positions) aim(vertex);
+  for (const auto& [a, b, c] : mesh.triangles)
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      aim(0.5 * (mesh.positions[p] + mesh.positions[q]));
+  // A convex body: only rays at its outline may miss it.
+  EXPECT_GT(twice, rays * 98 / 100);
+}
+
+TEST_P(PropertyClosedMesh, RoundedSignsDoNotSuffice) {
+  // The reason for exact arithmetic: if this fails, `precision=double` has become exact as well.
+  const Scene world = scene();
+  const CrossingFinder finder(world, Precision::rounded);
+  std::vector<Crossing> crossings;
+  int odd = 0;
+  for (const Vec3& vertex : world.objects[0].mesh.positions) {
+    const Vec2 p = picture_point(world, vertex);
+    finder.find(p.x, p.y, crossings);
+    odd += crossings.size() % 2;
+  }
+  EXPECT_GT(odd, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cameras, PropertyClosedMesh,
+                         ::testing::Values(Projection::perspective, Projection::orthographic));
+
+TEST(UnitCrossings, CoincidentSheetsAreAllKept) {
+  Scene scene = orthographic_scene(4, 4);
+  for (int i = 0; i < 32; ++i) scene.objects.push_back({"", full_layer(0.25, Rgba(1))});
+  const CrossingFinder finder(scene, Precision::exact);
+  std::vector<Crossing> crossings;
+  finder.find(1.5, 1.5, crossings);
+  ASSERT_EQ(crossings.size(), 32u);
+  for (std::uint32_t i = 0; i < 32; ++i) EXPECT_EQ(crossings[i].object, i);
+}
+
+TEST(UnitCrossings, NothingBehindTheEyeCounts) {
+  Scene scene = orthographic_scene(2, 2);
+  scene.camera.eye = {0, 0, 0};
+  scene.camera.target = {0, 0, -1};
+  for (const double z : {1.0, 1e-5, -1e-5, -1.0})
+    scene.objects.push_back({"", full_layer(z, Rgba(1))});
+  const CrossingFinder finder(scene, Precision::exact);
+  std::vector<Crossing> crossings;
+  finder.find(0.5, 0.5, crossings);
+  ASSERT_EQ(crossings.size(), 2u);
+  EXPECT_EQ(crossings[0].object, 2u);
+  EXPECT_EQ(crossings[1].object, 3u);
+}
+
+TEST(UnitCrossings, AFarAwayEyeMissesNothing) {
+  // 1e6 away with a matching field of view: the rays are almost parallel.
+  Scene scene;
+  scene.width = scene.height = 64;
+  scene.camera = {.eye = {0, 0, 1e6}, .target = {0, 0, 0}, .fov = 1e-4};
+  scene.objects = {{"", full_layer(0, Rgba(1))}, {"", full_layer(-0.5, Rgba(1))}};
+  const CrossingFinder finder(scene, Precision::exact);
+  std::vector<Crossing> crossings;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      finder.find(x + 0.5, y + 0.5, crossings);
+      ASSERT_EQ(crossings.size(), 2u);
+    }
+}
+
+}  // namespace
+}  // namespace pellucid
