@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "compare/methods.h"
+#include "compare/run_study.h"
+#include "compare/study.h"
+#include "compare/tables.h"
+#include "core/error.h"
+
+namespace pellucid {
+namespace {
+
+struct StudyArguments {
+  std::string name_or_file;
+  std::filesystem::path folder;
+  bool resume = false;
+  std::string only;
+};
+
+std::string milliseconds_and_memory(const ResultRow& row) {
+  return fmt::format("{:9.1f} ms {:9.1f} MB", row.seconds.median * 1e3,
+                     double(row.total_bytes()) / 1e6);
+}
+
+void print_row(const ResultRow& row) {
+  const std::string name = row.parameters.empty()
+                               ? fmt::format("{}/{}", row.scene, row.method)
+                               : fmt::format("{}/{}:{}", row.scene, row.method, row.parameters);
+  if (!row.error.empty()) return fmt::print("{:40} failed: {}\n", name, row.error);
+  const Metrics& m = row.metrics.linear;
+  fmt::print("{:40} RMSE {:9.3e}  SSIM {}  {}\n", name, m.rmse,
+             m.ssim ? fmt::format("{:.4f}", *m.ssim) : "none  ", milliseconds_and_memory(row));
+  std::fflush(stdout);
+}
+
+void check_failures(const StudyOutcome& outcome, const std::filesystem::path& folder) {
+  const auto failed = [](const ResultRow& row) { return !row.error.empty(); };
+  const auto count = std::count_if(outcome.rows.begin(), outcome.rows.end(), failed);
+  if (count == 0) return;
+  const auto first = std::find_if(outcome.rows.begin(), outcome.rows.end(), failed);
+  throw WorkError(fmt::format("{} of {} cells failed, the first: {}/{}: {} (all: {})", count,
+                              outcome.rows.size(), first->scene, first->method, first->error,
+                              (folder / "results.csv").string()));
+}
+
+void run(const StudyArguments& arguments, const GlobalOptions& globals) {
+  const Study study = load_study(find_study(arguments.name_or_file), methods());
+  StudyOptions options;
+  options.folder = arguments.folder.empty() ? "results/" + study.name : arguments.folder;
+  options.resume = arguments.resume;
+  options.only = arguments.only;
+  options.context.gl = globals.gl;
+  options.progress = console_progress(globals);
+  if (!globals.json && !globals.quiet) options.on_row = print_row;
+  const StudyOutcome outcome = run_study(study, options);
+  if (globals.json)
+    fmt::print("{}", results_json(study, outcome.rows));
+  else if (!globals.quiet)
+    fmt::print("{} cells computed, {} kept; report: {}\n", outcome.computed, outcome.kept,
+               (options.folder / "report.html").string());
+  check_failures(outcome, options.folder);
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, GlobalOptions& globals) {
+  auto arguments = std::make_shared<StudyArguments>();
+  CLI::App* command =
+      app.add_subcommand("study", "Run scenes × methods × parameters and write a report");
+  command->add_option("STUDY", arguments->name_or_file, "A study's name (see list) or file")
+      ->required();
+  command->add_option("-o,--output", arguments->folder,
+                      "Folder for the results; by default results/NAME");
+  command->add_flag("--resume", arguments->resume, "Keep the cells that are finished");
+  command->add_option("--only", arguments->only,
+                      "Run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this "
+                      "pattern, such as 'abc/*'; the others' rows are kept");
+  command->footer("Exit code: 0 done; 1 a cell failed; 2 wrong input.");
+  add_global_options(*command, globals);
+  command->callback([arguments, &globals] { run(*arguments, globals); });
+}
+
+}  // namespace pellucid

@@ -1,0 +1,104 @@
+#include "compare/cell.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/output_file.h"
+#include "scene/json_node.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// FNV-1a, 64 bits, over fields that can't run into one another.
+class Hash {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) mix(std::uint8_t(c));
+    for (std::uint64_t size = text.size(), i = 0; i < 8; ++i) mix(std::uint8_t(size >> (8 * i)));
+  }
+  std::string hex() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  void mix(std::uint8_t byte) { value_ = (value_ ^ byte) * 1099511628211u; }
+  std::uint64_t value_ = 14695981039346656037u;
+};
+
+/// Any text of a scene file that names a file beside it is taken for one that the scene reads.
+void add_named_files(const json& node, const fs::path& base, Hash& hash) {
+  if (node.is_structured())
+    for (const json& child : node) add_named_files(child, base, hash);
+  if (!node.is_string()) return;
+  const fs::path path = base / node.get<std::string>();
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) hash.add(read_text(path));
+}
+
+/// A row whose picture has been lost is not finished.
+bool is_complete(const CellFiles& files) {
+  return fs::exists(files.picture()) && fs::exists(files.preview());
+}
+
+}  // namespace
+
+std::vector<Cell> expand_cells(const Study& study) {
+  std::vector<Cell> cells;
+  for (const fs::path& scene : study.scenes) {
+    cells.push_back({scene, scene_name(scene), study.reference, true});
+    for (const MethodCall& call : study.methods)
+      cells.push_back({scene, scene_name(scene), call, false});
+  }
+  return cells;
+}
+
+CellFiles::CellFiles(fs::path folder, const Cell& cell)
+    : folder_(std::move(folder)), scene_(cell.scene), slug_(cell.call.slug()) {}
+
+fs::path CellFiles::image(std::string_view ending) const {
+  return folder_ / "images" / scene_ / fmt::format("{}{}", slug_, ending);
+}
+
+fs::path CellFiles::row() const { return folder_ / "cells" / scene_ / (slug_ + ".json"); }
+
+void CellFiles::make_folders() const {
+  for (const fs::path& path : {picture().parent_path(), row().parent_path()}) {
+    std::error_code code;
+    fs::create_directories(path, code);
+    if (code)
+      throw InputError(
+          fmt::format("{}: cannot make the folder: {}", path.string(), code.message()));
+  }
+}
+
+std::string fingerprint(const Cell& cell) {
+  Hash hash;
+  hash.add(read_text(cell.scene_file));
+  add_named_files(read_json(cell.scene_file), cell.scene_file.parent_path(), hash);
+  hash.add(cell.call.row->name);
+  for (const auto& [key, value] : cell.call.parameters.all()) {
+    hash.add(key);
+    hash.add(value);
+  }
+  return hash.hex();
+}
+
+std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint) {
+  if (!fs::exists(files.row()) || !is_complete(files)) return std::nullopt;
+  try {
+    ResultRow row = row_from_json(json::parse(read_text(files.row())));
+    if (row.fingerprint == fingerprint && row.error.empty()) return row;
+  } catch (const json::exception&) {
+    // Another version's row: the cell is computed again.
+  }
+  return std::nullopt;
+}
+
+void write_row(const CellFiles& files, const ResultRow& row) {
+  write_text(files.row(), to_json(row).dump(1) + "\n");
+}
+
+}  // namespace pellucid

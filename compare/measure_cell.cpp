@@ -1,0 +1,117 @@
+#include "compare/measure_cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/machine.h"
+#include "core/stopwatch.h"
+
+namespace pellucid {
+namespace {
+
+Spread spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return {(values[(n - 1) / 2] + values[n / 2]) / 2, values.front(), values.back()};
+}
+
+/// Steps have the same names in the same order in every repeat.
+std::vector<std::pair<std::string, Spread>> step_spreads(const std::vector<RenderStats>& runs) {
+  std::vector<std::pair<std::string, Spread>> steps;
+  for (std::size_t i = 0; i < runs.front().steps.size(); ++i) {
+    std::vector<double> seconds;
+    for (const RenderStats& run : runs)
+      if (i < run.steps.size()) seconds.push_back(run.steps[i].seconds);
+    steps.emplace_back(runs.front().steps[i].name, spread(seconds));
+  }
+  return steps;
+}
+
+Spread total_spread(const std::vector<RenderStats>& runs) {
+  std::vector<double> seconds;
+  for (const RenderStats& run : runs) seconds.push_back(run.seconds());
+  return spread(seconds);
+}
+
+ResultRow identity(const Cell& cell) {
+  ResultRow row;
+  row.scene = cell.scene;
+  row.method = cell.call.row->name;
+  row.parameters = cell.call.parameters.given();
+  row.parameter_values = cell.call.parameters.all();
+  row.reference = cell.reference;
+  return row;
+}
+
+void describe(const Renderer& renderer, const Scene& scene, ResultRow& row) {
+  row.explanation = renderer.explain();
+  row.scene_provenance = scene.provenance;
+  row.machine = machine_facts();
+  row.machine.merge(renderer.facts());
+}
+
+void check_finite(const Image& image) {
+  const std::size_t bad = count_not_finite(image);
+  if (bad > 0) throw WorkError(fmt::format("{} pixels of its picture are not finite", bad));
+}
+
+}  // namespace
+
+CellMeasurement measure_cell(const Cell& cell, const Scene& scene, int repeats,
+                             const RenderContext& context) {
+  CellMeasurement result{identity(cell), {}, {}};
+  ResultRow& row = result.row;
+  const Stopwatch setup;
+  const auto renderer = cell.call.row->make(scene, cell.call.parameters, context);
+  row.setup_seconds = setup.seconds();
+
+  RenderRequest counting;
+  counting.layers = true;
+  Rendering warm_up = renderer->render(counting);
+  result.layers = std::move(warm_up.layers);
+  row.fragments = warm_up.stats.fragments;
+  row.max_layers = warm_up.stats.max_layers;
+  row.dropped = warm_up.stats.dropped;
+
+  std::vector<RenderStats> runs;
+  for (int i = 0; i < repeats; ++i) {
+    Rendering rendering = renderer->render({});
+    runs.push_back(rendering.stats);
+    result.image = std::move(rendering.image);
+  }
+  check_finite(result.image);
+  row.repeats = repeats;
+  row.seconds = total_spread(runs);
+  row.steps = step_spreads(runs);
+  row.bytes = runs.back().bytes;
+  describe(*renderer, scene, row);
+  return result;
+}
+
+CoverageCheck check_coverage(const Image& reference, const CountImage& reference_layers,
+                             const Image& test, const CountImage& test_layers) {
+  assert(reference.pixels.size() == test.pixels.size());
+  assert(reference_layers.pixels.size() == test_layers.pixels.size());
+  CoverageCheck check;
+  check.pixels = test.pixels.size();
+  double squares = 0;
+  for (std::size_t i = 0; i < test.pixels.size(); ++i) {
+    if (reference_layers.pixels[i] != test_layers.pixels[i]) {
+      ++check.differing;
+      continue;
+    }
+    for (int c = 0; c < 3; ++c) {
+      const double d = double(test.pixels[i][c]) - reference.pixels[i][c];
+      squares += d * d;
+    }
+  }
+  const double equal = double(check.pixels - check.differing);
+  if (equal > 0) check.rmse_elsewhere = std::sqrt(squares / (3 * equal));
+  return check;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "compare/cell.h"
+
+namespace pellucid {
+
+/// What measuring a method on a scene gives: the row without its metrics, and the pictures.
+struct CellMeasurement {
+  ResultRow row;
+  Image image;
+  CountImage layers;  // empty when the method does not count them
+};
+
+/// Makes the renderer, renders once to warm up and to count layers, then `repeats` timed times.
+/// Throws WorkError when the picture has pixels that are not finite.
+CellMeasurement measure_cell(const Cell& cell, const Scene& scene, int repeats,
+                             const RenderContext& context);
+
+/// How an exact method's numbers of layers, and its picture where they agree, fit the reference.
+CoverageCheck check_coverage(const Image& reference, const CountImage& reference_layers,
+                             const Image& test, const CountImage& test_layers);
+
+}  // namespace pellucid

@@ -1,0 +1,142 @@
+#include "compare/result_row.h"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace pellucid {
+namespace {
+
+using nlohmann::json;
+
+/// JSON has no infinity: an infinite PSNR (equal pictures) and a missing SSIM are null.
+json finite_or_null(std::optional<double> value) {
+  return value && std::isfinite(*value) ? json(*value) : json(nullptr);
+}
+
+std::optional<double> optional_number(const json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+json metrics_json(const Metrics& m) {
+  return {{"rmse", m.rmse},
+          {"ssim", finite_or_null(m.ssim)},
+          {"psnr", finite_or_null(m.psnr)},
+          {"max_error", m.max_error.value},
+          {"max_error_pixel", {m.max_error.x, m.max_error.y}}};
+}
+
+Metrics metrics_from(const json& j) {
+  return {j.at("rmse"),
+          optional_number(j.at("psnr")).value_or(std::numeric_limits<double>::infinity()),
+          optional_number(j.at("ssim")),
+          {j.at("max_error"), j.at("max_error_pixel").at(0), j.at("max_error_pixel").at(1)}};
+}
+
+json spread_json(const Spread& s) { return {{"median", s.median}, {"min", s.min}, {"max", s.max}}; }
+
+Spread spread_from(const json& j) { return {j.at("median"), j.at("min"), j.at("max")}; }
+
+json seconds_json(const ResultRow& row) {
+  json steps = json::array();  // in the order in which they run
+  for (const auto& [name, spread] : row.steps) {
+    steps.push_back(spread_json(spread));
+    steps.back()["name"] = name;
+  }
+  json seconds = spread_json(row.seconds);
+  seconds["steps"] = steps;
+  seconds["setup"] = row.setup_seconds;
+  seconds["repeats"] = row.repeats;
+  return seconds;
+}
+
+void seconds_from(const json& j, ResultRow& row) {
+  row.seconds = spread_from(j);
+  for (const json& step : j.at("steps")) row.steps.emplace_back(step.at("name"), spread_from(step));
+  row.setup_seconds = j.at("setup");
+  row.repeats = j.at("repeats");
+}
+
+json bytes_json(const ResultRow& row) {
+  json parts = json::array();
+  for (const NamedBytes& part : row.bytes)
+    parts.push_back({{"name", part.name}, {"bytes", part.bytes}});
+  return {{"total", row.total_bytes()}, {"parts", parts}};
+}
+
+json coverage_json(const CoverageCheck& c) {
+  return {{"layers_differ", c.differing},
+          {"pixels", c.pixels},
+          {"rmse_equal_layers", finite_or_null(c.rmse_elsewhere)}};
+}
+
+CoverageCheck coverage_from(const json& j) {
+  return {j.at("layers_differ"), j.at("pixels"), optional_number(j.at("rmse_equal_layers"))};
+}
+
+void add_results(const ResultRow& row, json& j) {
+  j["metrics"] = to_json(row.metrics);
+  j["seconds"] = seconds_json(row);
+  j["bytes"] = bytes_json(row);
+  j["fragments"] = row.fragments;
+  j["dropped"] = row.dropped;
+  j["max_layers"] = row.max_layers;
+  if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
+  j["explanation"] = row.explanation;
+  j["scene_provenance"] = row.scene_provenance;
+}
+
+void results_from(const json& j, ResultRow& row) {
+  row.metrics = {metrics_from(j.at("metrics")), metrics_from(j.at("metrics").at("displayed"))};
+  seconds_from(j.at("seconds"), row);
+  for (const json& part : j.at("bytes").at("parts"))
+    row.bytes.push_back({part.at("name"), part.at("bytes")});
+  row.fragments = j.at("fragments");
+  row.dropped = j.at("dropped");
+  row.max_layers = j.at("max_layers");
+  if (j.contains("coverage")) row.coverage = coverage_from(j.at("coverage"));
+  row.explanation = j.at("explanation");
+  row.scene_provenance = j.at("scene_provenance");
+}
+
+}  // namespace
+
+std::uint64_t ResultRow::total_bytes() const {
+  std::uint64_t sum = 0;
+  for (const NamedBytes& part : bytes) sum += part.bytes;
+  return sum;
+}
+
+json to_json(const Comparison& comparison) {
+  json j = metrics_json(comparison.linear);
+  j["displayed"] = metrics_json(comparison.displayed);
+  return j;
+}
+
+json to_json(const ResultRow& row) {
+  json j = {{"scene", row.scene},           {"method", row.method},
+            {"parameters", row.parameters}, {"parameter_values", row.parameter_values},
+            {"reference", row.reference},   {"fingerprint", row.fingerprint},
+            {"machine", row.machine}};
+  if (row.error.empty())
+    add_results(row, j);
+  else
+    j["error"] = row.error;
+  return j;
+}
+
+ResultRow row_from_json(const json& j) {
+  ResultRow row;
+  row.scene = j.at("scene");
+  row.method = j.at("method");
+  row.parameters = j.at("parameters");
+  for (const auto& item : j.at("parameter_values").items())
+    row.parameter_values.emplace(item.key(), item.value());
+  row.reference = j.at("reference");
+  row.fingerprint = j.at("fingerprint");
+  row.machine = j.at("machine");
+  row.error = j.value("error", "");
+  if (row.error.empty()) results_from(j, row);
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/metrics.h"
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// Wall-clock seconds over the repeats.
+struct Spread {
+  double median = 0, min = 0, max = 0;
+};
+
+/// Where an exact method sees another number of layers than the reference: pixels at the very edge
+/// of a triangle, which two renderers may give to either side.
+struct CoverageCheck {
+  std::uint64_t differing = 0;  // pixels with another number of layers
+  std::uint64_t pixels = 0;
+  std::optional<double> rmse_elsewhere;  // over the pixels with equal numbers, if there are any
+};
+
+/// What one cell of a study found out.
+struct ResultRow {
+  std::string scene, method, parameters;  // parameters as given: "bands=5"
+  bool reference = false;
+  std::string error;  // empty: the cell is done, and what follows holds
+
+  std::string fingerprint;      // of everything that the picture depends on
+  RawOptions parameter_values;  // defaults included
+  int repeats = 0;
+  Comparison metrics;
+  Spread seconds;
+  std::vector<std::pair<std::string, Spread>> steps;
+  double setup_seconds = 0;  // geometry uploaded, hierarchies built
+  std::vector<NamedBytes> bytes;
+  std::uint64_t fragments = 0;
+  std::uint64_t dropped = 0;
+  std::uint32_t max_layers = 0;
+  std::optional<CoverageCheck> coverage;
+  std::vector<std::string> explanation;                 // what the method modelled, and why
+  std::map<std::string, std::string> scene_provenance;  // how the scene was made
+  std::map<std::string, std::string> machine;           // with the method's own facts: driver, …
+
+  std::uint64_t total_bytes() const;
+};
+
+nlohmann::json to_json(const ResultRow& row);
+
+/// Throws nlohmann's exceptions when `json` was not made by to_json.
+ResultRow row_from_json(const nlohmann::json& json);
+
+nlohmann::json to_json(const Comparison& comparison);
+
+}  // namespace pellucid

@@ -1,0 +1,223 @@
+#include "compare/run_study.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "compare/cell.h"
+#include "compare/error_map.h"
+#include "compare/image_file.h"
+#include "compare/measure_cell.h"
+#include "compare/report.h"
+#include "compare/tables.h"
+#include "core/error.h"
+#include "core/output_file.h"
+#include "scene/scene_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A cell of this run, and its row once there is one.
+struct Job {
+  Cell cell;
+  CellFiles files;
+  std::string fingerprint;
+  bool selected = true;
+  std::optional<ResultRow> row = std::nullopt;
+};
+
+bool fits(const std::string& pattern, const std::string& text) {
+  return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
+}
+
+bool is_selected(const Cell& cell, const std::string& only) {
+  return only.empty() || fits(only, cell.scene) || fits(only, cell.call.text()) ||
+         fits(only, std::string(cell.call.row->name)) || fits(only, cell.name());
+}
+
+std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
+  std::vector<Job> jobs;
+  for (const Cell& cell : expand_cells(study))
+    jobs.push_back({cell, CellFiles(options.folder, cell), fingerprint(cell),
+                    is_selected(cell, options.only)});
+  if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
+    throw InputError(
+        fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
+                    "or SCENE/METHOD:PARAMETERS, such as '{}'",
+                    options.only, jobs.back().cell.name()));
+  return jobs;
+}
+
+/// Cells that this run does not have to compute: all that were finished when it resumes; otherwise
+/// those that it leaves out. Rows that this run will replace go first, so that a kill can't leave
+/// them to be taken for its own.
+void read_known_rows(std::vector<Job>& jobs, bool resume) {
+  for (Job& job : jobs) {
+    if (resume || !job.selected)
+      job.row = read_finished(job.files, job.fingerprint);
+    else
+      fs::remove(job.files.row());
+  }
+}
+
+/// The scene and its reference, loaded when the first cell asks for them.
+class SceneAtHand {
+ public:
+  SceneAtHand(fs::path file, Progress progress)
+      : file_(std::move(file)), progress_(std::move(progress)) {}
+
+  const Scene& scene() {
+    if (!scene_) scene_ = std::make_unique<Scene>(load_scene(file_, progress_));
+    return *scene_;
+  }
+  /// Read back as it was stored, so that every run of a cell compares with the same bits.
+  void set_reference(const CellFiles& files) { reference_files_ = files; }
+  const Image& reference() {
+    if (reference_.pixels.empty()) reference_ = read_image(reference_files_->picture());
+    return reference_;
+  }
+  const CountImage& reference_layers() {
+    if (layers_.pixels.empty()) layers_ = read_counts(reference_files_->layers());
+    return layers_;
+  }
+  bool has_reference_layers() const { return fs::exists(reference_files_->layers()); }
+
+ private:
+  fs::path file_;
+  Progress progress_;
+  std::unique_ptr<Scene> scene_;
+  std::optional<CellFiles> reference_files_;
+  Image reference_;
+  CountImage layers_;
+};
+
+void write_pictures(const CellFiles& files, const CellMeasurement& measured) {
+  write_image(files.picture(), measured.image);
+  write_image(files.preview(), measured.image);
+  if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
+}
+
+/// The picture as it was stored stands for the method: what is measured can be measured again.
+void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHand& at_hand) {
+  const Image& reference = at_hand.reference();
+  measured.row.metrics = compare_images(reference, measured.image);
+  write_image(job.files.error_map(), error_map(reference, measured.image));
+  const bool comparable = job.cell.call.row->promises.exact && !job.cell.reference &&
+                          !measured.layers.pixels.empty() && at_hand.has_reference_layers();
+  if (comparable)
+    measured.row.coverage =
+        check_coverage(reference, at_hand.reference_layers(), measured.image, measured.layers);
+}
+
+ResultRow compute(const Job& job, SceneAtHand& at_hand, int repeats, const RenderContext& context) {
+  CellMeasurement measured = measure_cell(job.cell, at_hand.scene(), repeats, context);
+  write_pictures(job.files, measured);
+  if (job.cell.reference) at_hand.set_reference(job.files);
+  compare_with_reference(job, measured, at_hand);
+  measured.row.fingerprint = job.fingerprint;
+  return measured.row;
+}
+
+ResultRow failed(const Job& job, const std::string& why) {
+  ResultRow row;
+  row.scene = job.cell.scene;
+  row.method = job.cell.call.row->name;
+  row.parameters = job.cell.call.parameters.given();
+  row.parameter_values = job.cell.call.parameters.all();
+  row.reference = job.cell.reference;
+  row.fingerprint = job.fingerprint;
+  row.error = why;
+  return row;
+}
+
+class StudyRun {
+ public:
+  StudyRun(const Study& study, const StudyOptions& options)
+      : study_(study), options_(options), jobs_(make_jobs(study, options)) {
+    for (const Job& job : jobs_) job.files.make_folders();
+    read_known_rows(jobs_, options.resume);
+    for (const Job& job : jobs_) outcome_.kept += job.row && job.selected;
+  }
+
+  StudyOutcome run() {
+    for (std::size_t first = 0; first < jobs_.size(); first += cells_per_scene())
+      run_scene(std::span(jobs_).subspan(first, cells_per_scene()));
+    finish();
+    return std::move(outcome_);
+  }
+
+ private:
+  std::size_t cells_per_scene() const { return 1 + study_.methods.size(); }
+
+  void run_scene(std::span<Job> jobs) {
+    const auto pending = [](const Job& job) { return job.selected && !job.row; };
+    if (std::none_of(jobs.begin(), jobs.end(), pending)) return;
+    SceneAtHand at_hand(jobs.front().cell.scene_file, {});
+    Job& reference = jobs.front();
+    if (!reference.row) run_job(reference, at_hand);
+    at_hand.set_reference(reference.files);
+    for (Job& job : jobs.subspan(1))
+      if (pending(job)) reference.row->error.empty() ? run_job(job, at_hand) : skip(job);
+  }
+
+  /// An adverse cell must not take the others with it: any exception becomes its row's error. A
+  /// full disk ends the study, since no row can be written either.
+  void run_job(Job& job, SceneAtHand& at_hand) {
+    report(options_.progress, progress(), job.cell.name());
+    try {
+      record(job, compute(job, at_hand, study_.repeats, options_.context));
+    } catch (const std::exception& error) {
+      record(job, failed(job, error.what()));
+    }
+  }
+
+  void skip(Job& job) { record(job, failed(job, "its scene's reference failed")); }
+
+  void record(Job& job, ResultRow row) {
+    write_row(job.files, row);
+    job.row = std::move(row);
+    ++outcome_.computed;
+    write_text(options_.folder / "results.csv", csv_table(known_rows()));
+    if (options_.on_row) options_.on_row(*job.row);
+  }
+
+  double progress() const {
+    const auto done =
+        std::count_if(jobs_.begin(), jobs_.end(), [](const Job& j) { return !!j.row; });
+    return double(done) / double(jobs_.size());
+  }
+
+  std::vector<ResultRow> known_rows() const {
+    std::vector<ResultRow> rows;
+    for (const Job& job : jobs_)
+      if (job.row) rows.push_back(*job.row);
+    return rows;
+  }
+
+  void finish() {
+    report(options_.progress, 1, "report");
+    outcome_.rows = known_rows();
+    write_text(options_.folder / "results.csv", csv_table(outcome_.rows));
+    write_text(options_.folder / "results.json", results_json(study_, outcome_.rows));
+    write_text(options_.folder / "table.md", markdown_table(study_, outcome_.rows));
+    write_text(options_.folder / "table.tex", latex_table(study_, outcome_.rows));
+    write_report(options_.folder, study_, outcome_.rows);
+  }
+
+  const Study& study_;
+  const StudyOptions& options_;
+  std::vector<Job> jobs_;
+  StudyOutcome outcome_;
+};
+
+}  // namespace
+
+StudyOutcome run_study(const Study& study, const StudyOptions& options) {
+  return StudyRun(study, options).run();
+}
+
+}  // namespace pellucid

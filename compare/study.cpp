@@ -1,0 +1,205 @@
+#include "compare/study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.h"
+#include "core/names.h"
+#include "scene/json_node.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int max_repeats = 1000;
+constexpr int max_side = 1 << 14;  // of a crop, as of a picture
+constexpr std::size_t max_calls = 10000;
+
+/// A parameter's value as it would stand on the command line.
+std::string option_text(const JsonNode& node) {
+  const nlohmann::json& value = node.value();
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+  if (value.is_number()) return value.dump();
+  node.fail(value.dump() + "; accepted: a number, text, true, false, or an array of these");
+}
+
+std::vector<std::string> option_values(const JsonNode& node) {
+  if (!node.is_array()) return {option_text(node)};
+  std::vector<std::string> values;
+  for (const JsonNode& element : node.elements()) values.push_back(option_text(element));
+  if (values.empty()) node.fail("[]; accepted: at least one value");
+  return values;
+}
+
+/// Every combination of `sets` with a value for `key`: a sweep's Cartesian product.
+std::vector<RawOptions> sweep(const std::vector<RawOptions>& sets, const std::string& key,
+                              const std::vector<std::string>& values) {
+  std::vector<RawOptions> combined;
+  for (const RawOptions& set : sets)
+    for (const std::string& value : values) {
+      combined.push_back(set);
+      combined.back()[key] = value;
+    }
+  return combined;
+}
+
+MethodCall make_call(const JsonNode& node, std::string_view name, const RawOptions& options,
+                     std::span<const MethodRow> table) {
+  try {
+    const MethodRow& row = find_row("method", name, table);
+    return {&row, Parameters(row.name, row.parameters, options)};
+  } catch (const InputError& error) {
+    node.fail(error.what());
+  }
+}
+
+std::vector<MethodCall> calls_of_text(const JsonNode& node, std::span<const MethodRow> table) {
+  NameAndOptions parsed;
+  try {
+    parsed = parse_name_and_options(node.string());
+  } catch (const InputError& error) {
+    node.fail(error.what());
+  }
+  return {make_call(node, parsed.name, parsed.options, table)};
+}
+
+std::vector<MethodCall> calls_of_object(const JsonNode& node, std::span<const MethodRow> table) {
+  std::vector<RawOptions> sets(1);
+  for (const auto& item : node.value().items()) {
+    if (item.key() == "method") continue;
+    sets = sweep(sets, item.key(), option_values(node[item.key()]));
+    if (sets.size() > max_calls) node.fail(fmt::format("more than {} combinations", max_calls));
+  }
+  std::vector<MethodCall> calls;
+  for (const RawOptions& options : sets)
+    calls.push_back(make_call(node, node["method"].string(), options, table));
+  return calls;
+}
+
+std::vector<MethodCall> read_calls(const JsonNode& node, std::span<const MethodRow> table) {
+  if (node.is_string()) return calls_of_text(node, table);
+  if (node.is_object()) return calls_of_object(node, table);
+  node.fail("accepted: \"NAME[:key=value,…]\" or {\"method\": NAME, key: value or [values], …}");
+}
+
+MethodCall read_reference(const JsonNode& node, std::span<const MethodRow> table) {
+  std::vector<MethodCall> calls = read_calls(node, table);
+  if (calls.size() != 1) node.fail("a sweep; accepted: one method with one set of parameters");
+  return calls.front();
+}
+
+/// Each call once; the reference, which has its own cell, not at all.
+std::vector<MethodCall> read_methods(const JsonNode& node, const MethodCall& reference,
+                                     std::span<const MethodRow> table) {
+  std::vector<MethodCall> calls;
+  std::set<std::string> seen{reference.text()};
+  for (const JsonNode& element : node.elements())
+    for (MethodCall& call : read_calls(element, table))
+      if (seen.insert(call.text()).second) calls.push_back(std::move(call));
+  return calls;
+}
+
+/// A scene that is not there, or is something else, is found before hours of work.
+fs::path read_scene_path(const JsonNode& node, const fs::path& base) {
+  const fs::path path = (base / node.string()).lexically_normal();
+  if (!fs::is_regular_file(path))
+    node.fail(fmt::format("'{}' is not a file; accepted: a scene file, relative to the study",
+                          path.string()));
+  const nlohmann::json scene = read_json(path);
+  JsonNode(path.string(), scene)["format"].one_of({"pellucid-scene"});
+  return path;
+}
+
+std::vector<fs::path> read_scenes(const JsonNode& node, const fs::path& base) {
+  std::vector<fs::path> scenes;
+  std::set<std::string> names;
+  for (const JsonNode& element : node.elements()) {
+    scenes.push_back(read_scene_path(element, base));
+    if (!names.insert(scene_name(scenes.back())).second)
+      element.fail(fmt::format("a second scene named '{}'; accepted: scenes of different names",
+                               scene_name(scenes.back())));
+  }
+  if (scenes.empty()) node.fail("[]; accepted: at least one scene");
+  return scenes;
+}
+
+Crop read_crop(const JsonNode& node) {
+  const std::vector<JsonNode> numbers = node.elements();
+  if (numbers.size() != 4) node.fail("accepted: [x, y, width, height] in pixels");
+  return {numbers[0].integer(0, max_side), numbers[1].integer(0, max_side),
+          numbers[2].integer(1, max_side), numbers[3].integer(1, max_side)};
+}
+
+std::map<std::string, Crop> read_crops(const JsonNode& node, const std::vector<fs::path>& scenes) {
+  std::vector<std::string> names;
+  for (const fs::path& scene : scenes) names.push_back(scene_name(scene));
+  std::map<std::string, Crop> crops;
+  for (const auto& item : node.value().items()) {
+    if (std::find(names.begin(), names.end(), item.key()) == names.end())
+      node.fail(unknown_name("scene", item.key(),
+                             std::vector<std::string_view>(names.begin(), names.end())));
+    crops.emplace(item.key(), read_crop(node[item.key()]));
+  }
+  return crops;
+}
+
+Study read_study(const JsonNode& root, const fs::path& file, std::span<const MethodRow> table) {
+  root["format"].one_of({"pellucid-study"});
+  root["version"].integer(1, 1);
+  root.accept_keys({"format", "version", "title", "source", "scenes", "reference", "methods",
+                    "repeats", "crops"});
+  Study study;
+  study.name = file.stem().string();
+  study.file = file;
+  study.title = root.has("title") ? root["title"].string() : study.name;
+  if (root.has("source")) study.source = root["source"].string();
+  study.scenes = read_scenes(root["scenes"], file.parent_path());
+  study.reference = read_reference(root["reference"], table);
+  study.methods = read_methods(root["methods"], study.reference, table);
+  if (root.has("repeats")) study.repeats = root["repeats"].integer(1, max_repeats);
+  if (root.has("crops")) study.crops = read_crops(root["crops"], study.scenes);
+  return study;
+}
+
+/// FNV-1a, 32 bits: tells apart names that look alike once their odd characters are gone.
+std::uint32_t short_hash(std::string_view text) {
+  std::uint32_t hash = 2166136261u;
+  for (const char c : text) hash = (hash ^ std::uint8_t(c)) * 16777619u;
+  return hash;
+}
+
+bool is_file_safe(char c) {
+  return std::isalnum(std::uint8_t(c)) || c == '.' || c == '_' || c == '+';
+}
+
+}  // namespace
+
+std::string MethodCall::text() const {
+  const std::string given = parameters.given();
+  return given.empty() ? std::string(row->name) : fmt::format("{}:{}", row->name, given);
+}
+
+std::string MethodCall::slug() const {
+  std::string slug = text();
+  bool lossy = false;
+  for (char& c : slug) {
+    if (is_file_safe(c)) continue;
+    lossy |= std::string_view("-:=,").find(c) == std::string_view::npos;
+    c = '-';
+  }
+  return lossy ? fmt::format("{}-{:08x}", slug.substr(0, 80), short_hash(text())) : slug;
+}
+
+std::string scene_name(const fs::path& scene) { return scene.stem().string(); }
+
+Study load_study(const fs::path& file, std::span<const MethodRow> methods) {
+  const nlohmann::json json = read_json(file);
+  return read_study(JsonNode(file.string(), json), file, methods);
+}
+
+}  // namespace pellucid

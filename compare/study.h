@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// A method and the parameters that a study gives it.
+struct MethodCall {
+  const MethodRow* row = nullptr;
+  Parameters parameters;
+
+  /// "fourier:bands=5", as on the command line.
+  std::string text() const;
+  /// The same as part of a file's name: "fourier-bands-5".
+  std::string slug() const;
+};
+
+/// A part of a picture, in pixels from the top left.
+struct Crop {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// A study file: scenes × methods × parameters against one reference.
+struct Study {
+  std::string name;  // the file's stem
+  std::string title;
+  std::string source;  // the figure or table that it reproduces
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> scenes;
+  MethodCall reference;
+  std::vector<MethodCall> methods;  // sweeps expanded; the reference is not among them
+  int repeats = 3;
+  std::map<std::string, Crop> crops;  // by scene
+};
+
+/// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
+/// "NAME[:key=value,…]" or {"method": NAME, key: value or [values], …}; scenes are relative to the
+/// file. Throws InputError that names file, key and accepted values, also for scenes that are not
+/// there.
+Study load_study(const std::filesystem::path& file, std::span<const MethodRow> methods);
+
+/// A scene's name in cells, tables and paths: its file's stem.
+std::string scene_name(const std::filesystem::path& scene);
+
+/// The file of a study given by its path, or by its name in ./studies, in the current folder or
+/// among those that come with the program. Throws InputError with the nearest names.
+std::filesystem::path find_study(std::string_view name_or_file);
+
+struct StudySummary {
+  std::string name, title, source;
+  std::filesystem::path file;
+};
+
+/// The studies that come with the program, by name.
+std::vector<StudySummary> list_studies();
+
+}  // namespace pellucid

@@ -1,0 +1,239 @@
+#include "compare/tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace pellucid {
+namespace {
+
+/// Shortest text that reads back as the same double; "inf" for the PSNR of equal pictures.
+std::string digits(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
+
+struct CsvColumn {
+  std::string_view name;
+  std::string (*text)(const ResultRow&);
+};
+
+std::string differing_layers(const ResultRow& r) {
+  return r.coverage ? fmt::format("{}", r.coverage->differing) : "";
+}
+
+std::string rmse_equal_layers(const ResultRow& r) {
+  return r.coverage ? digits(r.coverage->rmse_elsewhere) : "";
+}
+
+constexpr CsvColumn identity_columns[] = {
+    {"scene", [](const ResultRow& r) { return r.scene; }},
+    {"method", [](const ResultRow& r) { return r.method; }},
+    {"parameters", [](const ResultRow& r) { return r.parameters; }}};
+
+constexpr CsvColumn result_columns[] = {
+    {"rmse", [](const ResultRow& r) { return digits(r.metrics.linear.rmse); }},
+    {"ssim", [](const ResultRow& r) { return digits(r.metrics.linear.ssim); }},
+    {"psnr", [](const ResultRow& r) { return digits(r.metrics.linear.psnr); }},
+    {"seconds", [](const ResultRow& r) { return digits(r.seconds.median); }},
+    {"bytes", [](const ResultRow& r) { return fmt::format("{}", r.total_bytes()); }},
+    {"fragments", [](const ResultRow& r) { return fmt::format("{}", r.fragments); }},
+    {"max_layers", [](const ResultRow& r) { return fmt::format("{}", r.max_layers); }},
+    {"max_error", [](const ResultRow& r) { return digits(r.metrics.linear.max_error.value); }},
+    {"rmse_8bit", [](const ResultRow& r) { return digits(r.metrics.displayed.rmse); }},
+    {"ssim_8bit", [](const ResultRow& r) { return digits(r.metrics.displayed.ssim); }},
+    {"psnr_8bit", [](const ResultRow& r) { return digits(r.metrics.displayed.psnr); }},
+    {"max_error_8bit",
+     [](const ResultRow& r) { return digits(r.metrics.displayed.max_error.value); }},
+    {"seconds_min", [](const ResultRow& r) { return digits(r.seconds.min); }},
+    {"seconds_max", [](const ResultRow& r) { return digits(r.seconds.max); }},
+    {"setup_seconds", [](const ResultRow& r) { return digits(r.setup_seconds); }},
+    {"dropped", [](const ResultRow& r) { return fmt::format("{}", r.dropped); }},
+    {"layers_differ", differing_layers},
+    {"rmse_equal_layers", rmse_equal_layers}};
+
+/// Quoted when it has to be.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_header() {
+  std::string line;
+  for (const CsvColumn& column : identity_columns) line += fmt::format("{},", column.name);
+  for (const CsvColumn& column : result_columns) line += fmt::format("{},", column.name);
+  return line + "error\n";
+}
+
+std::string csv_line(const ResultRow& row) {
+  std::string line;
+  for (const CsvColumn& column : identity_columns) line += csv_field(column.text(row)) + ',';
+  for (const CsvColumn& column : result_columns)
+    line += (row.error.empty() ? csv_field(column.text(row)) : "") + ',';
+  return line + csv_field(row.error) + '\n';
+}
+
+/// A column for people: its number, how it is written, and which way is better.
+struct ReadableColumn {
+  std::string_view title;
+  std::optional<double> (*value)(const ResultRow&);
+  std::string (*text)(double);
+  enum class Better { lower, higher, neither } better;
+};
+
+std::string scientific(double x) { return x == 0 ? "0" : fmt::format("{:.2e}", x); }
+std::string four_decimals(double x) { return fmt::format("{:.4f}", x); }
+std::string one_decimal(double x) { return std::isinf(x) ? "∞" : fmt::format("{:.1f}", x); }
+std::string whole(double x) { return fmt::format("{:.0f}", x); }
+
+using Better = ReadableColumn::Better;
+
+constexpr ReadableColumn readable_columns[] = {
+    {"RMSE", [](const ResultRow& r) { return std::optional(r.metrics.linear.rmse); }, scientific,
+     Better::lower},
+    {"SSIM", [](const ResultRow& r) { return r.metrics.linear.ssim; }, four_decimals,
+     Better::higher},
+    {"PSNR [dB]", [](const ResultRow& r) { return std::optional(r.metrics.linear.psnr); },
+     one_decimal, Better::higher},
+    {"Time [ms]", [](const ResultRow& r) { return std::optional(r.seconds.median * 1e3); },
+     one_decimal, Better::lower},
+    {"Memory [MB]", [](const ResultRow& r) { return std::optional(double(r.total_bytes()) / 1e6); },
+     one_decimal, Better::lower},
+    {"Fragments", [](const ResultRow& r) { return std::optional(double(r.fragments)); }, whole,
+     Better::neither},
+    {"Layers", [](const ResultRow& r) { return std::optional(double(r.max_layers)); }, whole,
+     Better::neither}};
+
+std::string call_text(const ResultRow& row) {
+  return row.parameters.empty() ? row.method : fmt::format("{}:{}", row.method, row.parameters);
+}
+
+std::string cell_text(const ReadableColumn& column, const ResultRow& row) {
+  const std::optional<double> value = column.value(row);
+  return value ? column.text(*value) : "–";
+}
+
+std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow> rows) {
+  std::vector<ResultRow> chosen;
+  for (const ResultRow& row : rows)
+    if (row.scene == scene) chosen.push_back(row);
+  return chosen;
+}
+
+bool is_better(const ReadableColumn& column, double a, double b) {
+  return column.better == Better::lower ? a < b : a > b;
+}
+
+/// The best value of a column among the methods; nothing where no way is better.
+std::optional<double> best_of(const ReadableColumn& column, std::span<const ResultRow> rows) {
+  std::optional<double> best;
+  if (column.better == Better::neither) return best;
+  for (const ResultRow& row : rows) {
+    if (row.reference || !row.error.empty()) continue;
+    const std::optional<double> value = column.value(row);
+    if (value && (!best || is_better(column, *value, *best))) best = value;
+  }
+  return best;
+}
+
+std::string markdown_line(const ResultRow& row) {
+  std::string line = fmt::format("| {}{} |", call_text(row), row.reference ? " (reference)" : "");
+  if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", row.error);
+  for (const ReadableColumn& column : readable_columns)
+    line += fmt::format(" {} |", cell_text(column, row));
+  return line + '\n';
+}
+
+std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
+  std::string header = "| Method |", rule = "|---|";
+  for (const ReadableColumn& column : readable_columns) {
+    header += fmt::format(" {} |", column.title);
+    rule += "---:|";
+  }
+  std::string text = fmt::format("\n## {}\n\n{}\n{}\n", scene, header, rule);
+  for (const ResultRow& row : rows) text += markdown_line(row);
+  return text;
+}
+
+std::string latex_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c == '\\'  ? "\\textbackslash{}"
+               : c == '~' ? "\\textasciitilde{}"
+               : c == '^' ? "\\textasciicircum{}"
+                          : std::string(1, c);
+  }
+  return escaped;
+}
+
+/// 1.23e-04 as $1.23\cdot10^{-4}$.
+std::string latex_number(const std::string& text) {
+  if (text == "∞") return "$\\infty$";
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  return fmt::format("${}\\cdot10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
+  std::string line = latex_escaped(call_text(row));
+  if (!row.error.empty())
+    return line + fmt::format(" & \\multicolumn{{{}}}{{l}}{{failed: {}}} \\\\\n",
+                              std::size(readable_columns), latex_escaped(row.error));
+  for (const ReadableColumn& column : readable_columns) {
+    const std::string text = latex_number(cell_text(column, row));
+    const bool best = !row.reference && best_of(column, rows) == column.value(row) &&
+                      column.better != Better::neither;
+    line += best ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text) : " & " + text;
+  }
+  return line + " \\\\\n";
+}
+
+std::string latex_block(std::string_view scene, std::span<const ResultRow> rows) {
+  std::string text = fmt::format("\\midrule\n\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\\n",
+                                 std::size(readable_columns) + 1, latex_escaped(scene));
+  for (const ResultRow& row : rows) text += latex_line(row, rows);
+  return text;
+}
+
+}  // namespace
+
+std::string csv_table(std::span<const ResultRow> rows) {
+  std::string text = csv_header();
+  for (const ResultRow& row : rows) text += csv_line(row);
+  return text;
+}
+
+std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
+  std::string text = fmt::format("# {}\n", study.title);
+  if (!study.source.empty()) text += fmt::format("\n{}\n", study.source);
+  for (const auto& scene : study.scenes)
+    text += markdown_block(scene_name(scene), rows_of(scene_name(scene), rows));
+  return text;
+}
+
+std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
+  std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n", study.title);
+  text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
+                      std::string(std::size(readable_columns), 'r'));
+  for (const ReadableColumn& column : readable_columns) text += fmt::format(" & {}", column.title);
+  text += " \\\\\n";
+  for (const auto& scene : study.scenes)
+    text += latex_block(scene_name(scene), rows_of(scene_name(scene), rows));
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+std::string results_json(const Study& study, std::span<const ResultRow> rows) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const ResultRow& row : rows) list.push_back(to_json(row));
+  const nlohmann::json json = {
+      {"format", "pellucid-results"},
+      {"version", 1},
+      {"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+      {"rows", list}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace pellucid
