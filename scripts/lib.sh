@@ -1,0 +1,41 @@
+# Shared by the scripts beside it; sourced, after `set -euo pipefail`, from anywhere.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+
+say() { printf '\n== %s\n' "$*"; }
+
+is_installed() { [ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" = "install ok installed" ]; }
+
+# install_packages LIST…: installs the packages of the lists that are missing, as root or through a
+# sudo that does not ask; otherwise prints the line to type and stops.
+install_packages() {
+  local missing=() package
+  for package in $(cat "$@"); do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  local install="apt-get install -y --no-install-recommends ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if sudo -n true 2>/dev/null; then
+      as_root=(sudo)
+    else
+      printf 'These packages are missing. As root, type\n\n    apt-get update && %s\n\n' "$install" >&2
+      exit 1
+    fi
+  fi
+  say "installing ${#missing[@]} packages"
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive $install
+}
+
+# build PRESET [TARGET…]
+build() {
+  local preset=$1
+  shift
+  say "building (preset $preset)"
+  mkdir -p build
+  local log=build/configure-$preset.log
+  cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  cmake --build --preset "$preset" ${1:+--target "$@"}
+}
