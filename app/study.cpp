@@ -50,7 +50,8 @@ void check_failures(const StudyOutcome& outcome, const std::filesystem::path& fo
 void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   const Study study = load_study(find_study(arguments.name_or_file), methods());
   StudyOptions options;
-  options.folder = arguments.folder.empty() ? "results/" + study.name : arguments.folder;
+  options.folder = arguments.folder;
+  if (options.folder.empty()) options.folder = std::filesystem::path("results") / study.name;
   options.resume = arguments.resume;
   options.only = arguments.only;
   options.context.gl = globals.gl;
@@ -81,6 +82,7 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
                       "pattern, such as 'abc/*'; the others' rows are kept");
   command->footer("Exit code: 0 done; 1 a cell failed; 2 wrong input.");
   add_global_options(*command, globals);
+  add_gl_option(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }
 
