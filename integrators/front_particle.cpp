@@ -1,27 +1,19 @@
 #include "integrators/front_particle.h"
 
-#include <algorithm>
-
 namespace pellucid {
 
-std::optional<double> next_vertex_time(Trajectory& path, double t, double move,
-                                       FieldSampler& sampler) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const FlowPoint here = path.at(t);
-  double dt = move / glm::length(here.v);
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    if (!(dt < infinity)) dt = std::numeric_limits<double>::max();
-    // Half a step further tells whether a sliver would be left at the end.
-    if (!path.reach(t + 1.5 * dt, sampler)) {
-      const double left = path.time() - t;
-      if (left <= 1e-6 * dt || left <= 0) return std::nullopt;
-      if (left < 1.5 * dt) dt = left > dt ? 0.5 * left : left;
-    }
-    const double moved = glm::distance(path.at(t + dt).x, here.x);
-    if (moved <= 1.25 * move) break;
-    dt *= std::max(move / moved, 0.1);
-  }
-  return std::min(t + dt, path.time());
+Vec3 surface_normal(const FlowPoint& point) {
+  // Each first by itself: velocities of 1e±200 would leave the range of the product.
+  const double v = glm::length(point.v), w = glm::length(point.w);
+  if (!(v > 0) || !(w > 0)) return Vec3(0);
+  const Vec3 normal = glm::cross(point.w / w, point.v / v);
+  const double sine = glm::length(normal);
+  return sine > 1e-9 ? normal / sine : Vec3(0);
+}
+
+FrontPoint front_point(const Trajectory& path, double t) {
+  const FlowPoint flow = path.at(t);
+  return {t, flow, surface_normal(flow)};
 }
 
 Separation separation(const FlowPoint& a, const FlowPoint& b) {

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "integrators/surface_builder.h"
-#include "integrators/surface_particles.h"
+#include "integrators/trajectory.h"
 
 namespace pellucid {
 
@@ -15,6 +16,7 @@ struct FrontPoint {
 
   double t = 0;
   FlowPoint flow;
+  Vec3 normal{0};  // unit, or 0 where the surface has none
   std::uint32_t vertex = no_vertex;
 };
 
@@ -26,13 +28,17 @@ struct FrontParticle {
   std::optional<FrontPoint> next;
   int left = -1, right = -1;  // neighbours; -1 where there is none, or where the ribbon was torn
   bool merged = false;
+  bool lent = false;                   // merged, and its path is now its ribbon's shadow
+  std::unique_ptr<Trajectory> shadow;  // from halfway to the right neighbour's seed
+
+  explicit FrontParticle(double seed, Trajectory trajectory)
+      : s(seed), path(std::move(trajectory)) {}
 };
 
-/// Along a trajectory, the time of the vertex after the one at t so that they lie `move` apart.
-/// Nothing when the particle ends at t. What is left at the end is shared out, so that no sliver
-/// remains.
-std::optional<double> next_vertex_time(Trajectory& path, double t, double move,
-                                       FieldSampler& sampler);
+/// The unit normal w × v; 0 where they are parallel or vanish: the surface has no normal there.
+Vec3 surface_normal(const FlowPoint& point);
+
+FrontPoint front_point(const Trajectory& path, double t);
 
 /// How far two neighbours of the front are apart, world units.
 struct Separation {

@@ -15,25 +15,18 @@
 #include "integrators/hultquist.h"
 
 #include <algorithm>
-#include <array>
 #include <deque>
 
-#include "integrators/front_particle.h"
+#include "integrators/refinement.h"
 #include "integrators/surface_parameters.h"
 #include "integrators/surface_run.h"
 
 namespace pellucid {
 namespace {
 
-/// Front lengths, in world units.
-struct RibbonLimits {
-  double threshold;  // neighbours farther apart get a particle between them
-  double step;       // between the vertices of one trajectory
-};
-
 class RibbonFront {
  public:
-  RibbonFront(SurfaceRun& run, const RibbonLimits& limits) : run_(run), limits_(limits) {}
+  RibbonFront(SurfaceRun& run, const Refinement& refinement) : run_(run), refinement_(refinement) {}
 
   void sweep(std::span<const double> seeds, bool ring);
 
@@ -44,16 +37,24 @@ class RibbonFront {
     int particle;
   };
 
-  Place place(double s, double t);
-  void span(const Place& a, const Place& b);
-  bool asks_for_more(int left, int right) const;
+  /// A front edge as span() makes it.
+  struct Edge {
+    int left, right;
+    std::unique_ptr<Trajectory> shadow;
+  };
+  using Shadow = std::unique_ptr<Trajectory>;
+
+  Place place(double s, double t, Shadow path);
+  void span(const Place& a, const Place& b, Shadow shadow);
+  Shadow shadow_between(const Place& a, const Place& b, Shadow known);
   void look_ahead(int p);
   void settle();
   bool goes_first(int p, int q) const;
   bool may_advance(int p) const;
   void advance(int p);
-  void tile(int p, int q, const FrontPoint& before, bool to_right);
-  void merge(int p, int middle, bool to_right);
+  void tile(int left, int right, int advanced, const FrontPoint& before);
+  void merge(int p, int middle);
+  void take_out(int middle);
   void wake(int p);
   void drain();
   int stuck_particle() const;
@@ -63,17 +64,17 @@ class RibbonFront {
   const FrontParticle& at(int p) const { return particles_[std::size_t(p)]; }
 
   SurfaceRun& run_;
-  RibbonLimits limits_;
+  Refinement refinement_;
   std::vector<FrontParticle> particles_;
-  std::deque<int> awake_;                  // something changed around them
-  std::vector<std::array<int, 2>> edges_;  // of the front, as span() made them
+  std::deque<int> awake_;    // something changed around them
+  std::vector<Edge> edges_;  // of the front, as span() made them
 };
 
 void RibbonFront::sweep(std::span<const double> seeds, bool ring) {
   std::vector<Place> places;
-  for (const double s : seeds) places.push_back(place(s, 0));
+  for (const double s : seeds) places.push_back(place(s, 0, {}));
   if (ring) places.push_back({places.front().s + 1, 0, places.front().particle});
-  for (std::size_t i = 1; i < places.size(); ++i) span(places[i - 1], places[i]);
+  for (std::size_t i = 1; i < places.size(); ++i) span(places[i - 1], places[i], {});
   settle();
   drain();
   for (int p = stuck_particle(); p >= 0; p = stuck_particle()) {
@@ -102,10 +103,15 @@ int RibbonFront::stuck_particle() const {
   return earliest;
 }
 
-RibbonFront::Place RibbonFront::place(double s, double t) {
-  std::optional<FrontParticle> particle = run_.spawn(s, t);
-  if (!particle) return {s, t, -1};
-  particles_.push_back(std::move(*particle));
+/// A particle from the seed at s, by the path that is known or a new one.
+RibbonFront::Place RibbonFront::place(double s, double t, Shadow path) {
+  if (!path)
+    if (std::optional<Trajectory> started = run_.spawn(s, t))
+      path = std::make_unique<Trajectory>(std::move(*started));
+  if (path && !path->reach(t, run_.sampler())) run_.retire_shadow(*path), path.reset();
+  if (!path) return {s, t, -1};
+  particles_.emplace_back(s, std::move(*path));
+  particles_.back().head = front_point(particles_.back().path, t);
   return {s, t, int(particles_.size()) - 1};
 }
 
@@ -115,50 +121,64 @@ double RibbonFront::seed_after(int left, int right) const {
   return s > at(left).s ? s : s + 1;
 }
 
-bool RibbonFront::asks_for_more(int left, int right) const {
-  const FlowPoint &a = at(left).head.flow, &b = at(right).head.flow;
-  const auto [distance, width] = separation(a, b);
-  return width > limits_.threshold || distance > 2 * limits_.threshold || are_parting(a, b);
+/// By tolerance every ribbon has a shadow particle halfway between the seeds of its own two: the
+/// measure of what the mesh leaves out, at a constant cost per vertex, and the ribbon's next
+/// particle when it gets one.
+RibbonFront::Shadow RibbonFront::shadow_between(const Place& a, const Place& b, Shadow known) {
+  if (!refinement_.by_tolerance() || known || !run_.may_spawn()) return known;
+  std::optional<Trajectory> path = run_.spawn(0.5 * (a.s + b.s), 0.5 * (a.t + b.t));
+  return path ? std::make_unique<Trajectory>(std::move(*path)) : nullptr;
 }
 
 /// Joins two places of the front by edges, with as many particles between as it takes. Where only
 /// one of the places is reached, the other end of the gap is searched for.
-void RibbonFront::span(const Place& a, const Place& b) {
+void RibbonFront::span(const Place& a, const Place& b, Shadow shadow) {
   if (a.particle < 0 && b.particle < 0) return;
-  const bool both = a.particle >= 0 && b.particle >= 0;
-  if (both && !asks_for_more(a.particle, b.particle)) {
-    edges_.push_back({a.particle, b.particle});
+  const double s = 0.5 * (a.s + b.s), t = 0.5 * (a.t + b.t);
+  if (a.particle >= 0 && b.particle >= 0) {
+    shadow = shadow_between(a, b, std::move(shadow));
+    Vec3 middle(0);
+    if (shadow) {
+      shadow->reach(t, run_.sampler());
+      middle = shadow->at(std::min(t, shadow->time())).x;
+    }
+    const bool unknown = refinement_.by_tolerance() && !shadow;
+    if (!unknown &&
+        !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, &middle)) {
+      edges_.push_back({a.particle, b.particle, std::move(shadow)});
+      return;
+    }
+    if (b.s - a.s <= run_.options().rip) return run_.tear(a.s, b.s);
+  } else if (b.s - a.s <= run_.options().rip) {
     return;
   }
-  if (b.s - a.s <= run_.options().rip) {
-    if (both) run_.tear(a.s, b.s);
-    return;
-  }
-  if (!run_.may_spawn()) return;
-  const Place middle = place(0.5 * (a.s + b.s), 0.5 * (a.t + b.t));
-  span(a, middle);
-  span(middle, b);
+  if (!shadow && !run_.may_spawn()) return;
+  const Place middle = place(s, t, std::move(shadow));
+  span(a, middle, {});
+  span(middle, b, {});
 }
 
 /// Links the new edges and looks where their particles go next.
 void RibbonFront::settle() {
-  for (const auto& [left, right] : edges_) {
+  for (auto& [left, right, shadow] : edges_) {
     at(left).right = right;
     at(right).left = left;
+    at(left).shadow = std::move(shadow);
+  }
+  for (const auto& [left, right, shadow] : edges_)
     for (const int p : {left, right}) {
       if (at(p).head.vertex == FrontPoint::no_vertex) at(p).head.vertex = run_.add_vertex(at(p));
       if (!at(p).next) look_ahead(p);
+      wake(p);
     }
-  }
-  for (const auto& [left, right] : edges_)
-    for (const int p : {left, right}) wake(p);
-  edges_.clear();
 }
 
 void RibbonFront::look_ahead(int p) {
   FrontParticle& particle = at(p);
-  const auto t = next_vertex_time(particle.path, particle.head.t, limits_.step, run_.sampler());
-  if (t) particle.next = FrontPoint{*t, particle.path.at(*t)};
+  const auto head_of = [&](int q) { return q < 0 ? nullptr : &at(q).head; };
+  const auto t = next_vertex_time(refinement_, particle.path, particle.head, head_of(particle.left),
+                                  head_of(particle.right), run_.sampler());
+  if (t) particle.next = front_point(particle.path, *t);
 }
 
 void RibbonFront::wake(int p) {
@@ -187,52 +207,64 @@ void RibbonFront::advance(int p) {
   at(p).path.release(at(p).head.t);
   at(p).head.vertex = run_.add_vertex(at(p));
   look_ahead(p);
-  if (left >= 0) tile(p, left, before, false);
-  if (right >= 0) tile(p, right, before, true);
+  if (left >= 0) tile(left, p, p, before);
+  if (right >= 0) tile(p, right, p, before);
   wake(p);
   wake(at(p).left);
   wake(at(p).right);
 }
 
-/// Tiles the ribbon between p, which came from `before`, and its neighbour q. The triangle's new
-/// edge becomes several when it asks for particles on it.
-void RibbonFront::tile(int p, int q, const FrontPoint& before, bool to_right) {
-  const Place mine{at(p).s, at(p).head.t, p};
-  if (to_right) {
-    at(p).right = at(q).left = -1;
-    span(mine, {seed_after(p, q), at(q).head.t, q});
-  } else {
-    at(p).left = at(q).right = -1;
-    span({at(q).s, at(q).head.t, q}, {seed_after(q, p), mine.t, p});
-  }
-  const auto fan = edges_;
+/// Tiles the ribbon between two neighbours, one of which just advanced from `before`. The
+/// triangle's new edge becomes several when it asks for particles on it.
+void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& before) {
+  Shadow shadow = std::move(at(left).shadow);
+  if (shadow) shadow->release(0.5 * (at(left).head.t + at(right).head.t));
+  at(left).right = at(right).left = -1;
+  edges_.clear();
+  span({at(left).s, at(left).head.t, left}, {seed_after(left, right), at(right).head.t, right},
+       std::move(shadow));
   settle();
-  for (const auto& [a, b] : fan)
-    run_.add_triangle(before.vertex, at(b).head.vertex, at(a).head.vertex);
-  if (fan.size() == 1) merge(p, q, to_right);
+  for (const Edge& edge : edges_)
+    run_.add_triangle(before.vertex, at(edge.right).head.vertex, at(edge.left).head.vertex);
+  if (edges_.size() == 1) merge(advanced, advanced == left ? right : left);
 }
 
-/// Takes `middle` out between p and the particle behind it when these two have come close.
-void RibbonFront::merge(int p, int middle, bool to_right) {
+/// Takes out one of the ribbon's particles, the one that did not advance, when its neighbours have
+/// come so close that the front can do without it.
+void RibbonFront::merge(int p, int middle) {
+  const bool to_right = at(p).right == middle;
   const int far = to_right ? at(middle).right : at(middle).left;
-  if (far < 0 || far == p || !at(middle).next) return;
+  if (far < 0 || !at(middle).next) return;
   const int beyond = to_right ? at(far).right : at(far).left;
-  if (beyond == p) return;  // a ring keeps three particles
-  const auto [distance, width] = separation(at(p).head.flow, at(far).head.flow);
-  if (width > 0.5 * limits_.threshold || distance > limits_.threshold) return;
+  if (far == p || beyond == p) return;  // a ring keeps three particles
   const int left = to_right ? p : far, right = to_right ? far : p;
-  if (asks_for_more(left, right)) return;
-  const std::uint32_t m = at(middle).head.vertex, f = at(far).head.vertex, n = at(p).head.vertex;
+  if (!can_do_without(refinement_, at(left).head, at(right).head, at(middle).head.flow.x)) return;
+  // By tolerance the one taken out becomes the shadow: it has to come from halfway.
+  const bool halfway =
+      seed_after(left, middle) - at(left).s == seed_after(middle, right) - at(middle).s;
+  if (refinement_.by_tolerance() && !halfway) return;
+  const FrontPoint &m = at(middle).head, &f = at(far).head, &n = at(p).head;
+  if (!(to_right ? is_well_shaped(m, f, n) : is_well_shaped(f, m, n))) return;
   if (to_right)
-    run_.add_triangle(m, f, n);
+    run_.add_triangle(m.vertex, f.vertex, n.vertex);
   else
-    run_.add_triangle(f, m, n);
-  at(middle).merged = true;
-  at(middle).next.reset();
-  at(middle).left = at(middle).right = -1;
+    run_.add_triangle(f.vertex, m.vertex, n.vertex);
+  take_out(middle);
   at(left).right = right;
   at(right).left = left;
   wake(far);
+}
+
+/// Its trajectory goes on as the shadow of the ribbon that closes over it, where one is wanted.
+void RibbonFront::take_out(int middle) {
+  FrontParticle& particle = at(middle);
+  particle.merged = true;
+  particle.next.reset();
+  particle.lent = refinement_.by_tolerance();
+  if (particle.lent)
+    at(particle.left).shadow = std::make_unique<Trajectory>(std::move(particle.path));
+  particle.shadow.reset();
+  particle.left = particle.right = -1;
 }
 
 constexpr ParameterSpec own_parameters[] = {
@@ -243,25 +275,17 @@ constexpr ParameterSpec own_parameters[] = {
      .max = 1e6,
      .unit = "particles",
      .help = "evenly spaced on the seed curve; more follow where they are needed"},
-    {.name = "threshold",
-     .default_value = "0.05",
-     .min = 0,
-     .unit = "world units",
-     .help = "neighbours farther apart get a particle between them"},
-    {.name = "step",
-     .min = 0,
-     .unit = "world units",
-     .help = "between a particle's vertices; default: the threshold"},
+    threshold_parameter,
+    tolerance_parameter,
+    step_parameter,
 };
 
 IntegratedSurface run_hultquist(const SurfaceRequest& request, const Parameters& parameters) {
   const SurfaceOptions options = surface_options(request, parameters);
-  RibbonLimits limits{};
-  limits.threshold = positive(parameters, "threshold", 0);
-  limits.step = positive(parameters, "step", limits.threshold);
+  const Refinement refinement = refinement_of(parameters, 0.05, 1);
   return run_surface(request, options, parameters.integer("particles"),
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
-                       RibbonFront(run, limits).sweep(seeds, ring);
+                       RibbonFront(run, refinement).sweep(seeds, ring);
                      });
 }
 
@@ -272,7 +296,7 @@ constexpr IntegratorRow row = {
     .title = "Recursive ribbons",
     .citation = "Hultquist 1992, Constructing Stream Surfaces in Steady 3D Vector Fields",
     .parameters = parameters,
-    .promises = {.refines = true, .coarsens = true},
+    .promises = {.refines = true, .coarsens = true, .bounds_error = true},
     .run = run_hultquist,
 };
 

@@ -3,29 +3,15 @@
 #include <cmath>
 
 namespace pellucid {
-namespace {
-
-/// 0 where v and w are parallel or vanish: the surface has no normal there.
-Vec3 normal_of(const FlowPoint& point) {
-  // Each first by itself: velocities of 1e±200 would leave the range of the product.
-  const double v = glm::length(point.v), w = glm::length(point.w);
-  if (!(v > 0) || !(w > 0)) return Vec3(0);
-  const Vec3 normal = glm::cross(point.w / w, point.v / v);
-  const double sine = glm::length(normal);
-  return sine > 1e-9 ? normal / sine : Vec3(0);
-}
-
-}  // namespace
-
 SurfaceBuilder::SurfaceBuilder(double start_time, bool with_normals)
     : start_time_(start_time), with_normals_(with_normals) {}
 
-std::uint32_t SurfaceBuilder::add_vertex(const FlowPoint& point, double s, double t) {
-  positions_.push_back(point.x);
-  if (with_normals_) normals_.push_back(normal_of(point));
+std::uint32_t SurfaceBuilder::add_vertex(const FrontPoint& point, double s) {
+  positions_.push_back(point.flow.x);
+  if (with_normals_) normals_.push_back(point.normal);
   s_.push_back(s > 1 ? s - std::floor(s) : s);
-  t_.push_back(t);
-  speed_.push_back(glm::length(point.v));
+  t_.push_back(point.t);
+  speed_.push_back(glm::length(point.flow.v));
   return std::uint32_t(positions_.size() - 1);
 }
 

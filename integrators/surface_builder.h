@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "geometry/triangle_mesh.h"
-#include "integrators/trajectory.h"
+#include "integrators/front_particle.h"
 
 namespace pellucid {
 
@@ -13,7 +13,7 @@ class SurfaceBuilder {
  public:
   SurfaceBuilder(double start_time, bool with_normals);
 
-  std::uint32_t add_vertex(const FlowPoint& point, double s, double t);
+  std::uint32_t add_vertex(const FrontPoint& point, double s);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     triangles_.push_back({a, b, c});
   }

@@ -69,6 +69,24 @@ inline constexpr ParameterSpec surface_parameters[] = {
      .help = "the surface ends"},
 };
 
+inline constexpr ParameterSpec threshold_parameter = {
+    .name = "threshold",
+    .min = 0,
+    .unit = "world units",
+    .help = "neighbours farther apart get a particle between them; default: 0.05, or by tolerance"};
+
+inline constexpr ParameterSpec tolerance_parameter = {
+    .name = "tolerance",
+    .min = 0,
+    .unit = "world units",
+    .help = "largest distance of mesh and surface, instead of a threshold"};
+
+inline constexpr ParameterSpec step_parameter = {
+    .name = "step",
+    .min = 0,
+    .unit = "world units",
+    .help = "between a particle's vertices; default: by threshold or tolerance"};
+
 /// A row's own parameters, then those of all rows.
 template <std::size_t n>
 constexpr auto with_surface_parameters(const ParameterSpec (&own)[n]) {

@@ -59,21 +59,20 @@ SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& opti
       source_(request, options),
       builder_(request.start_time, options.trajectory.companion != Companion::none) {}
 
-std::optional<FrontParticle> SurfaceRun::spawn(double s, double t) {
-  FrontParticle particle{s, source_.start(s), {}, {}};
+std::optional<Trajectory> SurfaceRun::spawn(double s, double t) {
+  Trajectory path = source_.start(s);
   ++stats_.particles;
-  if (!particle.path.exists() || !particle.path.reach(t, sampler())) {
-    ++stats_.ends[*particle.path.end()];
-    stats_.evaluations += particle.path.evaluations();
+  if (!path.exists() || !path.reach(t, sampler())) {
+    ++stats_.ends[*path.end()];
+    stats_.evaluations += path.evaluations();
     return std::nullopt;
   }
-  particle.path.release(t);
-  particle.head = {t, particle.path.at(t)};
-  return particle;
+  path.release(t);
+  return path;
 }
 
 std::uint32_t SurfaceRun::add_vertex(const FrontParticle& particle) {
-  return builder_.add_vertex(particle.head.flow, particle.s, particle.head.t);
+  return builder_.add_vertex(particle.head, particle.s);
 }
 
 void SurfaceRun::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -96,9 +95,11 @@ bool SurfaceRun::is_full() {
 
 void SurfaceRun::retire(std::span<const FrontParticle> particles) {
   std::uint64_t bytes = builder_.bytes();
+
   for (const FrontParticle& particle : particles) {
-    stats_.evaluations += particle.path.evaluations();
+    if (!particle.lent) stats_.evaluations += particle.path.evaluations();
     bytes += sizeof particle + particle.path.bytes();
+    if (particle.shadow) retire_shadow(*particle.shadow);
     if (particle.merged)
       ++stats_.ends[EndReason::merged];
     else if (particle.path.end() && !particle.next)
@@ -107,6 +108,12 @@ void SurfaceRun::retire(std::span<const FrontParticle> particles) {
       ++stats_.ends[budget_.value_or(EndReason::torn)];
   }
   stats_.bytes = std::max(stats_.bytes, bytes);
+}
+
+/// A shadow ends with its ribbon.
+void SurfaceRun::retire_shadow(const Trajectory& shadow) {
+  stats_.evaluations += shadow.evaluations();
+  ++stats_.ends[shadow.end().value_or(budget_.value_or(EndReason::torn))];
 }
 
 IntegratedSurface SurfaceRun::finish() { return {builder_.finish(), stats_}; }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "integrators/front_particle.h"
+#include "integrators/surface_builder.h"
+#include "integrators/surface_particles.h"
 
 namespace pellucid {
 
@@ -14,8 +16,8 @@ class SurfaceRun {
  public:
   SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& options);
 
-  /// A particle from the seed at s whose head is at time t; nothing when it ends before.
-  std::optional<FrontParticle> spawn(double s, double t);
+  /// A trajectory from the seed at s, integrated to time t; nothing when it ends before.
+  std::optional<Trajectory> spawn(double s, double t);
   FieldSampler& sampler() { return source_.sampler(); }
 
   std::uint32_t add_vertex(const FrontParticle& particle);
@@ -27,7 +29,9 @@ class SurfaceRun {
   bool may_spawn();
   bool is_full();  // no more triangles may be made
 
+  /// Counts what they took and why they ended.
   void retire(std::span<const FrontParticle> particles);
+  void retire_shadow(const Trajectory& shadow);
 
   const SurfaceOptions& options() const { return options_; }
   const std::vector<std::pair<double, double>>& tears() const { return tears_; }

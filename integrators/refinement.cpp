@@ -1,0 +1,162 @@
+#include "integrators/refinement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace pellucid {
+namespace {
+
+// Vertex normals across an edge differ by at most so much, unless the edge is very short. Between
+// them the surface would turn unseen: rolled up thinner than the threshold, it would be cut across.
+constexpr double coarse_cosine = 0.866;  // 30°
+constexpr double fine_cosine = 0.978;    // 12°
+// Edges shorter than this part of the threshold, or than the tolerance, are not refined for their
+// normals' sake: around a point where the surface has no normal it would not end.
+constexpr double shortest_part = 1. / 32;
+
+double shortest_edge(const Refinement& refinement) {
+  return refinement.by_tolerance() ? refinement.tolerance : shortest_part * refinement.threshold;
+}
+
+double cosine(const FrontPoint& a, const FrontPoint& b) {
+  if (a.normal == Vec3(0) || b.normal == Vec3(0)) return 1;
+  return glm::dot(a.normal, b.normal);
+}
+
+double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2 = glm::dot(ab, ab);
+  const double u = length2 > 0 ? std::clamp(glm::dot(x - a, ab) / length2, 0.0, 1.0) : 0;
+  return glm::distance(x, a + u * ab);
+}
+
+/// Time until the particle has moved by `move` at its present speed.
+double time_to_move(const FlowPoint& here, double move) {
+  return std::min(move / glm::length(here.v), std::numeric_limits<double>::max());
+}
+
+/// The longest time whose chord's sagitta is allowed, by the present curvature.
+double time_to_bend(const FlowPoint& here, const Vec3& acceleration, double sagitta) {
+  const double speed2 = glm::dot(here.v, here.v);
+  const Vec3 across = acceleration - glm::dot(acceleration, here.v) / speed2 * here.v;
+  return std::sqrt(8 * sagitta / glm::length(across));
+}
+
+/// How fast the ribbon towards a neighbour twists out of its plane: over a time dt the middle of
+/// its diagonal leaves the surface by dt / 4 of this.
+double twist_rate(const FrontPoint& here, const FrontPoint& neighbour) {
+  const Vec3 apart = neighbour.flow.v - here.flow.v;
+  return std::max(std::abs(glm::dot(apart, here.normal)),
+                  std::abs(glm::dot(apart, neighbour.normal)));
+}
+
+// Triangles are at most so many times longer than wide, or wider than long, by choice.
+constexpr double longest_aspect = 8;
+constexpr double widest_aspect = 3;
+
+double first_guess(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                   const FrontPoint* left, const FrontPoint* right) {
+  if (!refinement.by_tolerance() || refinement.step > 0)
+    return time_to_move(head.flow, refinement.step);
+  const double sagitta = refinement.largest_sagitta();
+  double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
+  for (const FrontPoint* neighbour : {left, right}) {
+    if (!neighbour) continue;
+    const double width = separation(head.flow, neighbour->flow).width;
+    const double twist = 4 * sagitta / twist_rate(head, *neighbour);
+    dt = std::min({dt, std::max(twist, time_to_move(head.flow, width / widest_aspect)),
+                   time_to_move(head.flow, width * longest_aspect)});
+  }
+  return std::min(dt, std::numeric_limits<double>::max());
+}
+
+/// By how much the step has to be shortened: 1 when it will do.
+double shortening(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                  double dt) {
+  const FlowPoint end = path.at(head.t + dt);
+  const double moved = glm::distance(end.x, head.flow.x);
+  const FrontPoint next{head.t + dt, end, surface_normal(end)};
+  if (cosine(head, next) < coarse_cosine && moved > shortest_edge(refinement)) return 0.5;
+  if (refinement.step > 0) return moved > 1.25 * refinement.step ? refinement.step / moved : 1;
+  const Vec3 middle = path.at(head.t + 0.5 * dt).x;
+  const double sagitta = distance_to_segment(middle, head.flow.x, end.x);
+  if (sagitta <= refinement.largest_sagitta()) return 1;
+  return std::min(0.9 * std::sqrt(refinement.largest_sagitta() / sagitta), 0.8);
+}
+
+}  // namespace
+
+Refinement refinement_of(const Parameters& parameters, double default_threshold,
+                         double steps_per_threshold) {
+  Refinement refinement;
+  refinement.tolerance = positive(parameters, "tolerance", 0);
+  if (refinement.by_tolerance() && parameters.is_set("threshold"))
+    throw InputError("threshold and tolerance are both given; accepted: one of them");
+  if (!refinement.by_tolerance()) {
+    refinement.threshold = positive(parameters, "threshold", default_threshold);
+    refinement.step = refinement.threshold / steps_per_threshold;
+  }
+  refinement.step = positive(parameters, "step", refinement.step);
+  return refinement;
+}
+
+bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
+                   const Vec3* middle) {
+  const auto [distance, width] = separation(a.flow, b.flow);
+  const double shortest = shortest_edge(refinement);
+  if (are_parting(a.flow, b.flow) && distance > shortest) return true;
+  if (cosine(a, b) < coarse_cosine && distance > shortest) return true;
+  if (!refinement.by_tolerance())
+    return width > refinement.threshold || distance > 2 * refinement.threshold;
+  return distance_to_segment(*middle, a.flow.x, b.flow.x) > refinement.largest_sagitta();
+}
+
+bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
+                    const Vec3& middle) {
+  if (are_parting(a.flow, b.flow) || cosine(a, b) < fine_cosine) return false;
+  const auto [distance, width] = separation(a.flow, b.flow);
+  if (!refinement.by_tolerance())
+    return width <= 0.5 * refinement.threshold && distance <= refinement.threshold;
+  // Twice as long an edge has four times the sagitta.
+  return distance_to_segment(middle, a.flow.x, b.flow.x) < refinement.largest_sagitta() / 4;
+}
+
+bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  constexpr double smallest_sine = 0.1;
+  const Vec3 ab = b.flow.x - a.flow.x, bc = c.flow.x - b.flow.x, ca = a.flow.x - c.flow.x;
+  const Vec3 area = glm::cross(ab, bc);
+  const double twice_area = glm::length(area);
+  const double l0 = glm::length(ab), l1 = glm::length(bc), l2 = glm::length(ca);
+  // The sine of an angle is twice the area over the product of its two sides; the smallest angle
+  // lies between the two longest.
+  const double longest_product = l0 * l1 * l2 / std::min({l0, l1, l2});
+  if (!(twice_area > smallest_sine * longest_product)) return false;
+  for (const FrontPoint* corner : {&a, &b, &c})
+    if (corner->normal != Vec3(0) && glm::dot(area, corner->normal) < coarse_cosine * twice_area)
+      return false;
+  return true;
+}
+
+std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
+                                       const FrontPoint& head, const FrontPoint* left,
+                                       const FrontPoint* right, FieldSampler& sampler) {
+  double dt = first_guess(refinement, path, head, left, right);
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    // Half a step further tells whether a sliver would be left at the end.
+    if (!path.reach(head.t + 1.5 * dt, sampler)) {
+      const double left_over = path.time() - head.t;
+      if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
+      if (left_over < 1.5 * dt) dt = left_over > dt ? 0.5 * left_over : left_over;
+    }
+    const double shorter = shortening(refinement, path, head, dt);
+    if (shorter >= 1) break;
+    dt *= std::max(shorter, 0.1);
+  }
+  return std::min(head.t + dt, path.time());
+}
+
+}  // namespace pellucid

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "integrators/front_particle.h"
+#include "integrators/surface_particles.h"
+
+namespace pellucid {
+
+/// When a front is fine enough: by the distance of neighbours, as the papers have it, or by the
+/// distance of mesh and surface.
+struct Refinement {
+  double threshold = 0;  // world units: widest ribbon; 0: by tolerance
+  double tolerance = 0;  // world units: largest distance of mesh and surface; 0: by threshold
+  double step = 0;       // world units: between the vertices of a trajectory; 0: by tolerance
+
+  bool by_tolerance() const { return tolerance > 0; }
+  /// The sagitta that an edge may have. Over a triangle a quadratic surface strays at most 4/3 of
+  /// its edges' largest sagitta.
+  double largest_sagitta() const { return 0.75 * tolerance; }
+};
+
+/// From the parameters threshold, tolerance and step. Throws InputError when both of the first two
+/// are given. By default a trajectory has `steps_per_threshold` vertices over a threshold's length.
+Refinement refinement_of(const Parameters& parameters, double default_threshold,
+                         double steps_per_threshold);
+
+/// Does the front need a particle between a and b? `middle` is the surface between them, where it
+/// is known; it always is when refinement is by tolerance.
+bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
+                   const Vec3* middle);
+
+/// May the front do without a particle that stands at `middle` between a and b? Far from the limits
+/// of asks_for_more, so that particles do not come and go.
+bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
+                    const Vec3& middle);
+
+/// Is the triangle neither a sliver nor turned over against the surface?
+bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c);
+
+/// The time of the vertex after the one at `head`, as far from it as the refinement allows; nothing
+/// when the particle ends there. What is left at the end of a trajectory is shared out, so that no
+/// sliver remains. Neighbours, where there are any, keep the triangles in shape.
+std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
+                                       const FrontPoint& head, const FrontPoint* left,
+                                       const FrontPoint* right, FieldSampler& sampler);
+
+}  // namespace pellucid
