@@ -1,13 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <numbers>
 
 #include "core/parameters.h"
 #include "fields/catalogue.h"
 #include "fields/dual.h"
 #include "fields/field.h"
+#include "fields/finite.h"
 
 namespace pellucid {
 
@@ -16,14 +16,6 @@ template <class T>
 struct Triple {
   T x, y, z;
 };
-
-inline bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-inline bool is_finite(const Mat3& m) {
-  return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]);
-}
 
 /// A flow is a struct with
 ///   static constexpr FlowFacts facts;            what `list fields` says about it
@@ -102,7 +94,6 @@ using std::log;
 using std::sin;
 using std::sqrt;
 using std::tanh;
-
-inline constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 }  // namespace pellucid::flow

@@ -6,9 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/error.h"
-#include "fields/analytic_field.h"
+#include "fields/finite.h"
 
 namespace pellucid {
 namespace {
@@ -67,8 +68,8 @@ class Formula {
     parser.DefineVar("y", &x_.y);
     parser.DefineVar("z", &x_.z);
     parser.DefineVar("t", &t_);
-    parser.DefineConst("pi", flow::pi);
-    parser.DefineConst("e", std::exp(1.0));
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.DefineConst("e", std::numbers::e);
     try {
       parser.SetExpr(formula);
       parser.Eval();  // compiles

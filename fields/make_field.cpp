@@ -6,6 +6,7 @@
 #include "core/names.h"
 #include "core/parameters.h"
 #include "fields/catalogue.h"
+#include "fields/file_field.h"
 #include "fields/formula_field.h"
 
 namespace pellucid {
@@ -15,7 +16,8 @@ namespace {
   std::vector<std::string_view> known;
   for (const FieldRow& row : analytic_fields()) known.push_back(row.name);
   known.push_back("formula");
-  throw InputError(unknown_name("field", name, known));
+  throw InputError(fmt::format("{}; or a file ending in {}", unknown_name("field", name, known),
+                               file_endings()));
 }
 
 std::unique_ptr<VectorField> make_analytic(const FieldRow& row, const RawOptions& options) {
@@ -24,7 +26,8 @@ std::unique_ptr<VectorField> make_analytic(const FieldRow& row, const RawOptions
 
 }  // namespace
 
-std::unique_ptr<VectorField> make_field(std::string_view text, const std::filesystem::path&) {
+std::unique_ptr<VectorField> make_field(std::string_view text, const std::filesystem::path& base) {
+  if (auto field = read_file_field(text, base)) return field;
   const NameAndOptions given = parse_name_and_options(text);
   if (given.name == "formula") return make_formula_field(given.options);
   for (const FieldRow& row : analytic_fields())

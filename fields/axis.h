@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pellucid {
+
+/// How the samples of a grid weigh in, along one axis, at one place: `value` gives the
+/// interpolant, `slope` its derivative, for the N samples from `first` on.
+template <int N>
+struct Stencil {
+  std::size_t first;
+  std::array<double, N> value;
+  std::array<double, N> slope;
+};
+
+/// Positions of the samples of a grid along one axis; two or more, ascending.
+class Axis {
+ public:
+  static Axis uniform(double first, double spacing, std::size_t count);
+  /// `positions` ascend strictly.
+  explicit Axis(std::vector<double> positions);
+
+  std::size_t size() const { return positions_.size(); }
+  double front() const { return positions_.front(); }
+  double back() const { return positions_.back(); }
+  double position(std::size_t i) const { return positions_[i]; }
+  double width(std::size_t cell) const { return positions_[cell + 1] - positions_[cell]; }
+  double smallest_width() const;
+
+  /// The cell [position(i), position(i + 1)] that holds p, which lies in [front(), back()].
+  std::size_t cell(double p) const {
+    if (inverse_spacing_ > 0)
+      return std::min(static_cast<std::size_t>((p - positions_.front()) * inverse_spacing_),
+                      positions_.size() - 2);
+    const auto above = std::upper_bound(positions_.begin() + 1, positions_.end() - 1, p);
+    return static_cast<std::size_t>(above - positions_.begin()) - 1;
+  }
+
+ private:
+  std::vector<double> positions_;
+  double inverse_spacing_ = 0;  // 0: positions are not evenly spaced
+};
+
+/// Straight lines between samples: continuous.
+class LinearInterpolation {
+ public:
+  static constexpr int support = 2;
+  static constexpr const char* name = "linear";
+
+  explicit LinearInterpolation(const Axis&) {}
+
+  Stencil<2> stencil(const Axis& axis, double p) const {
+    const std::size_t i = axis.cell(p);
+    const double slope = 1 / axis.width(i);
+    const double s = (p - axis.position(i)) * slope;
+    return {i, {1 - s, s}, {-slope, slope}};
+  }
+};
+
+/// Cubic Hermite pieces whose slope at a sample is that of the parabola through it and its
+/// neighbours (at an end: through the last three): continuous with its derivative. On even spacing
+/// this is the cubic convolution of R. G. Keys, IEEE Trans. ASSP 29 (1981), Eq. 15 with a = -1/2
+/// and its boundary condition, Eq. 19: third order, exact for parabolas. Needs 4 samples.
+class CubicInterpolation {
+ public:
+  static constexpr int support = 4;
+  static constexpr const char* name = "c1";
+
+  explicit CubicInterpolation(const Axis& axis);
+
+  Stencil<4> stencil(const Axis& axis, double p) const;
+
+ private:
+  struct Slope {
+    std::size_t first;             // weighs samples first … first + 2
+    std::array<double, 3> weight;  // of the derivative at the node
+  };
+  std::vector<Slope> slopes_;  // one per sample
+};
+
+}  // namespace pellucid

@@ -1,0 +1,98 @@
+#include "fields/cell_field.h"
+
+#include <fmt/format.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkStaticCellLocator.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/error.h"
+#include "fields/cell_grid.h"
+#include "fields/finite.h"
+
+namespace pellucid {
+namespace {
+
+/// FindCell is safe on several threads as long as each brings its own vtkGenericCell; the grid and
+/// the locator do not change once built.
+class CellSampler final : public FieldSampler {
+ public:
+  CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
+      : locator_(locator), grid_(grid), weights_(std::size_t(grid.largest_cell)) {}
+
+  SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
+    if (!find(x)) return SampleStatus::outside;
+    v = interpolate();
+    return is_finite(v) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+  SampleStatus velocity_and_jacobian(const Vec3& x, double, Vec3& v, Mat3& jacobian) override {
+    if (!find(x)) return SampleStatus::outside;
+    v = interpolate();
+    jacobian = grid_.jacobian(*cell_, parametric_);
+    return is_finite(v) && is_finite(jacobian) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+ private:
+  bool find(const Vec3& x) {
+    if (!grid_.bounds.contains(x)) return false;
+    double position[3] = {x.x, x.y, x.z};
+    return locator_->FindCell(position, 0, cell_, parametric_, weights_.data()) >= 0;
+  }
+
+  Vec3 interpolate() const {
+    Vec3 sum(0);
+    for (vtkIdType i = 0; i < cell_->GetNumberOfPoints(); ++i)
+      sum += weights_[std::size_t(i)] * grid_.velocity(cell_->GetPointId(int(i)));
+    return sum;
+  }
+
+  vtkStaticCellLocator* locator_;
+  const CellGrid& grid_;
+  vtkNew<vtkGenericCell> cell_;
+  std::vector<double> weights_;
+  double parametric_[3] = {0, 0, 0};
+};
+
+class CellField final : public VectorField {
+ public:
+  CellField(CellGrid grid, std::string description)
+      : grid_(std::move(grid)), description_(std::move(description)) {
+    locator_->SetDataSet(grid_.cells);
+    locator_->BuildLocator();
+  }
+
+  std::unique_ptr<FieldSampler> sampler() const override {
+    return std::make_unique<CellSampler>(locator_.Get(), grid_);
+  }
+  Box3 domain() const override { return grid_.bounds; }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return grid_.smallest_width(); }
+  std::optional<double> sampling_error() const override { return grid_.sampling_error(); }
+  std::string description() const override { return description_; }
+
+ private:
+  CellGrid grid_;
+  vtkNew<vtkStaticCellLocator> locator_;
+  std::string description_;
+};
+
+}  // namespace
+
+std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, vtkDataArray* vectors,
+                                             const std::filesystem::path& path) {
+  CellGrid grid = make_cell_grid(data, vectors, path);
+  std::string description =
+      fmt::format("{}: {} points, {} cells, {}, linear", path.filename().string(),
+                  grid.cells->GetNumberOfPoints(), grid.cells->GetNumberOfCells(),
+                  vectors->GetName() ? vectors->GetName() : "vectors");
+  return std::make_unique<CellField>(std::move(grid), std::move(description));
+}
+
+}  // namespace pellucid

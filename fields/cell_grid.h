@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "core/vec.h"
+
+class vtkDataArray;
+class vtkGenericCell;
+
+namespace pellucid {
+
+/// Volume cells with a velocity at each point: checked, so that VTK can search them safely.
+struct CellGrid {
+  vtkSmartPointer<vtkDataSet> cells;
+  std::vector<Vec3> velocities;  // by point
+  Box3 bounds;
+  int largest_cell = 8;  // most points of one cell
+
+  const Vec3& velocity(vtkIdType point) const { return velocities[std::size_t(point)]; }
+
+  /// Of the cell's interpolant; column j is the derivative along axis j.
+  Mat3 jacobian(vtkGenericCell& cell, const double parametric[3]) const;
+
+  /// Over all cells: a cell's width is the diagonal of its box over √3, a cube's edge. Slivers do
+  /// not count as thin, since they say little about how finely a flow was sampled.
+  double smallest_width() const;
+
+  /// Largest estimated difference between interpolant and sampled field: half of
+  /// |(mean Jacobian of the cells around a node - the cell's own there) (node - cell's centre)|.
+  /// In one dimension with even spacing h that is h²/8 |f''|, the error of straight lines: the
+  /// Jacobians differ by h f''/2 and the centre is h/2 away. (The gradient recovery of O. C.
+  /// Zienkiewicz and J. Z. Zhu, Int. J. Numer. Meth. Engng. 24 (1987).)
+  double sampling_error() const;
+};
+
+/// Throws InputError, naming `path`, for connectivity that points nowhere, cells that cannot be
+/// searched and points that are not finite.
+CellGrid make_cell_grid(vtkDataSet* data, vtkDataArray* vectors, const std::filesystem::path& path);
+
+}  // namespace pellucid

@@ -1,0 +1,239 @@
+#include "fields/vdb_field.h"
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "fields/dense_field.h"
+#include "fields/file_field.h"
+#include "fields/finite.h"
+
+namespace pellucid {
+namespace {
+
+using Path = std::filesystem::path;
+
+[[noreturn]] void fail(const Path& path, std::string_view why) {
+  throw InputError(fmt::format("{}: {}", path.string(), why));
+}
+
+/// Trilinear between the 8 voxels around a point.
+template <class Grid>
+class VdbSampler final : public FieldSampler {
+ public:
+  VdbSampler(const Grid& grid, const GridFrame& frame)
+      : accessor_(grid.getConstAccessor()), frame_(frame) {}
+
+  SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
+    if (!gather(x)) return SampleStatus::outside;
+    v = mix(mix(line(0), line(1), s_.y), mix(line(2), line(3), s_.y), s_.z);
+    return is_finite(v) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+  SampleStatus velocity_and_jacobian(const Vec3& x, double, Vec3& v, Mat3& jacobian) override {
+    if (!gather(x)) return SampleStatus::outside;
+    const Vec3 near = mix(line(0), line(1), s_.y), far = mix(line(2), line(3), s_.y);
+    v = mix(near, far, s_.z);
+    const Mat3 by_index(mix(mix(rise(0), rise(1), s_.y), mix(rise(2), rise(3), s_.y), s_.z),
+                        mix(line(1) - line(0), line(3) - line(2), s_.z), far - near);
+    jacobian = by_index * frame_.grid_from_world;
+    return is_finite(v) && is_finite(jacobian) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+ private:
+  static Vec3 mix(const Vec3& a, const Vec3& b, double s) { return a + s * (b - a); }
+  // The four edges of the cell that run along x.
+  Vec3 line(int k) const { return mix(corner_[2 * k], corner_[2 * k + 1], s_.x); }
+  Vec3 rise(int k) const { return corner_[2 * k + 1] - corner_[2 * k]; }
+
+  /// Fills the corners and the place in their cell. False where no cell of active voxels holds x.
+  bool gather(const Vec3& x) {
+    const Vec3 p = frame_.to_grid(x);
+    const Vec3 low = glm::floor(p);
+    constexpr double limit = 1e9;  // of an index; a NaN is beyond it, too
+    if (!glm::all(glm::lessThan(glm::abs(low), Vec3(limit)))) return false;
+    s_ = p - low;
+    return read_corners(low) || gather_at_edge(p);
+  }
+
+  bool read_corners(const Vec3& low) {
+    const openvdb::Coord first(int(low.x), int(low.y), int(low.z));
+    for (int k = 0; k < 8; ++k) {
+      typename Grid::ValueType value;
+      if (!accessor_.probeValue(first.offsetBy(k & 1, (k & 2) >> 1, (k & 4) >> 2), value))
+        return false;
+      corner_[k] = Vec3(value[0], value[1], value[2]);
+    }
+    return true;
+  }
+
+  /// A point on a layer of voxels, up to the transform's rounding, also belongs to the cells below
+  /// it; above it there may be none.
+  bool gather_at_edge(const Vec3& p) {
+    const Vec3 nearest = glm::round(p);
+    for (int below = 0; below < 8; ++below) {
+      Vec3 low = glm::floor(p);
+      s_ = p - low;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(p[axis] - nearest[axis]) > GridFrame::rounding) continue;
+        s_[axis] = below >> axis & 1;
+        low[axis] = nearest[axis] - s_[axis];
+      }
+      if (read_corners(low)) return true;
+    }
+    return false;
+  }
+
+  typename Grid::ConstAccessor accessor_;
+  GridFrame frame_;
+  Vec3 corner_[8];
+  Vec3 s_;
+};
+
+template <class Grid>
+class VdbField final : public VectorField {
+ public:
+  VdbField(typename Grid::ConstPtr grid, const GridFrame& frame, std::string description)
+      : grid_(std::move(grid)), frame_(frame), description_(std::move(description)) {}
+
+  std::unique_ptr<FieldSampler> sampler() const override {
+    return std::make_unique<VdbSampler<Grid>>(*grid_, frame_);
+  }
+  Box3 domain() const override {
+    const openvdb::CoordBBox box = grid_->evalActiveVoxelBoundingBox();
+    return frame_.world_box({Vec3(box.min().x(), box.min().y(), box.min().z()),
+                             Vec3(box.max().x(), box.max().y(), box.max().z())});
+  }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return frame_.smallest_unit(); }
+
+  /// As for a dense grid: second differences along the axes over 8, where three voxels are active.
+  std::optional<double> sampling_error() const override {
+    double largest = 0;
+    const auto accessor = grid_->getConstAccessor();
+    for (auto voxel = grid_->cbeginValueOn(); voxel; ++voxel) {
+      if (!voxel.isVoxelValue()) continue;  // a tile is constant
+      const openvdb::Coord at = voxel.getCoord();
+      double error = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        openvdb::Coord step(0);
+        step[axis] = 1;
+        typename Grid::ValueType before, behind;
+        if (accessor.probeValue(at - step, before) && accessor.probeValue(at + step, behind))
+          error += (before - voxel.getValue() * 2 + behind).length() / 8;
+      }
+      if (std::isfinite(error)) largest = std::max(largest, error);
+    }
+    return largest;
+  }
+  std::string description() const override { return description_; }
+
+ private:
+  typename Grid::ConstPtr grid_;
+  GridFrame frame_;
+  std::string description_;
+};
+
+GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {
+  if (!grid.transform().isLinear()) fail(path, "its transform is not affine");
+  const openvdb::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
+  Mat3 world_from_index;  // OpenVDB multiplies rows from the left
+  for (int j = 0; j < 3; ++j) world_from_index[j] = Vec3(m(j, 0), m(j, 1), m(j, 2));
+  const GridFrame frame{glm::inverse(world_from_index), Vec3(m(3, 0), m(3, 1), m(3, 2))};
+  if (!is_finite(world_from_index) || !is_finite(frame.grid_from_world) || !is_finite(frame.origin))
+    fail(path, "its transform is not finite, or flat");
+  return frame;
+}
+
+/// Whether the active voxels are single ones (so that the file holds each of them) and fill a box.
+template <class Grid>
+bool fills_a_box(const Grid& grid, const openvdb::CoordBBox& box) {
+  const openvdb::Vec3d size(box.dim().asVec3d());
+  return grid.tree().activeTileCount() == 0 &&
+         double(grid.activeVoxelCount()) == size.x() * size.y() * size.z();
+}
+
+template <class Grid>
+std::unique_ptr<VectorField> make_dense(const Grid& grid, const openvdb::CoordBBox& box,
+                                        const GridFrame& frame, Interpolation interpolation,
+                                        std::string description) {
+  const openvdb::Coord size = box.dim();
+  const auto axis = [&](int a) { return Axis::uniform(box.min()[a], 1, std::size_t(size[a])); };
+  using Sample = glm::vec<3, typename Grid::ValueType::ValueType>;
+  DenseGrid<Sample> dense{{axis(0), axis(1), axis(2)}, {}, frame};
+  dense.samples.reserve(grid.activeVoxelCount());
+  const auto accessor = grid.getConstAccessor();
+  for (int k = box.min().z(); k <= box.max().z(); ++k)
+    for (int j = box.min().y(); j <= box.max().y(); ++j)
+      for (int i = box.min().x(); i <= box.max().x(); ++i) {
+        const auto& v = accessor.getValue({i, j, k});
+        dense.samples.emplace_back(v[0], v[1], v[2]);
+      }
+  return make_dense_field(std::move(dense), interpolation, std::move(description));
+}
+
+template <class Grid>
+std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
+                                            const FileOptions& options, const Path& path) {
+  if (grid->getGridClass() == openvdb::GRID_STAGGERED)
+    fail(path, fmt::format("grid '{}' is staggered; resample it to one position per voxel",
+                           grid->getName()));
+  const GridFrame frame = frame_of(*grid, path);
+  const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
+  if (box.empty()) fail(path, fmt::format("grid '{}' has no active voxels", grid->getName()));
+  const std::string description =
+      fmt::format("{}: {} active voxels of {}", path.filename().string(), grid->activeVoxelCount(),
+                  grid->getName());
+  const openvdb::Coord size = box.dim();
+  const int thinnest = std::min({size.x(), size.y(), size.z()});
+  if (thinnest > 1 && fills_a_box(*grid, box))
+    return make_dense(*grid, box, frame, options.interpolation, description);
+  if (options.interpolation == Interpolation::c1)
+    fail(path, "sampler=c1 needs active voxels that fill a box; this grid takes sampler=linear");
+  return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
+}
+
+bool is_vector_grid(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
+}
+
+/// The name of the grid to read; the file's vector grids are listed when there is no such one.
+std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const Path& path) {
+  std::string names, first;
+  int count = 0;
+  for (const auto& grid : *file.readAllGridMetadata()) {
+    if (!is_vector_grid(*grid)) continue;
+    if (grid->getName() == wanted) return wanted;
+    if (count++ == 0) first = grid->getName();
+    names += (names.empty() ? "" : ", ") + grid->getName();
+  }
+  if (wanted.empty() && count == 1) return first;
+  if (names.empty()) names = "none";
+  if (wanted.empty()) fail(path, fmt::format("which grid? array=NAME; vector grids: {}", names));
+  fail(path, fmt::format("array={}: no such grid; vector grids: {}", wanted, names));
+}
+
+openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
+  openvdb::initialize();
+  openvdb::io::File file(path.string());
+  file.open(false);  // not delayed: what cannot be read is known now
+  return file.readGrid(pick_grid(file, wanted, path));
+}
+
+}  // namespace
+
+std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
+  try {
+    const openvdb::GridBase::Ptr grid = read_grid(options.array, path);
+    if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
+      return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
+    return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid),
+                                              options, path);
+  } catch (const openvdb::Exception& error) {
+    fail(path, fmt::format("not a valid .vdb file: {}", error.what()));
+  }
+}
+
+}  // namespace pellucid

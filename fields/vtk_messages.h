@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <mutex>
+#include <string>
+
+namespace pellucid {
+
+/// While it lives, VTK's warnings and errors are kept here instead of printed. VTK has one output
+/// for the whole process, so these objects wait for each other.
+class VtkMessages {
+ public:
+  VtkMessages();
+  ~VtkMessages();
+  VtkMessages(const VtkMessages&) = delete;
+  VtkMessages& operator=(const VtkMessages&) = delete;
+
+  /// The first message, without VTK's file, line and object; empty when there was none.
+  std::string first_line() const;
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkSmartPointer<vtkOutputWindow> capture_;
+};
+
+}  // namespace pellucid
