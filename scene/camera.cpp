@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/error.h"
@@ -30,6 +32,15 @@ void check(const Camera& camera) {
 }
 
 }  // namespace
+
+Camera fitted_camera(const Box3& box) {
+  Camera camera;
+  const double radius = std::max(box.diagonal() / 2, std::numeric_limits<double>::min());
+  const double distance = radius / std::sin(camera.fov * std::numbers::pi / 360);
+  camera.target = box.center();
+  camera.eye = camera.target + distance * glm::normalize(Vec3(2, 1.5, 3));
+  return camera;
+}
 
 CameraFrame camera_frame(const Camera& camera) {
   check(camera);

@@ -17,6 +17,9 @@ struct Camera {
   double height = 2;  // orthographic: world units over the picture's height
 };
 
+/// A perspective camera that looks at the box from above its front right corner and sees all of it.
+Camera fitted_camera(const Box3& box);
+
 /// An orthonormal frame at the eye.
 struct CameraFrame {
   Vec3 eye, right, up, forward;

@@ -33,6 +33,12 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::map<std::string, std::string> provenance;  // how the objects were made
 
+  Box3 bounds() const {
+    Box3 box;
+    for (const SceneObject& object : objects)
+      for (const Vec3& x : object.mesh.positions) box.extend(x);
+    return box;
+  }
   std::size_t triangle_count() const {
     std::size_t count = 0;
     for (const SceneObject& object : objects) count += object.mesh.triangles.size();

@@ -144,8 +144,11 @@ struct Loader {
       scene.width = sides[0].integer(1, max_side);
       scene.height = sides[1].integer(1, max_side);
     }
-    if (root.has("camera")) scene.camera = read_camera(root["camera"]);
-    at_place(root, [&] { return camera_frame(scene.camera); });
+    // A wrong camera is refused before anything is integrated.
+    if (root.has("camera")) {
+      scene.camera = read_camera(root["camera"]);
+      at_place(root, [&] { return camera_frame(scene.camera); });
+    }
     if (root.has("background")) {
       scene.background = root["background"].vec3();
       for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
@@ -158,6 +161,7 @@ struct Loader {
       report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
       add_object(objects[i]);
     }
+    if (!root.has("camera")) scene.camera = fitted_camera(scene.bounds());
   }
 };
 

@@ -6,9 +6,7 @@
 namespace pellucid {
 
 UnitFrame unit_frame(const Scene& scene) {
-  Box3 box;
-  for (const SceneObject& object : scene.objects)
-    for (const Vec3& x : object.mesh.positions) box.extend(x);
+  const Box3 box = scene.bounds();
   if (box.empty()) return {};
   const Vec3 half = 0.5 * box.max - 0.5 * box.min;
   const double largest = std::max({half.x, half.y, half.z});
