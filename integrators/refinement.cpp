@@ -74,18 +74,36 @@ double first_guess(const Refinement& refinement, const Trajectory& path, const F
   return std::min(dt, std::numeric_limits<double>::max());
 }
 
+/// Does the triangle keep to its corners' normals within the coarse angle?
+bool faces_its_normals(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  const Vec3 area = glm::cross(b.flow.x - a.flow.x, c.flow.x - a.flow.x);
+  const double least = coarse_cosine * glm::length(area);
+  for (const FrontPoint* corner : {&a, &b, &c})
+    if (corner->normal != Vec3(0) && !(glm::dot(area, corner->normal) >= least)) return false;
+  return true;
+}
+
+// A trajectory that bends between two vertices by a large part of its ribbon's width tilts the
+// ribbon's triangles by that part, as in Schwarz's lantern.
+constexpr double largest_tilt = 0.15;
+
 /// By how much the step has to be shortened: 1 when it will do.
 double shortening(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
-                  double dt) {
+                  const FrontPoint* left, const FrontPoint* right, double dt) {
   const FlowPoint end = path.at(head.t + dt);
   const double moved = glm::distance(end.x, head.flow.x);
   const FrontPoint next{head.t + dt, end, surface_normal(end)};
-  if (cosine(head, next) < coarse_cosine && moved > shortest_edge(refinement)) return 0.5;
-  if (refinement.step > 0) return moved > 1.25 * refinement.step ? refinement.step / moved : 1;
+  const bool is_short = moved <= shortest_edge(refinement);
+  if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
+  if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
   const Vec3 middle = path.at(head.t + 0.5 * dt).x;
   const double sagitta = distance_to_segment(middle, head.flow.x, end.x);
-  if (sagitta <= refinement.largest_sagitta()) return 1;
-  return std::min(0.9 * std::sqrt(refinement.largest_sagitta() / sagitta), 0.8);
+  double largest = refinement.step > 0 ? refinement.step : refinement.largest_sagitta();
+  for (const FrontPoint* neighbour : {left, right})
+    if (neighbour && !is_short)
+      largest = std::min(largest, largest_tilt * separation(head.flow, neighbour->flow).width);
+  if (sagitta <= largest) return 1;
+  return std::clamp(0.9 * std::sqrt(largest / sagitta), 0.3, 0.8);
 }
 
 }  // namespace
@@ -128,17 +146,12 @@ bool can_do_without(const Refinement& refinement, const FrontPoint& a, const Fro
 bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
   constexpr double smallest_sine = 0.1;
   const Vec3 ab = b.flow.x - a.flow.x, bc = c.flow.x - b.flow.x, ca = a.flow.x - c.flow.x;
-  const Vec3 area = glm::cross(ab, bc);
-  const double twice_area = glm::length(area);
   const double l0 = glm::length(ab), l1 = glm::length(bc), l2 = glm::length(ca);
   // The sine of an angle is twice the area over the product of its two sides; the smallest angle
   // lies between the two longest.
   const double longest_product = l0 * l1 * l2 / std::min({l0, l1, l2});
-  if (!(twice_area > smallest_sine * longest_product)) return false;
-  for (const FrontPoint* corner : {&a, &b, &c})
-    if (corner->normal != Vec3(0) && glm::dot(area, corner->normal) < coarse_cosine * twice_area)
-      return false;
-  return true;
+  return glm::length(glm::cross(ab, bc)) > smallest_sine * longest_product &&
+         faces_its_normals(a, b, c);
 }
 
 std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
@@ -152,7 +165,7 @@ std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory&
       if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
       if (left_over < 1.5 * dt) dt = left_over > dt ? 0.5 * left_over : left_over;
     }
-    const double shorter = shortening(refinement, path, head, dt);
+    const double shorter = shortening(refinement, path, head, left, right, dt);
     if (shorter >= 1) break;
     dt *= std::max(shorter, 0.1);
   }
