@@ -12,8 +12,15 @@ namespace {
 /// Places for the nodes of all lists, in texture buffers: a storage block ends at 128 MiB.
 struct NodePool {
   std::uint64_t nodes = 0;  // without node 0, which ends a list
-  BufferTexture nexts, keys, colors;
+  BufferTexture links, colors;
 };
+
+// Sorted and composited in one pass up to here; deeper pixels take a pass for each level of a merge
+// sort, since llvmpipe silently ends the loops of a shader after 65535 iterations in all. 1024
+// layers take about 50 iterations each.
+constexpr int most_layers_at_once = 1024;
+// And of these passes each gets through so many.
+constexpr std::uint32_t most_layers = 1 << 18;
 
 NodePool make_pool(const Gl& gl, std::uint64_t nodes) {
   GLint most = 0;
@@ -24,7 +31,7 @@ NodePool make_pool(const Gl& gl, std::uint64_t nodes) {
                     "largest texture buffer holds {}; draw a smaller picture",
                     nodes, most));
   const std::uint64_t n = nodes + 1;
-  return {nodes, {gl, GL_R32UI, 4 * n}, {gl, GL_RG32UI, 8 * n}, {gl, GL_RGBA32F, 16 * n}};
+  return {nodes, {gl, GL_RGBA32UI, 16 * n}, {gl, GL_RGBA32F, 16 * n}};
 }
 
 class LinkedList final : public OitMethod {
@@ -33,21 +40,22 @@ class LinkedList final : public OitMethod {
       : stage_(stage),
         heads_(stage.target("list heads", GL_R32UI)),
         node_count_(stage.gl(), sizeof(std::uint32_t)),
+        longest_(stage.gl(), sizeof(std::uint32_t)),
         no_targets_(stage.gl(), stage.width(), stage.height()),
         query_(stage.gl()),
         count_(stage.geometry_program(oit_glsl::linked_list_count_frag_glsl())),
         build_(stage.geometry_program(oit_glsl::linked_list_build_frag_glsl())),
-        resolve_(stage.screen_program(oit_glsl::linked_list_resolve_frag_glsl())) {
-    stage.record("node counter", node_count_.bytes());
+        resolve_(stage.screen_program(oit_glsl::linked_list_resolve_frag_glsl())),
+        merge_(stage.screen_program(oit_glsl::linked_list_merge_frag_glsl())),
+        blend_(stage.screen_program(oit_glsl::linked_list_blend_frag_glsl())) {
+    resolve_.set("most_layers", most_layers_at_once);
+    stage.record("counters", node_count_.bytes() + longest_.bytes());
   }
 
   void draw(Frame& frame) override {
     frame.step("count", [&] { reserve(count_fragments()); });
     frame.step("build", [&] { build(); });
-    frame.step("sort and composite", [&] {
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(resolve_);
-    });
+    frame.step("sort and composite", [&] { resolve(frame.picture()); });
     frame.stats().fragments = pool_.nodes;
   }
 
@@ -60,32 +68,59 @@ class LinkedList final : public OitMethod {
   }
 
   void reserve(std::uint64_t fragments) {
-    if (fragments == pool_.nodes && pool_.nexts.bytes() > 0) return;
+    if (fragments == pool_.nodes && pool_.links.bytes() > 0) return;
     pool_ = {};  // the old pool is gone before the new one is there
     pool_ = make_pool(stage_.gl(), fragments);
-    stage_.record("list nodes", pool_.nexts.bytes() + pool_.keys.bytes() + pool_.colors.bytes());
+    stage_.record("list nodes", pool_.links.bytes() + pool_.colors.bytes());
   }
 
   void build() const {
     heads_.clear(0);
     node_count_.clear(0);
     heads_.bind_image(0);
-    pool_.nexts.bind_image(1);
-    pool_.keys.bind_image(2);
-    pool_.colors.bind_image(3);
+    pool_.links.bind_image(1);
+    pool_.colors.bind_image(2);
     node_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
     stage_.begin_pass(no_targets_, {Blend::replace});
     stage_.draw_geometry(build_);
-    stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    finish_stores();
+  }
+
+  void resolve(const Framebuffer& picture) const {
+    longest_.clear(0);
+    longest_.bind_base(GL_SHADER_STORAGE_BUFFER, 0);
+    stage_.begin_pass(picture, {Blend::replace});
+    stage_.draw_screen(resolve_);
+    finish_stores();
+    if (const std::uint32_t longest = longest_.read_word(0)) resolve_deep(longest, picture);
+  }
+
+  void resolve_deep(std::uint32_t longest, const Framebuffer& picture) const {
+    if (longest > most_layers)
+      throw WorkError(fmt::format("linked-list: a pixel has {} layers or more; sorted are at most "
+                                  "{}",
+                                  longest, most_layers));
+    stage_.begin_pass(no_targets_, {Blend::replace});
+    for (std::uint32_t length = 1; length < longest; length *= 2) {
+      merge_.set("length_of_runs", int(length));
+      stage_.draw_screen(merge_);
+      finish_stores();
+    }
+    stage_.begin_pass(picture, {Blend::replace});
+    stage_.draw_screen(blend_);
+  }
+
+  void finish_stores() const {
+    stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   }
 
   Stage& stage_;
   Texture heads_;
-  Buffer node_count_;
+  Buffer node_count_, longest_;
   NodePool pool_;
   Framebuffer no_targets_;
   SampleQuery query_;
-  Program count_, build_, resolve_;
+  Program count_, build_, resolve_, merge_, blend_;
 };
 
 }  // namespace
@@ -100,7 +135,7 @@ const MethodRow& linked_list_method() {
       .equations = "sections 3 and 4: construction, sorting and blending",
       .parameters = {},
       .promises = {.exact = true, .order_independent = true, .convex_hull = true},
-      .bytes_per_pixel = "4 + 28 per layer",
+      .bytes_per_pixel = "4 + 32 per layer",
       .make = make_oit<LinkedList>};
   return row;
 }

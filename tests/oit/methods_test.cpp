@@ -21,7 +21,7 @@ TEST(UnitMethods, OneLayerIsTheTruthInEveryMethod) {
 TEST(UnitMethods, ExactMethodsCompositeAStack) {
   for (const MethodRow& row : oit_methods()) {
     if (!row.promises.exact) continue;
-    for (const int n : {2, 7, 33, 100, 1000}) {
+    for (const int n : {2, 7, 16, 17, 33, 100, 1000, 1024, 1025, 10000}) {
       SCOPED_TRACE(std::string(row.name) + " layers " + std::to_string(n));
       const auto layers = random_layers(n, n < 100 ? 1.0f : 10.0f / float(n), 1);
       const Scene scene = stack(7, 5, layers);
