@@ -31,6 +31,8 @@ struct FrontParticle {
   bool lent = false;                   // merged, and its path is now its ribbon's shadow
   std::unique_ptr<Trajectory> shadow;  // from halfway to the right neighbour's seed
 
+  bool is_linked() const { return left >= 0 || right >= 0; }
+
   explicit FrontParticle(double seed, Trajectory trajectory)
       : s(seed), path(std::move(trajectory)) {}
 };

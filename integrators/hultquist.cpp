@@ -14,74 +14,48 @@
 //   started again, without the ribbons between those seeds, so that no earlier triangle spans them.
 #include "integrators/hultquist.h"
 
-#include <algorithm>
 #include <deque>
 
-#include "integrators/refinement.h"
+#include "integrators/front_line.h"
 #include "integrators/surface_parameters.h"
-#include "integrators/surface_run.h"
 
 namespace pellucid {
 namespace {
 
 class RibbonFront {
  public:
-  RibbonFront(SurfaceRun& run, const Refinement& refinement) : run_(run), refinement_(refinement) {}
+  RibbonFront(SurfaceRun& run, const Refinement& refinement)
+      : run_(run), refinement_(refinement), front_(run, refinement) {}
 
   void sweep(std::span<const double> seeds, bool ring);
 
  private:
-  /// A place of the front: particle -1 when none gets there.
-  struct Place {
-    double s, t;
-    int particle;
-  };
-
-  /// A front edge as span() makes it.
-  struct Edge {
-    int left, right;
-    std::unique_ptr<Trajectory> shadow;
-  };
-  using Shadow = std::unique_ptr<Trajectory>;
-
-  Place place(double s, double t, Shadow path);
-  void span(const Place& a, const Place& b, Shadow shadow);
-  Shadow shadow_between(const Place& a, const Place& b, Shadow known);
   void look_ahead(int p);
-  void settle();
   bool goes_first(int p, int q) const;
   bool may_advance(int p) const;
   void advance(int p);
   void tile(int left, int right, int advanced, const FrontPoint& before);
   void merge(int p, int middle);
-  void take_out(int middle);
   void wake(int p);
   void drain();
   int stuck_particle() const;
 
-  double seed_after(int left, int right) const;
-  FrontParticle& at(int p) { return particles_[std::size_t(p)]; }
-  const FrontParticle& at(int p) const { return particles_[std::size_t(p)]; }
-
   SurfaceRun& run_;
-  Refinement refinement_;
-  std::vector<FrontParticle> particles_;
-  std::deque<int> awake_;    // something changed around them
-  std::vector<Edge> edges_;  // of the front, as span() made them
+  const Refinement& refinement_;
+  FrontLine front_;
+  std::deque<int> awake_;  // something changed around them
 };
 
 void RibbonFront::sweep(std::span<const double> seeds, bool ring) {
-  std::vector<Place> places;
-  for (const double s : seeds) places.push_back(place(s, 0, {}));
-  if (ring) places.push_back({places.front().s + 1, 0, places.front().particle});
-  for (std::size_t i = 1; i < places.size(); ++i) span(places[i - 1], places[i], {});
-  settle();
+  front_.start(seeds, ring);
+  for (int p = 0; p < front_.size(); ++p) look_ahead(p);
+  for (int p = 0; p < front_.size(); ++p) wake(p);
   drain();
   for (int p = stuck_particle(); p >= 0; p = stuck_particle()) {
     advance(p);
     drain();
   }
-  run_.retire(particles_);
+  run_.retire(front_.particles());
 }
 
 void RibbonFront::drain() {
@@ -96,175 +70,88 @@ void RibbonFront::drain() {
 int RibbonFront::stuck_particle() const {
   int earliest = -1;
   if (!awake_.empty()) return earliest;  // the budget is used up
-  for (int p = 0; p < int(particles_.size()); ++p) {
-    const bool waits = at(p).next && (at(p).left >= 0 || at(p).right >= 0);
-    if (waits && (earliest < 0 || at(p).head.t < at(earliest).head.t)) earliest = p;
+  for (int p = 0; p < front_.size(); ++p) {
+    const bool waits = front_.at(p).next && front_.at(p).is_linked();
+    if (waits && (earliest < 0 || front_.at(p).head.t < front_.at(earliest).head.t)) earliest = p;
   }
   return earliest;
 }
 
-/// A particle from the seed at s, by the path that is known or a new one.
-RibbonFront::Place RibbonFront::place(double s, double t, Shadow path) {
-  if (!path)
-    if (std::optional<Trajectory> started = run_.spawn(s, t))
-      path = std::make_unique<Trajectory>(std::move(*started));
-  if (path && !path->reach(t, run_.sampler())) run_.retire_shadow(*path), path.reset();
-  if (!path) return {s, t, -1};
-  particles_.emplace_back(s, std::move(*path));
-  particles_.back().head = front_point(particles_.back().path, t);
-  return {s, t, int(particles_.size()) - 1};
-}
-
-/// The seed of `right` as `left` sees it: on a ring the last ribbon runs on past s = 1.
-double RibbonFront::seed_after(int left, int right) const {
-  const double s = at(right).s;
-  return s > at(left).s ? s : s + 1;
-}
-
-/// By tolerance every ribbon has a shadow particle halfway between the seeds of its own two: the
-/// measure of what the mesh leaves out, at a constant cost per vertex, and the ribbon's next
-/// particle when it gets one.
-RibbonFront::Shadow RibbonFront::shadow_between(const Place& a, const Place& b, Shadow known) {
-  if (!refinement_.by_tolerance() || known || !run_.may_spawn()) return known;
-  std::optional<Trajectory> path = run_.spawn(0.5 * (a.s + b.s), 0.5 * (a.t + b.t));
-  return path ? std::make_unique<Trajectory>(std::move(*path)) : nullptr;
-}
-
-/// Joins two places of the front by edges, with as many particles between as it takes. Where only
-/// one of the places is reached, the other end of the gap is searched for.
-void RibbonFront::span(const Place& a, const Place& b, Shadow shadow) {
-  if (a.particle < 0 && b.particle < 0) return;
-  const double s = 0.5 * (a.s + b.s), t = 0.5 * (a.t + b.t);
-  if (a.particle >= 0 && b.particle >= 0) {
-    shadow = shadow_between(a, b, std::move(shadow));
-    Vec3 middle(0);
-    if (shadow) {
-      shadow->reach(t, run_.sampler());
-      middle = shadow->at(std::min(t, shadow->time())).x;
-    }
-    const bool unknown = refinement_.by_tolerance() && !shadow;
-    if (!unknown &&
-        !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, &middle)) {
-      edges_.push_back({a.particle, b.particle, std::move(shadow)});
-      return;
-    }
-    if (b.s - a.s <= run_.options().rip) return run_.tear(a.s, b.s);
-  } else if (b.s - a.s <= run_.options().rip) {
-    return;
-  }
-  if (!shadow && !run_.may_spawn()) return;
-  const Place middle = place(s, t, std::move(shadow));
-  span(a, middle, {});
-  span(middle, b, {});
-}
-
-/// Links the new edges and looks where their particles go next.
-void RibbonFront::settle() {
-  for (auto& [left, right, shadow] : edges_) {
-    at(left).right = right;
-    at(right).left = left;
-    at(left).shadow = std::move(shadow);
-  }
-  for (const auto& [left, right, shadow] : edges_)
-    for (const int p : {left, right}) {
-      if (at(p).head.vertex == FrontPoint::no_vertex) at(p).head.vertex = run_.add_vertex(at(p));
-      if (!at(p).next) look_ahead(p);
-      wake(p);
-    }
-}
-
 void RibbonFront::look_ahead(int p) {
-  FrontParticle& particle = at(p);
-  const auto head_of = [&](int q) { return q < 0 ? nullptr : &at(q).head; };
+  FrontParticle& particle = front_.at(p);
+  if (particle.next || !particle.is_linked()) return;
+  const auto head_of = [&](int q) { return q < 0 ? nullptr : &front_.at(q).head; };
   const auto t = next_vertex_time(refinement_, particle.path, particle.head, head_of(particle.left),
                                   head_of(particle.right), run_.sampler());
   if (t) particle.next = front_point(particle.path, *t);
 }
 
 void RibbonFront::wake(int p) {
-  if (p >= 0 && at(p).next) awake_.push_back(p);
+  if (p >= 0 && front_.at(p).next) awake_.push_back(p);
 }
 
 /// The shorter diagonal of the ribbon between p and q starts where p goes next.
 bool RibbonFront::goes_first(int p, int q) const {
-  if (q < 0 || !at(q).next) return true;
-  const double mine = glm::distance(at(p).next->flow.x, at(q).head.flow.x);
-  const double other = glm::distance(at(q).next->flow.x, at(p).head.flow.x);
-  return mine < other || (mine == other && at(p).s < at(q).s);
+  if (q < 0 || !front_.at(q).next) return true;
+  const FrontParticle &a = front_.at(p), &b = front_.at(q);
+  const double mine = glm::distance(a.next->flow.x, b.head.flow.x);
+  const double other = glm::distance(b.next->flow.x, a.head.flow.x);
+  return mine < other || (mine == other && a.s < b.s);
 }
 
 bool RibbonFront::may_advance(int p) const {
-  const FrontParticle& particle = at(p);
-  return particle.next && (particle.left >= 0 || particle.right >= 0) &&
-         goes_first(p, particle.left) && goes_first(p, particle.right);
+  const FrontParticle& particle = front_.at(p);
+  return particle.next && particle.is_linked() && goes_first(p, particle.left) &&
+         goes_first(p, particle.right);
 }
 
 void RibbonFront::advance(int p) {
-  const FrontPoint before = at(p).head;
-  const int left = at(p).left, right = at(p).right;
-  at(p).head = *at(p).next;
-  at(p).next.reset();
-  at(p).path.release(at(p).head.t);
-  at(p).head.vertex = run_.add_vertex(at(p));
+  FrontParticle& particle = front_.at(p);
+  const FrontPoint before = particle.head;
+  const int left = particle.left, right = particle.right;
+  particle.head = *particle.next;
+  particle.next.reset();
+  particle.path.release(particle.head.t);
+  particle.head.vertex = run_.add_vertex(particle);
   look_ahead(p);
   if (left >= 0) tile(left, p, p, before);
   if (right >= 0) tile(p, right, p, before);
   wake(p);
-  wake(at(p).left);
-  wake(at(p).right);
+  wake(front_.at(p).left);
+  wake(front_.at(p).right);
 }
 
 /// Tiles the ribbon between two neighbours, one of which just advanced from `before`. The
 /// triangle's new edge becomes several when it asks for particles on it.
 void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& before) {
-  Shadow shadow = std::move(at(left).shadow);
-  if (shadow) shadow->release(0.5 * (at(left).head.t + at(right).head.t));
-  at(left).right = at(right).left = -1;
-  edges_.clear();
-  span({at(left).s, at(left).head.t, left}, {seed_after(left, right), at(right).head.t, right},
-       std::move(shadow));
-  settle();
-  for (const Edge& edge : edges_)
-    run_.add_triangle(before.vertex, at(edge.right).head.vertex, at(edge.left).head.vertex);
-  if (edges_.size() == 1) merge(advanced, advanced == left ? right : left);
+  const auto edges = front_.join(left, right);
+  for (const auto& edge : edges) {
+    run_.add_triangle(before.vertex, front_.at(edge.right).head.vertex,
+                      front_.at(edge.left).head.vertex);
+    for (const int p : {edge.left, edge.right}) {
+      look_ahead(p);
+      wake(p);
+    }
+  }
+  if (edges.size() == 1) merge(advanced, advanced == left ? right : left);
 }
 
-/// Takes out one of the ribbon's particles, the one that did not advance, when its neighbours have
-/// come so close that the front can do without it.
+/// Takes `middle` out when p, that just advanced, and the particle beyond have come so close that
+/// the front can do without it.
 void RibbonFront::merge(int p, int middle) {
-  const bool to_right = at(p).right == middle;
-  const int far = to_right ? at(middle).right : at(middle).left;
-  if (far < 0 || !at(middle).next) return;
-  const int beyond = to_right ? at(far).right : at(far).left;
-  if (far == p || beyond == p) return;  // a ring keeps three particles
-  const int left = to_right ? p : far, right = to_right ? far : p;
-  if (!can_do_without(refinement_, at(left).head, at(right).head, at(middle).head.flow.x)) return;
-  // By tolerance the one taken out becomes the shadow: it has to come from halfway.
-  const bool halfway =
-      seed_after(left, middle) - at(left).s == seed_after(middle, right) - at(middle).s;
-  if (refinement_.by_tolerance() && !halfway) return;
-  const FrontPoint &m = at(middle).head, &f = at(far).head, &n = at(p).head;
-  if (!(to_right ? is_well_shaped(m, f, n) : is_well_shaped(f, m, n))) return;
-  if (to_right)
-    run_.add_triangle(m.vertex, f.vertex, n.vertex);
-  else
-    run_.add_triangle(f.vertex, m.vertex, n.vertex);
-  take_out(middle);
-  at(left).right = right;
-  at(right).left = left;
-  wake(far);
-}
-
-/// Its trajectory goes on as the shadow of the ribbon that closes over it, where one is wanted.
-void RibbonFront::take_out(int middle) {
-  FrontParticle& particle = at(middle);
-  particle.merged = true;
-  particle.next.reset();
-  particle.lent = refinement_.by_tolerance();
-  if (particle.lent)
-    at(particle.left).shadow = std::make_unique<Trajectory>(std::move(particle.path));
-  particle.shadow.reset();
-  particle.left = particle.right = -1;
+  const bool to_right = front_.at(p).right == middle;
+  const auto after = [&](int q) { return to_right ? front_.at(q).right : front_.at(q).left; };
+  const int beyond = after(middle);
+  if (beyond < 0 || !front_.at(middle).next) return;
+  if (beyond == p || after(beyond) == p) return;  // a ring keeps three particles
+  if (refinement_.by_tolerance() && !front_.is_halfway(middle)) return;
+  const FrontPoint &m = front_.at(middle).head, &b = front_.at(beyond).head, &n = front_.at(p).head;
+  if (!can_do_without(refinement_, n, b, m.flow.x)) return;
+  const FrontPoint &first = to_right ? m : b, &second = to_right ? b : m;
+  if (!is_well_shaped(first, second, n)) return;
+  run_.add_triangle(first.vertex, second.vertex, n.vertex);
+  front_.take_out(middle);
+  wake(beyond);
 }
 
 constexpr ParameterSpec own_parameters[] = {

@@ -123,14 +123,14 @@ Refinement refinement_of(const Parameters& parameters, double default_threshold,
 }
 
 bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
-                   const Vec3* middle) {
+                   const Vec3& middle) {
   const auto [distance, width] = separation(a.flow, b.flow);
   const double shortest = shortest_edge(refinement);
   if (are_parting(a.flow, b.flow) && distance > shortest) return true;
   if (cosine(a, b) < coarse_cosine && distance > shortest) return true;
   if (!refinement.by_tolerance())
     return width > refinement.threshold || distance > 2 * refinement.threshold;
-  return distance_to_segment(*middle, a.flow.x, b.flow.x) > refinement.largest_sagitta();
+  return distance_to_segment(middle, a.flow.x, b.flow.x) > refinement.largest_sagitta();
 }
 
 bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,

@@ -25,10 +25,10 @@ struct Refinement {
 Refinement refinement_of(const Parameters& parameters, double default_threshold,
                          double steps_per_threshold);
 
-/// Does the front need a particle between a and b? `middle` is the surface between them, where it
-/// is known; it always is when refinement is by tolerance.
+/// Does the front need a particle between a and b? `middle` is the surface between them; it is only
+/// asked for by tolerance.
 bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
-                   const Vec3* middle);
+                   const Vec3& middle);
 
 /// May the front do without a particle that stands at `middle` between a and b? Far from the limits
 /// of asks_for_more, so that particles do not come and go.

@@ -75,11 +75,17 @@ SurfaceOptions surface_options(const SurfaceRequest& request, const Parameters& 
 ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceOptions& options)
     : seed_(request.seed),
       options_(options.trajectory),
-      samplers_([field = request.field] { return field->sampler(); }) {}
+      samplers_([field = request.field] { return CountingSampler(*field); }) {}
 
 Trajectory ParticleSource::start(double s) {
   const double wrapped = seed_.closed ? s - std::floor(s) : s;
   return Trajectory(options_, seed_.point_at(wrapped), seed_.tangent_at(wrapped), sampler());
+}
+
+std::uint64_t ParticleSource::evaluations() const {
+  std::uint64_t count = 0;
+  for (const CountingSampler& sampler : samplers_) count += sampler.evaluations();
+  return count;
 }
 
 }  // namespace pellucid

@@ -2,8 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <memory>
-
+#include "integrators/counting_sampler.h"
 #include "integrators/integrate_surface.h"
 #include "integrators/trajectory.h"
 
@@ -31,12 +30,13 @@ class ParticleSource {
 
   /// s may run past 1 on a closed curve.
   Trajectory start(double s);
-  FieldSampler& sampler() { return *samplers_.local(); }
+  FieldSampler& sampler() { return samplers_.local(); }
+  std::uint64_t evaluations() const;
 
  private:
   const SeedCurve& seed_;
   const TrajectoryOptions& options_;
-  tbb::enumerable_thread_specific<std::unique_ptr<FieldSampler>> samplers_;
+  tbb::enumerable_thread_specific<CountingSampler> samplers_;
 };
 
 }  // namespace pellucid

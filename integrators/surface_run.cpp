@@ -59,15 +59,14 @@ SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& opti
       source_(request, options),
       builder_(request.start_time, options.trajectory.companion != Companion::none) {}
 
-std::optional<Trajectory> SurfaceRun::spawn(double s, double t) {
-  Trajectory path = source_.start(s);
+std::unique_ptr<Trajectory> SurfaceRun::spawn(double s, double t) {
+  auto path = std::make_unique<Trajectory>(source_.start(s));
   ++stats_.particles;
-  if (!path.exists() || !path.reach(t, sampler())) {
-    ++stats_.ends[*path.end()];
-    stats_.evaluations += path.evaluations();
-    return std::nullopt;
+  if (!path->exists() || !path->reach(t, sampler())) {
+    drop(std::move(path), EndReason::torn);
+    return nullptr;
   }
-  path.release(t);
+  path->release(t);
   return path;
 }
 
@@ -94,29 +93,28 @@ bool SurfaceRun::is_full() {
 }
 
 void SurfaceRun::retire(std::span<const FrontParticle> particles) {
+  const EndReason otherwise = budget_.value_or(EndReason::torn);
   std::uint64_t bytes = builder_.bytes();
-
   for (const FrontParticle& particle : particles) {
-    if (!particle.lent) stats_.evaluations += particle.path.evaluations();
     bytes += sizeof particle + particle.path.bytes();
-    if (particle.shadow) retire_shadow(*particle.shadow);
+    if (particle.shadow) bytes += sizeof(Trajectory) + particle.shadow->bytes();
+    if (particle.shadow) ++stats_.ends[particle.shadow->end().value_or(otherwise)];
     if (particle.merged)
       ++stats_.ends[EndReason::merged];
-    else if (particle.path.end() && !particle.next)
-      ++stats_.ends[*particle.path.end()];
     else
-      ++stats_.ends[budget_.value_or(EndReason::torn)];
+      ++stats_.ends[particle.next ? otherwise : particle.path.end().value_or(otherwise)];
   }
   stats_.bytes = std::max(stats_.bytes, bytes);
 }
 
-/// A shadow ends with its ribbon.
-void SurfaceRun::retire_shadow(const Trajectory& shadow) {
-  stats_.evaluations += shadow.evaluations();
-  ++stats_.ends[shadow.end().value_or(budget_.value_or(EndReason::torn))];
+void SurfaceRun::drop(std::unique_ptr<Trajectory> path, EndReason reason) {
+  if (path) ++stats_.ends[path->end().value_or(reason)];
 }
 
-IntegratedSurface SurfaceRun::finish() { return {builder_.finish(), stats_}; }
+IntegratedSurface SurfaceRun::finish() {
+  stats_.evaluations = source_.evaluations();
+  return {builder_.finish(), stats_};
+}
 
 IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOptions& options,
                               int particles, const Sweep& sweep) {

@@ -17,7 +17,7 @@ class SurfaceRun {
   SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& options);
 
   /// A trajectory from the seed at s, integrated to time t; nothing when it ends before.
-  std::optional<Trajectory> spawn(double s, double t);
+  std::unique_ptr<Trajectory> spawn(double s, double t);
   FieldSampler& sampler() { return source_.sampler(); }
 
   std::uint32_t add_vertex(const FrontParticle& particle);
@@ -29,9 +29,10 @@ class SurfaceRun {
   bool may_spawn();
   bool is_full();  // no more triangles may be made
 
-  /// Counts what they took and why they ended.
+  /// Counts why they ended.
   void retire(std::span<const FrontParticle> particles);
-  void retire_shadow(const Trajectory& shadow);
+  /// Ends a trajectory, if there is one, that was no particle of the front.
+  void drop(std::unique_ptr<Trajectory> path, EndReason reason);
 
   const SurfaceOptions& options() const { return options_; }
   const std::vector<std::pair<double, double>>& tears() const { return tears_; }

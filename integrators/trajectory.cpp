@@ -86,7 +86,6 @@ SampleStatus Trajectory::slope(double t, const State& y, State& f, FieldSampler&
   const double time = options_->start_time + (options_->path ? t : 0);
   Vec3 v, w(0);
   SampleStatus status;
-  ++evaluations_;
   if (options_->companion == Companion::variation) {
     Mat3 jacobian;
     status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
@@ -95,7 +94,6 @@ SampleStatus Trajectory::slope(double t, const State& y, State& f, FieldSampler&
     status = sampler.velocity(first(y), time, v);
   }
   if (status == SampleStatus::ok && is_ghost(options_->companion)) {
-    ++evaluations_;
     // Past the domain's edge the ghost keeps its distance.
     if (sampler.velocity(second(y), time, w) != SampleStatus::ok) w = v;
   }

@@ -67,7 +67,6 @@ class Trajectory {
   const std::optional<EndReason>& end() const { return end_; }
   /// False when not even the seed has a velocity.
   bool exists() const { return exists_; }
-  std::uint64_t evaluations() const { return evaluations_; }
   std::uint64_t bytes() const { return steps_.capacity() * sizeof(Step); }  // beside itself
 
  private:
@@ -101,7 +100,6 @@ class Trajectory {
   std::optional<EndReason> end_;
   bool exists_ = false;
   bool near_edge_ = false;  // a step failed: the domain's edge is close
-  std::uint64_t evaluations_ = 0;
   std::uint64_t step_count_ = 0;
 };
 

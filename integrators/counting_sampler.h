@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "fields/field.h"
+
+namespace pellucid {
+
+/// A sampler that counts how often it is asked.
+class CountingSampler final : public FieldSampler {
+ public:
+  explicit CountingSampler(const VectorField& field) : sampler_(field.sampler()) {}
+
+  SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
+    ++evaluations_;
+    return sampler_->velocity(x, t, v);
+  }
+  SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
+    ++evaluations_;
+    return sampler_->velocity_and_jacobian(x, t, v, jacobian);
+  }
+
+  std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  std::unique_ptr<FieldSampler> sampler_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace pellucid
