@@ -163,10 +163,21 @@ std::string vega_bundle() {
       {"vega-parser", f::vega_parser_min_js()},
       {"vega-encode", f::vega_encode_min_js()},
       {"vega-transforms", f::vega_transforms_min_js()},
-      {"vega-view-transforms", f::vega_view_transforms_min_js()}};
+      {"vega-view-transforms", f::vega_view_transforms_min_js()},
+      {"vega-label", f::vega_label_min_js()}};
   std::string bundle(f::modules_js());
   for (const auto& [name, text] : modules) bundle += vega_module(name, text);
   return bundle + std::string(f::vega_js());
+}
+
+std::string page_script() {
+  namespace f = report_files;
+  std::string script;
+  for (const std::string_view part :
+       {f::format_js(), f::pictures_js(), f::viewer_js(), f::plots_js(), f::table_js(),
+        f::provenance_js(), f::report_js()})
+    script += part;
+  return script;
 }
 
 /// Puts `text` where the page says {{name}}.
@@ -191,8 +202,7 @@ void write_report(const fs::path& folder, const Study& study, std::span<const Re
   insert(page, "title", html_escaped(study.title));
   insert(page, "css", report_files::report_css());
   insert(page, "vega", vega_bundle());
-  insert(page, "plots", report_files::plots_js());
-  insert(page, "script", report_files::report_js());
+  insert(page, "script", page_script());
   insert(page, "data", inline_json(report_json(folder, study, rows)));
   write_text(folder / "report.html", page);
 }

@@ -1,0 +1,40 @@
+// Numbers for people, and elements without markup in strings.
+
+/** make("dt", {class: "x", onclick: f}, "text", child, …) */
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element[name] = value;
+    else if (value !== false && value != null) element.setAttribute(name, value);
+  }
+  element.append(...children.flat().filter((child) => child != null && child !== false));
+  return element;
+}
+
+const superscripts = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+
+/** Three digits; small numbers as 1.23·10⁻⁴. */
+function scientific(x) {
+  if (x == null) return "–";
+  if (x === 0) return "0";
+  if (Math.abs(x) >= 1e-3 && Math.abs(x) < 1e4) return x.toPrecision(3);
+  const [digits, power] = x.toExponential(2).split("e");
+  return `${digits}·10${[...String(Number(power))].map((c) => superscripts[c]).join("")}`;
+}
+
+/** At least `decimals`, and one more digit where the number is small. */
+function fixed(x, decimals) {
+  if (x == null) return "–";
+  return x !== 0 && Math.abs(x) < 10 ** (1 - decimals) ? x.toPrecision(2) : x.toFixed(decimals);
+}
+
+const milliseconds = (seconds) => fixed(seconds * 1e3, 1);
+const megabytes = (bytes) => fixed(bytes / 1e6, 1);
+const similarity = (x) => (x == null ? "–" : x === 1 ? "1" : x.toFixed(4));
+/** JSON holds no infinity: the PSNR of equal pictures is null. */
+const decibels = (x) => (x == null ? "∞" : x.toFixed(1));
+const count = (n) => n.toLocaleString("en").replaceAll(",", "\u202f");
+const percent = (share) => (share === 0 ? "0 %" : `${(100 * share).toPrecision(2)} %`);
+
+/** "bands=5,clamp=1" as "bands = 5, clamp = 1". */
+const spaced = (parameters) => parameters.replaceAll("=", " = ").replaceAll(",", ", ");

@@ -1,0 +1,99 @@
+// A card per method: picture, zoom-in and error map, its numbers below. A click flips the picture
+// and its zoom-in to the reference and back.
+
+/** The crop of `scene` shown over the whole width of its frame, pixels as squares. */
+function zoomIn(scene, source, title) {
+  const [x, y, width, height] = scene.crop;
+  const image = make("img", { src: source, alt: title, draggable: "false" });
+  image.style.width = `${(100 * scene.width) / width}%`;
+  image.style.left = `${(-100 * x) / width}%`;
+  image.style.top = `${(-100 * y) / height}%`;
+  return image;
+}
+
+function cropBox(scene) {
+  const [x, y, width, height] = scene.crop;
+  const box = make("span", { class: "crop" });
+  box.style.left = `${(100 * x) / scene.width}%`;
+  box.style.top = `${(100 * y) / scene.height}%`;
+  box.style.width = `${(100 * width) / scene.width}%`;
+  box.style.height = `${(100 * height) / scene.height}%`;
+  return box;
+}
+
+function numbers(row) {
+  const entries = [["SSIM", similarity(row.metrics.ssim)], ["RMSE", scientific(row.metrics.rmse)],
+                   ["ms", milliseconds(row.seconds.median)], ["MB", megabytes(row.bytes.total)]];
+  return make("dl", { class: "numbers" }, entries.map(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
+}
+
+/** For exact methods: where the numbers of layers differ, and the error where they don't. */
+function coverageNote(row) {
+  if (!row.coverage) return null;
+  const { layers_differ, pixels, rmse_equal_layers } = row.coverage;
+  return make("p", { class: "note" }, `Layers differ in ${count(layers_differ)} pixels ` +
+    `(${percent(layers_differ / pixels)}); RMSE over the others ${scientific(rmse_equal_layers)}.`);
+}
+
+function droppedNote(row) {
+  if (!row.dropped) return null;
+  return make("p", { class: "note" }, `${count(row.dropped)} fragments did not reach the picture.`);
+}
+
+function failedCard(row) {
+  return make("figure", { class: "card" }, make("div", { class: "failed" }, row.error), make("figcaption", {}, caption(row)));
+}
+
+function caption(row, enlarge) {
+  return make("header", {}, make("h3", { title: row.title }, row.method),
+    make("span", { class: "parameters" }, row.reference ? "reference" : spaced(row.parameters)), enlarge);
+}
+
+/** One picture's frame; flipping sets its source. */
+function flippable(row, reference, image, extra, onclick) {
+  const label = row.reference ? "Reference" : `Flip ${row.name} and the reference`;
+  const frame = make("button", { class: "frame", type: "button", "aria-label": label, onclick }, image,
+                     make("span", { class: "badge" }, "reference"), extra);
+  return { frame, show: (flipped) => { image.src = flipped ? reference.picture : row.picture; } };
+}
+
+function pictureCard(scene, row, reference, enlarge) {
+  const card = make("figure", { class: "card" });
+  const views = [];
+  const flip = (on = !card.classList.contains("flipped")) => {
+    if (row.reference) return;
+    card.classList.toggle("flipped", on);
+    for (const view of views) view.show(on);
+  };
+  const whole = make("img", { src: row.picture, alt: row.name, width: scene.width, height: scene.height, draggable: "false" });
+  views.push(flippable(row, reference, whole, cropBox(scene), () => flip()),
+             flippable(row, reference, zoomIn(scene, row.picture, `${row.name}, zoomed in`), null, () => flip()));
+  const zoom = views[1].frame;
+  zoom.classList.add("zoom");
+  zoom.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
+  const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
+  card.append(views[0].frame, make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), errorMap(scene, row)),
+              make("figcaption", {}, caption(row, open), numbers(row), coverageNote(row), droppedNote(row)));
+  return { card, flip };
+}
+
+function errorMap(scene, row) {
+  if (row.reference) return make("div");
+  const image = make("img", { src: row.error_map, alt: `error of ${row.name}`, width: scene.width, height: scene.height });
+  const frame = make("div", { class: "frame" }, image);
+  frame.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
+  return make("div", {}, frame, make("small", {}, "error"));
+}
+
+/** The scale that all error maps share. */
+function errorLegend({ min, max, colors }) {
+  const bar = make("div", { class: "bar" });
+  bar.style.background = `linear-gradient(to right, ${colors.join(", ")})`;
+  const decades = Math.round(Math.log10(max / min));
+  for (let i = 0; i <= decades; ++i) {
+    const tick = make("span", {}, String(Number((min * 10 ** i).toPrecision(1))));
+    tick.style.left = `${(100 * i) / decades}%`;
+    bar.append(tick);
+  }
+  return make("div", { class: "scale" }, "Largest error of red, green and blue, one scale for all:", bar);
+}
