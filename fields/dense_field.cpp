@@ -17,17 +17,23 @@ Box3 grid_box(const std::array<Axis, 3>& axes) {
           Vec3(axes[0].back(), axes[1].back(), axes[2].back())};
 }
 
+Vec3 smallest_widths(const std::array<Axis, 3>& axes) {
+  return {axes[0].smallest_width(), axes[1].smallest_width(), axes[2].smallest_width()};
+}
+
 /// What samplers share and do not change.
 template <class Sample, class Interpolant>
 struct DenseData {
   explicit DenseData(DenseGrid<Sample> grid_)
       : grid(std::move(grid_)),
         box(grid_box(grid.axes)),
+        slack(edge_rounding * smallest_widths(grid.axes)),
         interpolants{Interpolant(grid.axes[0]), Interpolant(grid.axes[1]),
                      Interpolant(grid.axes[2])} {}
 
   DenseGrid<Sample> grid;
-  Box3 box;  // in grid coordinates
+  Box3 box;    // in grid coordinates
+  Vec3 slack;  // so little beyond the box is still in it
   std::array<Interpolant, 3> interpolants;
 };
 
@@ -77,15 +83,18 @@ class DenseSampler final : public FieldSampler {
  private:
   static constexpr int N = Interpolant::support;
 
-  /// False outside. A frame's rounding must not cut off the last layer of samples.
+  /// False outside.
   bool to_grid(const Vec3& x, Vec3& p) const {
-    const auto& frame = data_.grid.frame;
-    p = frame ? frame->to_grid(x) : x;
-    if (data_.box.contains(p)) return true;
-    if (!frame) return false;
+    p = data_.grid.frame ? data_.grid.frame->to_grid(x) : x;
+    return data_.box.contains(p) || clamp_rounding(p);
+  }
+
+  /// The file's spacing and the caller's position are rounded: a point that misses the last sample
+  /// by less than that is on it.
+  bool clamp_rounding(Vec3& p) const {
     const Vec3 moved = p;
     p = glm::clamp(p, data_.box.min, data_.box.max);
-    return glm::all(glm::lessThan(glm::abs(p - moved), Vec3(GridFrame::rounding)));
+    return glm::all(glm::lessThan(glm::abs(p - moved), data_.slack));
   }
 
   Stencil<N> stencil(const Vec3& p, int axis) const {
@@ -130,8 +139,8 @@ class DenseField final : public VectorField {
   bool steady() const override { return true; }
   std::optional<double> cell_size() const override {
     if (data_.grid.frame) return data_.grid.frame->smallest_unit();
-    const auto& axes = data_.grid.axes;
-    return std::min({axes[0].smallest_width(), axes[1].smallest_width(), axes[2].smallest_width()});
+    const Vec3 widths = smallest_widths(data_.grid.axes);
+    return std::min({widths.x, widths.y, widths.z});
   }
   std::optional<double> sampling_error() const override {
     return estimate_sampling_error(data_.grid, Interpolant::support);

@@ -13,10 +13,11 @@ namespace pellucid {
 
 enum class Interpolation { linear, c1 };
 
+/// In cells: how far beyond the last sample still is at it.
+inline constexpr double edge_rounding = 1e-9;
+
 /// Grid coordinates, where samples lie at whole numbers, of a world position.
 struct GridFrame {
-  static constexpr double rounding = 1e-9;  // in cells; how far off an edge still is the edge
-
   Mat3 grid_from_world;
   Vec3 origin;
 

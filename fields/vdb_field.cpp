@@ -77,7 +77,7 @@ class VdbSampler final : public FieldSampler {
       Vec3 low = glm::floor(p);
       s_ = p - low;
       for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(p[axis] - nearest[axis]) > GridFrame::rounding) continue;
+        if (std::abs(p[axis] - nearest[axis]) > edge_rounding) continue;
         s_[axis] = below >> axis & 1;
         low[axis] = nearest[axis] - s_[axis];
       }
@@ -203,7 +203,8 @@ bool is_vector_grid(const openvdb::GridBase& grid) {
 std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const Path& path) {
   std::string names, first;
   int count = 0;
-  for (const auto& grid : *file.readAllGridMetadata()) {
+  const openvdb::GridPtrVecPtr grids = file.readAllGridMetadata();
+  for (const auto& grid : *grids) {
     if (!is_vector_grid(*grid)) continue;
     if (grid->getName() == wanted) return wanted;
     if (count++ == 0) first = grid->getName();
