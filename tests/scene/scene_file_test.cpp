@@ -1,0 +1,182 @@
+#include "scene/scene_file.h"
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "core/error.h"
+#include "geometry/mesh_file.h"
+#include "scene/appearance.h"
+#include "scene/colormap.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using namespace testing;
+
+class UnitSceneFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "pellucid-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    TriangleMesh mesh = full_layer(0, Rgba(0.25, 0.5, 0.75, 0.125));
+    mesh.scalars["speed"] = {0, 1, 2, 4};
+    write_mesh(folder_ / "sheet.ply", mesh);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Scene load(const std::string& text) const {
+    std::ofstream(folder_ / "scene.json") << text;
+    return load_scene(folder_ / "scene.json");
+  }
+  /// A scene with the given objects and further top-level keys ("\"key\": value, …").
+  Scene with(const std::string& objects, const std::string& keys = "") const {
+    return load(R"({"format": "pellucid-scene", "version": 1, )" + keys +
+                (keys.empty() ? "" : ", ") + R"("objects": [)" + objects + "]}");
+  }
+  template <class... Texts>
+  std::string refusal(const Texts&... texts) const {
+    try {
+      with(texts...);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "the scene was accepted";
+    return {};
+  }
+
+  const std::string sheet = R"({"mesh": "sheet.ply"})";
+  fs::path folder_;
+};
+
+TEST_F(UnitSceneFile, AMeshIsUsedAsItStands) {
+  const Scene scene = with(sheet);
+  EXPECT_EQ(scene.name, "scene");
+  EXPECT_EQ(scene.width, 1000);
+  ASSERT_EQ(scene.objects.size(), 1u);
+  EXPECT_EQ(scene.objects[0].mesh.colors[0], Rgba(0.25, 0.5, 0.75, 0.125));
+}
+
+TEST_F(UnitSceneFile, EveryKeyIsRead) {
+  const Scene scene = with(
+      R"({"name": "front", "mesh": "sheet.ply", "color": [1, 0, 0.5], "opacity": 0.5, "importance": "speed"})",
+      R"("resolution": [30, 20], "background": [0, 0.5, 1], "lighting": "headlight",
+         "camera": {"type": "orthographic", "eye": [0, 0, 3], "target": [0, 0, 1], "up": [1, 0, 0], "height": 7})");
+  EXPECT_EQ(scene.width, 30);
+  EXPECT_EQ(scene.height, 20);
+  EXPECT_EQ(scene.background, Vec3(0, 0.5, 1));
+  EXPECT_EQ(scene.lighting, Lighting::headlight);
+  EXPECT_EQ(scene.camera.projection, Projection::orthographic);
+  EXPECT_EQ(scene.camera.height, 7);
+  EXPECT_EQ(scene.camera.up, Vec3(1, 0, 0));
+  EXPECT_EQ(scene.objects[0].name, "front");
+  EXPECT_EQ(scene.objects[0].mesh.colors[3], Rgba(1, 0, 0.5, 0.5));
+  EXPECT_EQ(scene.objects[0].mesh.importance, (std::vector<float>{0, 0.25f, 0.5f, 1}));
+}
+
+TEST_F(UnitSceneFile, ColourByScalarRunsThroughTheMap) {
+  const Scene scene = with(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "magma"}})");
+  const auto& colors = scene.objects[0].mesh.colors;
+  const ColormapRow& magma = find_colormap("magma");
+  for (const auto& [vertex, x] : {std::pair(0, 0.0), std::pair(1, 0.25), std::pair(3, 1.0)})
+    EXPECT_EQ(colors[vertex], Rgba(magma(x), 0.125));
+  const Scene ranged =
+      with(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "magma", "range": [2, 4]}})");
+  EXPECT_EQ(ranged.objects[0].mesh.colors[2], Rgba(magma(0), 0.125));
+}
+
+TEST_F(UnitSceneFile, ASurfaceIsIntegrated) {
+  const Scene scene = with(
+      R"({"surface": {"field": "formula:u=1,v=0,w=0", "integrator": "hultquist:threshold=0.1",
+          "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 2}, "opacity": 0.4})");
+  const TriangleMesh& mesh = scene.objects[0].mesh;
+  // Uniform flow sweeps the rectangle [0, 2] × [0, 1].
+  const Box3 box = mesh.bounds();
+  EXPECT_LE(glm::length(box.min - Vec3(0)), 1e-9);
+  EXPECT_LE(glm::length(box.max - Vec3(2, 1, 0)), 1e-9);
+  EXPECT_EQ(mesh.colors[0].a, 0.4f);
+  EXPECT_FALSE(scene.provenance.empty());
+}
+
+TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "opacity": 1.5})"),
+              HasSubstr("objects[0].opacity: 1.5; accepted: 0 … 1"));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "opacty": 1})"),
+              HasSubstr("objects[0]: unknown key 'opacty'; known: opacity"));
+  EXPECT_THAT(refusal(R"({"mesh": "none.ply"})"),
+              AllOf(HasSubstr("objects[0].mesh"), HasSubstr("none.ply")));
+  EXPECT_THAT(refusal(R"({"color": [1, 0, 0]})"),
+              HasSubstr("exactly one of the keys mesh, surface"));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": {"by": "sped"}})"),
+              HasSubstr("unknown scalar 'sped'; known: speed"));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "virids"}})"),
+              HasSubstr("unknown colour map 'virids'; known: viridis"));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": [1, 2, 0]})"),
+              HasSubstr("objects[0].color[1]: 2; accepted: 0 … 1"));
+  EXPECT_THAT(refusal(""), HasSubstr("the scene is empty"));
+  EXPECT_THAT(refusal(sheet, R"("resolution": [0, 10])"),
+              HasSubstr("resolution[0]: 0; accepted: an integer, 1 …"));
+  EXPECT_THAT(refusal(sheet, R"("lighting": "sun")"), HasSubstr("accepted: none, headlight"));
+  EXPECT_THAT(refusal(sheet, R"("backgroud": [0, 0, 0])"), HasSubstr("known: background"));
+}
+
+TEST_F(UnitSceneFile, ACameraInsideOutIsRefused) {
+  EXPECT_THAT(refusal(sheet, R"("camera": {"eye": [0, 0, 0], "target": [0, 0, 0]})"),
+              HasSubstr("camera.target"));
+  EXPECT_THAT(refusal(sheet, R"("camera": {"fov": 180})"), HasSubstr("camera.fov: 180"));
+  EXPECT_THAT(refusal(sheet, R"("camera": {"type": "orthographic", "height": -2})"),
+              HasSubstr("camera.height: -2"));
+  EXPECT_THAT(refusal(sheet, R"("camera": {"type": "orthographic", "fov": 45})"),
+              HasSubstr("it takes height"));
+  EXPECT_THAT(refusal(sheet, R"("camera": {"eye": [0, 0]})"),
+              HasSubstr("camera.eye: [0,0]; accepted: three numbers"));
+}
+
+TEST_F(UnitSceneFile, BadSurfacesAreRefusedAtTheirPlace) {
+  const auto surface = [](const std::string& field, const std::string& integrator) {
+    return R"({"surface": {"field": ")" + field + R"(", "integrator": ")" + integrator +
+           R"(", "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 1}})";
+  };
+  EXPECT_THAT(refusal(surface("abd", "hultquist")),
+              AllOf(HasSubstr("objects[0].surface.field"), HasSubstr("known: abc")));
+  EXPECT_THAT(refusal(surface("abc", "hultqvist")), HasSubstr("unknown integrator 'hultqvist'"));
+  EXPECT_THAT(refusal(surface("abc", "hultquist:threshold=-1")), HasSubstr("threshold=-1"));
+  EXPECT_THAT(refusal(surface("formula:u=x+,v=0,w=0", "hultquist")), HasSubstr("u"));
+}
+
+TEST_F(UnitSceneFile, SyntaxErrorsNameTheLine) {
+  try {
+    load("{\n \"format\": ,\n}");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("scene.json"), HasSubstr("line 2")));
+  }
+  EXPECT_THROW(load(""), InputError);
+  EXPECT_THROW(load(R"({"format": "pellucid-scene", "version": 2, "objects": []})"), InputError);
+  EXPECT_THROW(load_scene(folder_ / "none.json"), InputError);
+}
+
+TEST(UnitAppearance, NormalsAreAreaWeighted) {
+  TriangleMesh mesh = sphere(3, Rgba(1));
+  mesh.normals.clear();
+  ensure_normals(mesh);
+  // On a regular subdivision of the sphere the mean of the facets deviates by less than 2°.
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    EXPECT_GT(std::abs(glm::dot(mesh.normals[i], mesh.positions[i])), std::cos(2 * 0.0174533));
+}
+
+TEST(UnitColormap, EndsAndMiddleAreMatplotlibs) {
+  const ColormapRow& viridis = find_colormap("viridis");
+  EXPECT_EQ(viridis(0) * 255.0, Vec3(68, 1, 84));
+  EXPECT_EQ(viridis(1) * 255.0, Vec3(253, 231, 37));
+  EXPECT_EQ(viridis(-5), viridis(0));
+  EXPECT_EQ(viridis(7), viridis(1));
+}
+
+}  // namespace
+}  // namespace pellucid
