@@ -35,7 +35,7 @@ inline Scene empty_scene(int width, int height) {
 inline SceneObject sheet(double z, const Rgba& color) {
   SceneObject object;
   object.name = "sheet";
-  for (const Vec2 corner : {Vec2(-2, -2), Vec2(2, -2), Vec2(2, 2), Vec2(-2, 2)}) {
+  for (const Vec2 corner : {Vec2(-50, -50), Vec2(50, -50), Vec2(50, 50), Vec2(-50, 50)}) {
     object.mesh.positions.emplace_back(corner.x, corner.y, z);
     object.mesh.normals.emplace_back(0, 0, 1);
     object.mesh.colors.push_back(color);

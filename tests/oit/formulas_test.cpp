@@ -1,0 +1,104 @@
+// The formulas that the shaders run, compiled as C++ from the same text.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <random>
+
+namespace glsl {
+
+using namespace glm;
+#define out
+#define FOURIER_BANDS 15
+#include "oit/blended_weight.glsl"
+#include "oit/fourier_series.glsl"
+#include "oit/optical_depth.glsl"
+#undef out
+
+}  // namespace glsl
+
+namespace pellucid::test {
+namespace {
+
+TEST(UnitFormulas, OpticalDepthKeepsTheDigitsOfSmallOpacities) {
+  for (const float alpha : {0.0f, 1e-30f, 1e-8f, 1e-4f, 0.0099f, 0.01f, 0.3f, 0.9999f}) {
+    const double exact = -std::log1p(-double(alpha));
+    // 1 - alpha and its logarithm round once each: near 0.01 that is 6e-8 / 0.01.
+    EXPECT_NEAR(glsl::optical_depth(alpha), exact, 1e-5 * exact) << alpha;
+    EXPECT_NEAR(glsl::opacity(float(exact)), alpha, 1e-5 * alpha) << alpha;
+  }
+}
+
+TEST(UnitFormulas, FourierSeriesIsExactAtItsEnds) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> unit(0, 1);
+  float sums[FOURIER_COEFFICIENTS] = {};
+  double total = 0;
+  for (int i = 0; i < 50; ++i) {
+    const float f = unit(random);
+    float c[FOURIER_COEFFICIENTS];
+    glsl::fourier_project(f, unit(random), c);
+    for (int k = 0; k < FOURIER_COEFFICIENTS; ++k) sums[k] += c[k];
+    total += f;
+  }
+  // Eq. 6; the sines at 2 pi k are about 15 roundings of the recurrence away from 0.
+  EXPECT_NEAR(glsl::fourier_integral(0, sums), 0, 1e-6);
+  EXPECT_NEAR(glsl::fourier_integral(1, sums), total, 1e-4);
+}
+
+TEST(UnitFormulas, FourierSeriesIsItsSum) {
+  const float at = 0.3f, d = 0.65f;
+  float c[FOURIER_COEFFICIENTS];
+  glsl::fourier_project(2, at, c);
+  double expected = 2 * double(d);  // Eq. 5 with the coefficients of Eq. 8, in double
+  for (int k = 1; k <= 15; ++k) {
+    const double w = 2 * M_PI * k;
+    expected +=
+        4 / w * (std::cos(w * at) * std::sin(w * d) + std::sin(w * at) * (1 - std::cos(w * d)));
+  }
+  EXPECT_NEAR(glsl::fourier_integral(d, c), expected, 1e-5);
+}
+
+// 1 / bands is how fast a series nears a step away from it.
+TEST(UnitFormulas, FourierSeriesNearsTheStep) {
+  float c[FOURIER_COEFFICIENTS];
+  glsl::fourier_project(1, 0.5f, c);
+  EXPECT_NEAR(glsl::fourier_integral(0.25f, c), 0, 1.0 / 15);
+  EXPECT_NEAR(glsl::fourier_integral(0.75f, c), 1, 1.0 / 15);
+  EXPECT_NEAR(glsl::fourier_integral(0.5f, c), 0.5, 1e-5);
+}
+
+// The numbers are Eqs. 7 to 10 of McGuire and Bavoil 2013 by hand at z = 20 and d = 0.5.
+TEST(UnitFormulas, BlendedWeightsAreTheirEquations) {
+  EXPECT_NEAR(glsl::blended_weight_7(20), 10 / (1e-5 + 16 + 1e-6), 1e-6);
+  EXPECT_NEAR(glsl::blended_weight_8(20), 10 / (1e-5 + 8 + 1e-6), 1e-6);
+  EXPECT_NEAR(glsl::blended_weight_9(20), 0.03 / (1e-5 + 1e-4), 1e-3);
+  EXPECT_NEAR(glsl::blended_weight_10(0.5f), 375, 1e-3);
+  EXPECT_FLOAT_EQ(glsl::blended_weight_10(1), 1e-2f);
+  EXPECT_FLOAT_EQ(glsl::blended_weight_9(500), 1e-2f);
+  EXPECT_FLOAT_EQ(glsl::blended_weight(0, 0.5f, 0.5f), 1);
+  EXPECT_FLOAT_EQ(glsl::blended_weight(10, 0.5f, 0.5f), 187.5f);
+}
+
+// The theorem of the additional material, section 3: with the exact optical depth the weights of
+// Eq. 15 sum to 1 - exp(-tau(1)), so that normalizing (Eq. 19) changes nothing.
+TEST(UnitFormulas, WeightsOfTheExactOpticalDepthSumToTheOpacity) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int n = 1; n <= 64; n *= 2) {
+    double tau = 0, weights = 0;
+    for (int i = 0; i < n; ++i) {
+      const float alpha = unit(random) * 0.9f;
+      tau += glsl::optical_depth(alpha);
+      weights += alpha / (1 - double(alpha)) * std::exp(-tau);
+    }
+    // Each optical depth is rounded to float.
+    EXPECT_NEAR(weights, 1 - std::exp(-tau), 1e-6) << n;
+  }
+}
+
+}  // namespace
+}  // namespace pellucid::test

@@ -1,0 +1,148 @@
+// Every row of the method table keeps what it promises, whatever the scene.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/oit/test_scenes.h"
+
+namespace pellucid::test {
+namespace {
+
+/// Slanted, intersecting triangles under a perspective camera; some reach behind the eye.
+Scene triangle_cloud(int width, int height, int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Scene scene = empty_scene(width, height);
+  scene.camera = {.eye = {0, 0, 3}, .target = {0, 0, 0}};
+  for (int i = 0; i < count; ++i) {
+    SceneObject object;
+    for (int corner = 0; corner < 3; ++corner) {
+      object.mesh.positions.emplace_back(1.5 * unit(random), 1.5 * unit(random), 4 * unit(random));
+      object.mesh.normals.push_back(glm::normalize(Vec3(unit(random), unit(random), 1.5)));
+      object.mesh.colors.emplace_back(0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random),
+                                      0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random));
+    }
+    object.mesh.triangles = {{0, 1, 2}};
+    scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
+bool finite(const Image& image) {
+  for (const Rgba& pixel : image.pixels)
+    for (int c = 0; c < 4; ++c)
+      if (!std::isfinite(pixel[c])) return false;
+  return true;
+}
+
+TEST(PropertyMethods, OrderOfPrimitivesChangesNoMoreThanPromised) {
+  const Scene scene = triangle_cloud(37, 23, 60, 4);
+  Scene shuffled = scene;
+  std::mt19937 random(5);
+  std::shuffle(shuffled.objects.begin(), shuffled.objects.end(), random);
+  for (const MethodRow& row : oit_methods()) {
+    const double difference = max_difference(render(row, scene).image, render(row, shuffled).image);
+    EXPECT_LE(difference, row.promises.order_independent ? 0 : row.promises.order_spread)
+        << row.name;
+  }
+}
+
+TEST(PropertyMethods, ExactMethodsAgreeWithEachOther) {
+  const Scene scene = triangle_cloud(41, 31, 80, 6);
+  const Image reference = render(method("linked-list"), scene).image;
+  for (const MethodRow& row : oit_methods()) {
+    if (!row.promises.exact) continue;
+    EXPECT_LE(max_difference(render(row, scene).image, reference), 1e-5) << row.name;
+  }
+}
+
+TEST(PropertyMethods, ColoursStayInTheirHull) {
+  // Red and green layers over a background of blue 0.9: no method may make blue of them, or white.
+  std::vector<Rgba> layers = random_layers(30, 1.0f, 7);
+  for (Rgba& layer : layers) layer = {layer.r > 0.5f, layer.r <= 0.5f, 0, layer.a};
+  Scene scene = stack(3, 3, layers);
+  scene.background = {0, 0, 0.9};
+  for (const MethodRow& row : oit_methods()) {
+    if (!row.promises.convex_hull) continue;
+    const Image image = render(row, scene).image;
+    for (const Rgba& pixel : image.pixels) {
+      // Barycentric coordinates of red, green and the background.
+      EXPECT_NEAR(pixel.r + pixel.g + pixel.b / 0.9f, 1, 1e-5) << row.name;
+      EXPECT_GE(std::min({pixel.r, pixel.g, pixel.b}), -1e-6f) << row.name;
+    }
+  }
+}
+
+TEST(PropertyMethods, FixedMemoryDependsOnThePictureAlone) {
+  for (const MethodRow& row : oit_methods()) {
+    if (!row.promises.fixed_memory) continue;
+    const auto few = render(row, triangle_cloud(20, 10, 3, 8)).stats.total_bytes();
+    const auto many = render(row, triangle_cloud(20, 10, 300, 8)).stats.total_bytes();
+    EXPECT_EQ(few, many) << row.name;
+    EXPECT_GT(few, 0u) << row.name;
+  }
+}
+
+TEST(PropertyMethods, NothingVisibleIsTheBackground) {
+  Scene scene = empty_scene(4, 3);
+  scene.objects = {sheet(0, {1, 1, 1, 1})};
+  for (Vec3& x : scene.objects[0].mesh.positions) x.x += 100;
+  const glm::dvec4 expected(scene.background, 0);
+  for (const MethodRow& row : oit_methods())
+    EXPECT_LE(max_difference(render(row, scene).image, expected), 1e-7) << row.name;
+}
+
+TEST(PropertyMethods, OpacityZeroIsTheBackground) {
+  Scene scene = triangle_cloud(16, 16, 40, 9);
+  for (SceneObject& object : scene.objects)
+    for (Rgba& color : object.mesh.colors) color.a = 0;
+  const glm::dvec4 expected(scene.background, 0);
+  for (const MethodRow& row : oit_methods())
+    EXPECT_LE(max_difference(render(row, scene).image, expected), 1e-7) << row.name;
+}
+
+TEST(PropertyMethods, PicturesAreFinite) {
+  for (const float alpha : {1e-8f, 0.9999f, 1 - 1e-7f, 1.0f}) {
+    Scene scene = triangle_cloud(16, 9, 200, 10);
+    for (SceneObject& object : scene.objects)
+      for (Rgba& color : object.mesh.colors) color.a = alpha;
+    for (const MethodRow& row : oit_methods())
+      EXPECT_TRUE(finite(render(row, scene).image)) << row.name << " alpha " << alpha;
+  }
+}
+
+TEST(PropertyMethods, AnyPictureSize) {
+  for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {13, 1}, {63, 65}}) {
+    const std::vector<Rgba> layers = {{0.2f, 0.4f, 0.8f, 0.5f}};
+    const Scene scene = stack(width, height, layers);
+    for (const MethodRow& row : oit_methods()) {
+      const Image image = render(row, scene).image;
+      EXPECT_EQ(image.pixels.size(), std::size_t(width) * std::size_t(height));
+      EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5) << row.name;
+    }
+  }
+}
+
+TEST(PropertyMethods, TheSameRendererGivesTheSamePictureAgain) {
+  const Scene scene = triangle_cloud(24, 24, 50, 11);
+  for (const MethodRow& row : oit_methods()) {
+    const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
+    const Image first = renderer->render({}).image;
+    EXPECT_EQ(max_difference(first, renderer->render({}).image), 0) << row.name;
+  }
+}
+
+TEST(PropertyMethods, EveryRowSaysWhatItIs) {
+  for (const MethodRow& row : oit_methods()) {
+    EXPECT_FALSE(row.title.empty() || row.citation.empty() || row.equations.empty() ||
+                 row.bytes_per_pixel.empty())
+        << row.name;
+    const auto renderer =
+        row.make(stack(2, 2, {{1, 1, 1, 0.5f}}), Parameters(row.name, row.parameters, {}), {});
+    EXPECT_FALSE(renderer->facts().at("driver").empty());
+    EXPECT_FALSE(renderer->explain().empty());
+  }
+}
+
+}  // namespace
+}  // namespace pellucid::test
