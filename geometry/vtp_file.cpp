@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -15,36 +14,21 @@
 
 #include "core/error.h"
 #include "core/output_file.h"
+#include "fields/vtk_messages.h"
 #include "geometry/mesh_formats.h"
 
 namespace pellucid {
 namespace {
 
-/// Keeps VTK's first error message instead of printing it.
-class FirstError : public vtkCommand {
- public:
-  static FirstError* New() { return new FirstError; }
-  void Execute(vtkObject*, unsigned long, void* text) override {
-    if (message.empty() && text) message = static_cast<const char*>(text);
-  }
-  std::string one_line() const {
-    std::string line =
-        message.substr(message.find("): ") == std::string::npos ? 0 : message.find("): ") + 3);
-    return line.substr(0, line.find('\n'));
-  }
-  std::string message;
-};
-
 vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& path) {
   read_text(path);  // a missing or unreadable file: the message of every other format
-  vtkNew<FirstError> error;
+  const VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
-  reader->AddObserver(vtkCommand::ErrorEvent, error);
-  reader->AddObserver(vtkCommand::WarningEvent, error);
   reader->Update();
-  if (!error->message.empty())
-    throw InputError(fmt::format("{}: not a valid VTP file: {}", path.string(), error->one_line()));
+  if (!messages.first_line().empty())
+    throw InputError(
+        fmt::format("{}: not a valid VTP file: {}", path.string(), messages.first_line()));
   return reader->GetOutput();
 }
 
@@ -131,13 +115,12 @@ void add_scalars(const std::string& name, const std::vector<Value>& values, vtkP
 
 void save(const std::filesystem::path& path, vtkPolyData& data) {
   OutputFile out(path);
-  vtkNew<FirstError> error;
+  const VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->AddObserver(vtkCommand::ErrorEvent, error);
   writer->SetFileName(out.temporary().c_str());
   writer->SetInputData(&data);
-  if (writer->Write() == 0 || !error->message.empty())
-    throw WorkError(fmt::format("{}: cannot write: {}", path.string(), error->one_line()));
+  if (writer->Write() == 0 || !messages.first_line().empty())
+    throw WorkError(fmt::format("{}: cannot write: {}", path.string(), messages.first_line()));
   out.commit();
 }
 

@@ -158,9 +158,9 @@ TEST_F(UnitPly, NonManifoldTrianglesAreKept) {
 
 TEST_F(UnitPly, RefusalsNameTheLine) {
   EXPECT_THAT(refusal(file(ascii("", "0 0 0\n1 0 0\n0 1 0\n3 0 1 9041\n"))),
-              HasSubstr("sheet.ply:13: face 0: vertex index 9041, but the file has 3 vertices"));
+              HasSubstr("sheet.ply:14: face 0: vertex index 9041, but the file has 3 vertices"));
   EXPECT_THAT(refusal(file(ascii("", "0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n"))),
-              HasSubstr("sheet.ply:11: 'zero': expected a number"));
+              HasSubstr("sheet.ply:12: 'zero': expected a number"));
   EXPECT_THAT(refusal(file("plx\n")), HasSubstr("sheet.ply:1"));
   EXPECT_THAT(refusal(file("ply\nformat ascii 1.0\nelement vertex many\n")),
               HasSubstr("sheet.ply:3"));
