@@ -64,6 +64,10 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
 void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) {
   if (a.particle < 0 && b.particle < 0) return;
   const bool both = a.particle >= 0 && b.particle >= 0;
+  if (!refines_) {
+    if (both) edges_.push_back({a.particle, b.particle, {}});
+    return;
+  }
   if (both) shadow = shadow_between(a, b, std::move(shadow));
   const bool fine = both && is_fine(a, b, shadow.get());
   const bool narrow = b.s - a.s <= run_.options().rip;

@@ -25,7 +25,9 @@ class FrontLine {
     Shadow shadow;  // by tolerance: from halfway between the seeds
   };
 
-  FrontLine(SurfaceRun& run, const Refinement& refinement) : run_(run), refinement_(refinement) {}
+  /// `refines`: false keeps the particles as they start, and neighbours go as far as both do.
+  FrontLine(SurfaceRun& run, const Refinement& refinement, bool refines = true)
+      : run_(run), refinement_(refinement), refines_(refines) {}
 
   /// Starts particles from these seeds, and as many between as it takes, and links them.
   void start(std::span<const double> seeds, bool ring);
@@ -56,6 +58,7 @@ class FrontLine {
 
   SurfaceRun& run_;
   const Refinement& refinement_;
+  bool refines_;
   std::vector<FrontParticle> particles_;
   std::vector<Edge> edges_;
 };

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/names.h"
 #include "integrators/hultquist.h"
+#include "integrators/synchronous_front.h"
 
 namespace pellucid {
 namespace {
@@ -19,7 +20,8 @@ std::string listed(const EndCounts& ends) {
 }  // namespace
 
 std::span<const IntegratorRow> integrators() {
-  static const IntegratorRow table[] = {hultquist_integrator()};
+  static const IntegratorRow table[] = {fixed_front_integrator(), adaptive_front_integrator(),
+                                        hultquist_integrator()};
   return table;
 }
 

@@ -27,13 +27,6 @@ double cosine(const FrontPoint& a, const FrontPoint& b) {
   return glm::dot(a.normal, b.normal);
 }
 
-double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  const double length2 = glm::dot(ab, ab);
-  const double u = length2 > 0 ? std::clamp(glm::dot(x - a, ab) / length2, 0.0, 1.0) : 0;
-  return glm::distance(x, a + u * ab);
-}
-
 /// Time until the particle has moved by `move` at its present speed.
 double time_to_move(const FlowPoint& here, double move) {
   return std::min(move / glm::length(here.v), std::numeric_limits<double>::max());
@@ -74,13 +67,15 @@ double first_guess(const Refinement& refinement, const Trajectory& path, const F
   return std::min(dt, std::numeric_limits<double>::max());
 }
 
-/// Does the triangle keep to its corners' normals within the coarse angle?
-bool faces_its_normals(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+/// The cosine between the triangle's normal and that of the corner where it differs most.
+double facing(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
   const Vec3 area = glm::cross(b.flow.x - a.flow.x, c.flow.x - a.flow.x);
-  const double least = coarse_cosine * glm::length(area);
+  const double twice_area = glm::length(area);
+  double least = 1;
   for (const FrontPoint* corner : {&a, &b, &c})
-    if (corner->normal != Vec3(0) && !(glm::dot(area, corner->normal) >= least)) return false;
-  return true;
+    if (corner->normal != Vec3(0) && twice_area > 0)
+      least = std::min(least, glm::dot(area, corner->normal) / twice_area);
+  return least;
 }
 
 // A trajectory that bends between two vertices by a large part of its ribbon's width tilts the
@@ -107,6 +102,13 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
 }
 
 }  // namespace
+
+double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2 = glm::dot(ab, ab);
+  const double u = length2 > 0 ? std::clamp(glm::dot(x - a, ab) / length2, 0.0, 1.0) : 0;
+  return glm::distance(x, a + u * ab);
+}
 
 Refinement refinement_of(const Parameters& parameters, double default_threshold,
                          double steps_per_threshold) {
@@ -143,33 +145,50 @@ bool can_do_without(const Refinement& refinement, const FrontPoint& a, const Fro
   return distance_to_segment(middle, a.flow.x, b.flow.x) < refinement.largest_sagitta() / 4;
 }
 
-bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
-  constexpr double smallest_sine = 0.1;
+namespace {
+
+/// The sine of the smallest angle: twice the area over the product of the two longest sides.
+double smallest_sine(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
   const Vec3 ab = b.flow.x - a.flow.x, bc = c.flow.x - b.flow.x, ca = a.flow.x - c.flow.x;
   const double l0 = glm::length(ab), l1 = glm::length(bc), l2 = glm::length(ca);
-  // The sine of an angle is twice the area over the product of its two sides; the smallest angle
-  // lies between the two longest.
-  const double longest_product = l0 * l1 * l2 / std::min({l0, l1, l2});
-  return glm::length(glm::cross(ab, bc)) > smallest_sine * longest_product &&
-         faces_its_normals(a, b, c);
+  const double twice_area = glm::length(glm::cross(ab, bc));
+  return twice_area > 0 ? twice_area * std::min({l0, l1, l2}) / (l0 * l1 * l2) : 0;
+}
+
+}  // namespace
+
+bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  return smallest_sine(a, b, c) > 0.1 && facing(a, b, c) >= coarse_cosine;
+}
+
+double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
+  double dt = first_guess(refinement, path, head, left, right);
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    path.reach(head.t + dt, sampler);
+    const double known = std::min(dt, path.time() - head.t);
+    if (!(known > 0)) break;
+    const double shorter = shortening(refinement, path, head, left, right, known);
+    if (shorter >= 1) break;
+    dt = known * std::max(shorter, 0.1);
+  }
+  return dt;
 }
 
 std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
                                        const FrontPoint& head, const FrontPoint* left,
                                        const FrontPoint* right, FieldSampler& sampler) {
-  double dt = first_guess(refinement, path, head, left, right);
-  for (int attempt = 0; attempt < 12; ++attempt) {
-    // Half a step further tells whether a sliver would be left at the end.
-    if (!path.reach(head.t + 1.5 * dt, sampler)) {
-      const double left_over = path.time() - head.t;
-      if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
-      if (left_over < 1.5 * dt) dt = left_over > dt ? 0.5 * left_over : left_over;
-    }
-    const double shorter = shortening(refinement, path, head, left, right, dt);
-    if (shorter >= 1) break;
-    dt *= std::max(shorter, 0.1);
-  }
-  return std::min(head.t + dt, path.time());
+  const double dt = allowed_step(refinement, path, head, left, right, sampler);
+  // Half a step further tells whether a sliver would be left at the end.
+  if (path.reach(head.t + 1.5 * dt, sampler)) return head.t + dt;
+  const double left_over = path.time() - head.t;
+  if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
+  if (left_over <= dt) return path.time();
+  return left_over < 1.5 * dt ? head.t + 0.5 * left_over : head.t + dt;
+}
+
+double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  return std::min(facing(a, b, c), coarse_cosine) + smallest_sine(a, b, c);
 }
 
 }  // namespace pellucid

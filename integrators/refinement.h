@@ -38,11 +38,22 @@ bool can_do_without(const Refinement& refinement, const FrontPoint& a, const Fro
 /// Is the triangle neither a sliver nor turned over against the surface?
 bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c);
 
-/// The time of the vertex after the one at `head`, as far from it as the refinement allows; nothing
-/// when the particle ends there. What is left at the end of a trajectory is shared out, so that no
-/// sliver remains. Neighbours, where there are any, keep the triangles in shape.
+/// The better the triangle, the larger: first that it faces its corners' normals within 30°, then
+/// its smallest angle.
+double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c);
+
+/// How long a particle may go before its next vertex. Neighbours, where there are any, keep the
+/// triangles in shape.
+double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler);
+
+/// The time of the vertex after the one at `head`; nothing when the particle ends there. What is
+/// left at the end of a trajectory is shared out, so that no sliver remains.
 std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
                                        const FrontPoint& head, const FrontPoint* left,
                                        const FrontPoint* right, FieldSampler& sampler);
+
+/// Distance of x from the segment between a and b, world units.
+double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b);
 
 }  // namespace pellucid
