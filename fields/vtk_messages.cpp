@@ -1,5 +1,6 @@
 #include "fields/vtk_messages.h"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -33,6 +34,8 @@ vtkStandardNewMacro(Capture);
 VtkMessages::VtkMessages() : lock_(output_mutex()), before_(vtkOutputWindow::GetInstance()) {
   capture_.TakeReference(Capture::New());
   vtkOutputWindow::SetInstance(capture_);
+  // The second way to stderr; messages that matter are thrown as errors, so it stays off.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 VtkMessages::~VtkMessages() { vtkOutputWindow::SetInstance(before_); }
