@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cmath>
+#include <csignal>
+#include <span>
+
+#include "core/error.h"
+#include "scene/renderer.h"
+
+namespace pellucid::testing {
+
+/// How often any fake method has rendered in this process. When it reaches `kill_at`, the process
+/// kills itself, as a power cut would.
+struct RenderCounter {
+  static inline int renders = 0;
+  static inline int kill_at = -1;
+
+  static void count() {
+    if (++renders == kill_at) ::raise(SIGKILL);
+  }
+};
+
+/// A picture that depends on the pixel alone, plus `offset`.
+class FakeRenderer : public Renderer {
+ public:
+  FakeRenderer(const Scene& scene, double offset) : scene_(scene), offset_(float(offset)) {}
+
+  Rendering render(const RenderRequest& request) override {
+    RenderCounter::count();
+    Rendering rendering;
+    rendering.image = Image(scene_.width, scene_.height);
+    for (int y = 0; y < scene_.height; ++y)
+      for (int x = 0; x < scene_.width; ++x)
+        rendering.image.at(x, y) = Rgba(float(x * y % 64) / 128.f + offset_);
+    rendering.stats.steps = {{"first", 0.25}, {"second", 0.5}};
+    rendering.stats.bytes = {{"list", 1000}, {"heads", 24}};
+    if (request.layers) count_layers(rendering);
+    return rendering;
+  }
+  std::vector<std::string> explain() const override { return {"a fake"}; }
+  std::map<std::string, std::string> facts() const override { return {{"driver", "none"}}; }
+
+ private:
+  void count_layers(Rendering& rendering) const {
+    rendering.layers = CountImage(scene_.width, scene_.height, 3);
+    if (offset_ > 0) rendering.layers.at(1, 0) = 4;
+    rendering.stats.fragments = 3u * std::uint64_t(scene_.width) * std::uint64_t(scene_.height);
+    rendering.stats.max_layers = 3;
+  }
+
+  const Scene& scene_;
+  float offset_;
+};
+
+inline constexpr ParameterSpec shifted_parameters[] = {
+    {.name = "by", .kind = ParameterSpec::Kind::real, .default_value = "0.25", .min = 0, .max = 1},
+    {.name = "how",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "up",
+     .choices = "up|down"},
+    {.name = "times",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "1",
+     .min = 1,
+     .max = 9},
+    {.name = "often", .kind = ParameterSpec::Kind::flag, .default_value = "off"}};
+
+using Made = std::unique_ptr<Renderer>;
+
+inline MethodRow fake_row(std::string_view name, bool exact, decltype(MethodRow::make) make,
+                          std::span<const ParameterSpec> parameters = {}) {
+  MethodRow row{};
+  row.name = row.title = name;
+  row.promises.exact = exact;
+  row.parameters = parameters;
+  row.make = make;
+  return row;
+}
+
+/// A row whose pictures are `thousandths` brighter than the truth.
+template <int thousandths>
+Made make_fake(const Scene& scene, const Parameters&, const RenderContext&) {
+  return std::make_unique<FakeRenderer>(scene, thousandths / 1000.0);
+}
+
+inline Made make_shifted(const Scene& scene, const Parameters& p, const RenderContext&) {
+  return std::make_unique<FakeRenderer>(scene, p.real("by"));
+}
+
+inline Made make_broken(const Scene&, const Parameters&, const RenderContext&) {
+  throw WorkError("the driver lacks \"everything\", and <more>");
+}
+
+inline Made make_not_a_number(const Scene& scene, const Parameters&, const RenderContext&) {
+  return std::make_unique<FakeRenderer>(scene, std::nan(""));
+}
+
+/// `shifted` adds `by`; `exact-shifted` claims to be exact.
+inline std::span<const MethodRow> fake_methods() {
+  static const MethodRow rows[] = {fake_row("truth", true, make_fake<0>),
+                                   fake_row("shifted", false, make_shifted, shifted_parameters),
+                                   fake_row("exact-shifted", true, make_fake<125>),
+                                   fake_row("broken", false, make_broken),
+                                   fake_row("not-a-number", false, make_not_a_number)};
+  return rows;
+}
+
+}  // namespace pellucid::testing
