@@ -51,6 +51,17 @@ double twist_rate(const FrontPoint& here, const FrontPoint& neighbour) {
 constexpr double longest_aspect = 8;
 constexpr double widest_aspect = 3;
 
+/// The shortest time that a ribbon's triangles should take, so as not to be too wide.
+double shortest_time(const FrontPoint& a, const FrontPoint& b) {
+  const double speed = 0.5 * (glm::length(a.flow.v) + glm::length(b.flow.v));
+  return separation(a.flow, b.flow).width / (widest_aspect * speed);
+}
+
+/// How far the middle of the ribbon's diagonal strays from the surface in the shortest time.
+double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
+  return 0.25 * shortest_time(a, b) * twist_rate(a, b);
+}
+
 double first_guess(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                    const FrontPoint* left, const FrontPoint* right) {
   if (!refinement.by_tolerance() || refinement.step > 0)
@@ -61,7 +72,7 @@ double first_guess(const Refinement& refinement, const Trajectory& path, const F
     if (!neighbour) continue;
     const double width = separation(head.flow, neighbour->flow).width;
     const double twist = 4 * sagitta / twist_rate(head, *neighbour);
-    dt = std::min({dt, std::max(twist, time_to_move(head.flow, width / widest_aspect)),
+    dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
                    time_to_move(head.flow, width * longest_aspect)});
   }
   return std::min(dt, std::numeric_limits<double>::max());
@@ -132,6 +143,7 @@ bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const Fron
   if (cosine(a, b) < coarse_cosine && distance > shortest) return true;
   if (!refinement.by_tolerance())
     return width > refinement.threshold || distance > 2 * refinement.threshold;
+  if (twist_sagitta(a, b) > refinement.largest_sagitta() && distance > shortest) return true;
   return distance_to_segment(middle, a.flow.x, b.flow.x) > refinement.largest_sagitta();
 }
 
@@ -142,7 +154,8 @@ bool can_do_without(const Refinement& refinement, const FrontPoint& a, const Fro
   if (!refinement.by_tolerance())
     return width <= 0.5 * refinement.threshold && distance <= refinement.threshold;
   // Twice as long an edge has four times the sagitta.
-  return distance_to_segment(middle, a.flow.x, b.flow.x) < refinement.largest_sagitta() / 4;
+  return std::max(distance_to_segment(middle, a.flow.x, b.flow.x), twist_sagitta(a, b)) <
+         refinement.largest_sagitta() / 4;
 }
 
 namespace {

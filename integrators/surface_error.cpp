@@ -83,8 +83,17 @@ Deviation ExactSurface::deviation(Sample sample) {
     if (!(determinant > 1e-12 * ww * vv)) break;
     const double wo = glm::dot(here.w, off), vo = glm::dot(here.v, off);
     double next_s = s + (vv * wo - wv * vo) / determinant;
-    double next_t = std::clamp(t + (ww * vo - wv * wo) / determinant, 0.0, request_.duration);
-    if (!request_.seed.closed) next_s = std::clamp(next_s, 0.0, 1.0);
+    double next_t = t + (ww * vo - wv * wo) / determinant;
+    // On the surface's border one parameter is fixed, and the other one alone is corrected.
+    if (!request_.seed.closed && (next_s < 0 || next_s > 1)) {
+      next_s = std::clamp(next_s, 0.0, 1.0);
+      next_t = t + (vo - wv * (next_s - s)) / vv;
+    }
+    if (next_t < 0 || next_t > request_.duration) {
+      next_t = std::clamp(next_t, 0.0, request_.duration);
+      next_s = s + (wo - wv * (next_t - t)) / ww;
+      if (!request_.seed.closed) next_s = std::clamp(next_s, 0.0, 1.0);
+    }
     const FlowPoint next = point(next_s, next_t);
     if (!(glm::distance(next.x, sample.x) < glm::length(off))) break;
     const bool settled = glm::distance(next.x, here.x) < 1e-4 * glm::length(off);

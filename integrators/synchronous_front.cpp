@@ -39,6 +39,7 @@ class SynchronousFront {
   void tile(const Ribbon& ribbon);
   void tile(const FrontPoint& left, const FrontPoint& right, std::span<const int> chain);
   bool diagonals_stray(const Ribbon& ribbon);
+  double diagonal_sagitta(int left, int right, const Vec3& x) const;
   bool moves_on(int p) const { return !front_.at(p).path.end() || head_of(p).t < path_end(p); }
   const FrontPoint& head_of(int p) const { return front_.at(p).head; }
   double path_end(int p) const { return front_.at(p).path.time(); }
@@ -109,6 +110,7 @@ double SynchronousFront::next_row(std::span<const int> moving) {
 void SynchronousFront::advance(std::span<const int> moving, double t) {
   tbb::parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
     FrontParticle& particle = front_.at(moving[i]);
+    particle.path.release(particle.head.t);
     particle.path.reach(t, run_.sampler());
     particle.next = front_point(particle.path, std::min(t, particle.path.time()));
   });
@@ -132,6 +134,10 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
   const FrontPoint &l = head_of(left), &m = before_[std::size_t(middle)], &r = head_of(right);
   if (!can_do_without(refinement_, l, r, head_of(middle).flow.x)) return false;
   if (!is_well_shaped(m, r, l)) return false;
+  const Vec3 between = front_.at(middle).path.at(0.5 * (m.t + t_)).x;
+  if (refinement_.by_tolerance() &&
+      diagonal_sagitta(left, right, between) > refinement_.largest_sagitta() / 4)
+    return false;
   front_.take_out(middle);
   front_.join(left, right);
   const auto triangle = [&](const FrontPoint& x, const FrontPoint& y, const FrontPoint& z) {
@@ -143,16 +149,22 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
   return true;
 }
 
+/// How far x, from the middle of a ribbon's last piece, is from the nearer one of its diagonals.
+double SynchronousFront::diagonal_sagitta(int left, int right, const Vec3& x) const {
+  const FrontPoint &l0 = before_[std::size_t(left)], &r0 = before_[std::size_t(right)];
+  return std::min(distance_to_segment(x, l0.flow.x, head_of(right).flow.x),
+                  distance_to_segment(x, r0.flow.x, head_of(left).flow.x));
+}
+
 /// By tolerance: does the surface leave both diagonals of the ribbon's last piece too far?
 bool SynchronousFront::diagonals_stray(const Ribbon& ribbon) {
   if (!refinement_.by_tolerance()) return false;
-  const FrontPoint &l0 = before_[std::size_t(ribbon.left)],
-                   &r0 = before_[std::size_t(ribbon.right)];
-  const FrontPoint &l1 = head_of(ribbon.left), &r1 = head_of(ribbon.right);
-  const auto middle = front_.surface_between(ribbon.left, (l0.t + r0.t + l1.t + r1.t) / 4);
-  return middle && std::min(distance_to_segment(*middle, l0.flow.x, r1.flow.x),
-                            distance_to_segment(*middle, r0.flow.x, l1.flow.x)) >
-                       refinement_.largest_sagitta();
+  const auto before = [&](int p) { return before_[std::size_t(p)].t; };
+  const auto x =
+      front_.surface_between(ribbon.left, (before(ribbon.left) + before(ribbon.right) +
+                                           head_of(ribbon.left).t + head_of(ribbon.right).t) /
+                                              4);
+  return x && diagonal_sagitta(ribbon.left, ribbon.right, *x) > refinement_.largest_sagitta();
 }
 
 void SynchronousFront::tile(const Ribbon& ribbon) {
