@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "fields/meta_image_field.h"
 #include "fields/vdb_field.h"
 #include "fields/vtk_field.h"
 
@@ -19,8 +20,8 @@ constexpr FileFormatRow formats[] = {
     {".vts", "VTK structured grid", read_vtk_field},
     {".vtu", "VTK unstructured grid", read_vtk_field},
     {".vtk", "legacy VTK", read_vtk_field},
-    {".mhd", "MetaImage header with raw data", read_vtk_field},
-    {".mha", "MetaImage", read_vtk_field},
+    {".mhd", "MetaImage header beside raw data", read_meta_image_field},
+    {".mha", "MetaImage", read_meta_image_field},
     {".vdb", "OpenVDB", read_vdb_field},
 };
 

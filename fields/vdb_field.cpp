@@ -9,6 +9,7 @@
 #include "fields/dense_field.h"
 #include "fields/file_field.h"
 #include "fields/finite.h"
+#include "fields/vdb_precheck.h"
 
 namespace pellucid {
 namespace {
@@ -217,6 +218,7 @@ std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const 
 }
 
 openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
+  precheck_vdb(path);
   openvdb::initialize();
   openvdb::io::File file(path.string());
   file.open(false);  // not delayed: what cannot be read is known now

@@ -5,7 +5,6 @@
 #include <vtkDataSet.h>
 #include <vtkDataSetReader.h>
 #include <vtkInformation.h>
-#include <vtkMetaImageReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -13,6 +12,10 @@
 #include <vtkXMLRectilinearGridReader.h>
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "core/error.h"
 #include "fields/vtk_messages.h"
@@ -41,7 +44,7 @@ void refuse_absurd_extent(vtkAlgorithm* reader, const std::filesystem::path& pat
     points *= double(extent[2 * axis + 1]) - double(extent[2 * axis]) + 1;
   constexpr double largest_compression = 8192;
   const double bytes = double(std::filesystem::file_size(path));
-  if (points > largest_compression * bytes && path.extension() != ".mhd")
+  if (points > largest_compression * bytes)
     fail(path, fmt::format("it claims {:.3g} points in {:.0f} bytes", points, bytes));
 }
 
@@ -53,8 +56,19 @@ void prepare(vtkDataSetReader* reader) {
   reader->ReadAllFieldsOn();
 }
 
+/// VTK stops reading an XML file where appended data begin, and does not miss their end.
+void require_closing_tag(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const auto size = std::streamoff(std::filesystem::file_size(path));
+  file.seekg(std::max<std::streamoff>(0, size - 4096));
+  const std::string tail{std::istreambuf_iterator<char>(file), {}};
+  if (tail.find("</VTKFile>") == std::string::npos)
+    fail(path, "it does not end with </VTKFile>: truncated?");
+}
+
 template <class Reader>
 vtkSmartPointer<vtkDataSet> read(const std::filesystem::path& path) {
+  if (path.extension() != ".vtk") require_closing_tag(path);
   const VtkMessages messages;
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
@@ -98,7 +112,6 @@ vtkSmartPointer<vtkDataSet> read_vtk_data_set(const std::filesystem::path& path)
   if (ending == ".vtr") return read<vtkXMLRectilinearGridReader>(path);
   if (ending == ".vts") return read<vtkXMLStructuredGridReader>(path);
   if (ending == ".vtu") return read<vtkXMLUnstructuredGridReader>(path);
-  if (ending == ".mhd" || ending == ".mha") return read<vtkMetaImageReader>(path);
   return read<vtkDataSetReader>(path);
 }
 

@@ -10,7 +10,7 @@ class vtkDataSet;
 
 namespace pellucid {
 
-/// Reads .vti, .vtr, .vts, .vtu, legacy .vtk, .mhd and .mha with VTK's readers. Whatever VTK would
+/// Reads .vti, .vtr, .vts, .vtu and legacy .vtk with VTK's readers. Whatever VTK would
 /// print becomes the InputError that is thrown instead.
 vtkSmartPointer<vtkDataSet> read_vtk_data_set(const std::filesystem::path& path);
 

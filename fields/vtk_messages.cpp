@@ -31,14 +31,21 @@ vtkStandardNewMacro(Capture);
 
 }  // namespace
 
-VtkMessages::VtkMessages() : lock_(output_mutex()), before_(vtkOutputWindow::GetInstance()) {
+VtkMessages::VtkMessages()
+    : lock_(output_mutex()),
+      before_(vtkOutputWindow::GetInstance()),
+      verbosity_before_(vtkLogger::GetCurrentVerbosityCutoff()) {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   capture_.TakeReference(Capture::New());
   vtkOutputWindow::SetInstance(capture_);
   // The second way to stderr; messages that matter are thrown as errors, so it stays off.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
-VtkMessages::~VtkMessages() { vtkOutputWindow::SetInstance(before_); }
+VtkMessages::~VtkMessages() {
+  vtkOutputWindow::SetInstance(before_);
+  vtkLogger::SetStderrVerbosity(verbosity_before_);
+}
 
 std::string VtkMessages::first_line() const {
   std::string text = static_cast<const Capture*>(capture_.Get())->first;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vtkLogger.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
 
@@ -23,6 +24,7 @@ class VtkMessages {
  private:
   std::unique_lock<std::mutex> lock_;
   vtkSmartPointer<vtkOutputWindow> before_;
+  vtkLogger::Verbosity verbosity_before_;
   vtkSmartPointer<vtkOutputWindow> capture_;
 };
 

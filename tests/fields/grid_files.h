@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ struct GridKind {
   bool takes_c1;  // its samples lie along axes
   void (*write)(const std::filesystem::path&, const Velocity&);
 };
+
+/// How GoogleTest names a kind.
+inline void PrintTo(const GridKind& kind, std::ostream* out) { *out << kind.name; }
 
 inline const Box3 grid_box{Vec3(0, -1, 1), Vec3(2, 1, 4)};
 

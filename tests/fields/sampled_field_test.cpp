@@ -11,10 +11,6 @@
 #include "tests/fields/probe.h"
 
 namespace pellucid {
-
-/// How GoogleTest names a kind.
-void PrintTo(const GridKind& kind, std::ostream* out) { *out << kind.name; }
-
 namespace {
 
 const Mat3 slope(0.5, -1, 2, 0.25, 3, -0.5, 1, 0.75, -2);
@@ -28,11 +24,10 @@ class PropertySampled : public ::testing::TestWithParam<GridKind> {
     return make_field(write_grid(folder_, GetParam(), velocity).string() + options);
   }
 
-  /// Rounding of the samples (of size 10) and of Newton's iterations in a general hexahedron, which
-  /// VTK stops at steps of 1e-3 of a cell, where they converge quadratically.
+  /// Rounding of the samples, of size 10; in general hexahedra what VTK's Newton iterations leave.
   double tolerance() const {
     if (GetParam().single_precision) return 4e-6;
-    return is_curvilinear() ? 1e-5 : 1e-12;
+    return is_curvilinear() ? 1e-9 : 1e-12;
   }
   bool is_curvilinear() const {
     return GetParam().name == "vts" || GetParam().name == "legacy_structured";
@@ -68,10 +63,10 @@ TEST_P(PropertySampled, ReproducesAnAffineField) {
 TEST_P(PropertySampled, TheJacobianIsThatOfTheInterpolant) {
   const auto field = make(
       [](const Vec3& x) { return Vec3(std::sin(x.x * x.y), x.z * x.y, std::cos(x.x + 2 * x.z)); });
-  // Where a stencil of 2e-6 about a random point crosses no face, which a fixed seed decides; in
-  // curvilinear cells VTK's Newton iterations leave noise of 1e-6 over a step of 1e-6.
-  if (is_curvilinear()) return;
-  for (const Vec3& x : random_points(100)) expect_consistent_jacobian(*field, x, 0, 1e-6, 1e-7);
+  // The stencils of these points cross no face of a cell, which the fixed seed decides. Newton's
+  // iterations leave 1e-9 in curvilinear cells, which a step divides.
+  const double step = is_curvilinear() ? 1e-4 : 1e-6;
+  for (const Vec3& x : random_points(100)) expect_consistent_jacobian(*field, x, 0, step, step);
 }
 
 TEST_P(PropertySampled, EndsAtTheLastSample) {
