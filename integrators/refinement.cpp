@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "integrators/trajectory_options.h"
 
 namespace pellucid {
 namespace {

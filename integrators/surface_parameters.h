@@ -7,8 +7,8 @@
 
 namespace pellucid {
 
-/// What every surface integrator takes beside its own parameters; surface_options() reads them.
-inline constexpr ParameterSpec surface_parameters[] = {
+/// How particles move; trajectory_options() reads them.
+inline constexpr ParameterSpec stepping_parameters[] = {
     {.name = "stepper",
      .kind = ParameterSpec::Kind::choice,
      .default_value = "dopri5",
@@ -18,7 +18,7 @@ inline constexpr ParameterSpec surface_parameters[] = {
      .kind = ParameterSpec::Kind::real,
      .min = 0,
      .unit = "world units",
-     .help = "largest error of one step; default 1e-9 of the seed curve's extent"},
+     .help = "largest error of one step; default 1e-9 of the seeds' extent"},
     {.name = "dt",
      .kind = ParameterSpec::Kind::real,
      .min = 0,
@@ -29,6 +29,17 @@ inline constexpr ParameterSpec surface_parameters[] = {
      .min = 0,
      .unit = "world units",
      .help = "a particle ends when it has gone so far; default: no limit"},
+    {.name = "max-steps",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "1000000",
+     .min = 1,
+     .max = 1e9,
+     .unit = "steps",
+     .help = "a particle ends after so many"},
+};
+
+/// What every surface integrator takes beside its own parameters and those of stepping.
+inline constexpr ParameterSpec surface_own_parameters[] = {
     {.name = "normals",
      .kind = ParameterSpec::Kind::choice,
      .default_value = "variational",
@@ -46,13 +57,6 @@ inline constexpr ParameterSpec surface_parameters[] = {
      .max = 0.5,
      .unit = "1",
      .help = "neighbours that part are torn once their seeds are so close, in s"},
-    {.name = "max-steps",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "1000000",
-     .min = 1,
-     .max = 1e9,
-     .unit = "steps",
-     .help = "a particle ends after so many"},
     {.name = "max-particles",
      .kind = ParameterSpec::Kind::integer,
      .default_value = "1000000",
@@ -62,7 +66,7 @@ inline constexpr ParameterSpec surface_parameters[] = {
      .help = "the surface is not refined any more"},
     {.name = "max-triangles",
      .kind = ParameterSpec::Kind::integer,
-     .default_value = "50000000",
+     .default_value = "20000000",
      .min = 1,
      .max = 1e9,
      .unit = "triangles",
@@ -87,14 +91,26 @@ inline constexpr ParameterSpec step_parameter = {
     .unit = "world units",
     .help = "between a particle's vertices; default: by threshold or tolerance"};
 
-/// A row's own parameters, then those of all rows.
-template <std::size_t n>
-constexpr auto with_surface_parameters(const ParameterSpec (&own)[n]) {
-  std::array<ParameterSpec, n + std::size(surface_parameters)> all{};
+template <std::size_t n, std::size_t m>
+constexpr auto joined(const std::array<ParameterSpec, n>& a, const ParameterSpec (&b)[m]) {
+  std::array<ParameterSpec, n + m> all{};
   std::size_t i = 0;
-  for (const ParameterSpec& spec : own) all[i++] = spec;
-  for (const ParameterSpec& spec : surface_parameters) all[i++] = spec;
+  for (const ParameterSpec& spec : a) all[i++] = spec;
+  for (const ParameterSpec& spec : b) all[i++] = spec;
   return all;
 }
+
+/// A row's own parameters, then those of all rows.
+template <std::size_t n>
+constexpr auto with_stepping_parameters(const ParameterSpec (&own)[n]) {
+  return joined(std::to_array(own), stepping_parameters);
+}
+template <std::size_t n>
+constexpr auto with_surface_parameters(const ParameterSpec (&own)[n]) {
+  return joined(joined(std::to_array(own), surface_own_parameters), stepping_parameters);
+}
+
+inline constexpr auto surface_parameters =
+    joined(std::to_array(surface_own_parameters), stepping_parameters);
 
 }  // namespace pellucid

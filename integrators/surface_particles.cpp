@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/names.h"
+#include "integrators/trajectory_options.h"
 
 namespace pellucid {
 namespace {
@@ -23,10 +23,6 @@ double extent_of(const SeedCurve& seed) {
 void check(const SurfaceRequest& request) {
   if (!request.field || !request.seed.point_at || !request.seed.tangent_at)
     throw InputError("integrate: a field and a seed curve are needed");
-  if (!(request.duration > 0) || !std::isfinite(request.duration))
-    throw InputError(fmt::format("duration: {}; accepted: a finite number > 0", request.duration));
-  if (!std::isfinite(request.start_time))
-    throw InputError(fmt::format("start-time: {}; accepted: a finite number", request.start_time));
 }
 
 Companion companion_of(const Parameters& parameters) {
@@ -38,13 +34,6 @@ Companion companion_of(const Parameters& parameters) {
 
 }  // namespace
 
-double positive(const Parameters& parameters, std::string_view name, double otherwise) {
-  if (!parameters.is_set(name)) return otherwise;
-  const double value = parameters.real(name);
-  if (!(value > 0)) throw InputError(fmt::format("{}={}; accepted: number > 0", name, value));
-  return value;
-}
-
 SurfaceOptions surface_options(const SurfaceRequest& request, const Parameters& parameters) {
   check(request);
   SurfaceOptions options;
@@ -53,22 +42,11 @@ SurfaceOptions surface_options(const SurfaceRequest& request, const Parameters& 
   options.max_particles = std::uint64_t(parameters.real("max-particles"));
   options.max_triangles = std::uint64_t(parameters.real("max-triangles"));
 
-  TrajectoryOptions& trajectory = options.trajectory;
-  trajectory.stepper = &find_row("stepper", parameters.text("stepper"), steppers());
-  trajectory.duration = request.duration;
-  trajectory.start_time = request.start_time;
-  trajectory.path = request.path;
-  trajectory.tolerance = positive(parameters, "accuracy", 1e-9 * options.extent);
-  trajectory.max_length = positive(parameters, "length", trajectory.max_length);
-  trajectory.max_steps = std::uint64_t(parameters.real("max-steps"));
-  trajectory.max_step = positive(
-      parameters, "dt", trajectory.stepper->adaptive ? request.duration : request.duration / 500);
-  // Samples are only piecewise smooth: a step may not jump over a cell.
-  if (const auto cell = request.field->cell_size()) trajectory.max_move = 0.5 * *cell;
-  trajectory.velocity_error = request.field->sampling_error().value_or(0);
-  trajectory.still = 1e-12 * options.extent;
-  trajectory.companion = companion_of(parameters);
-  trajectory.ghost_distance = 1e-5 * options.extent;
+  options.trajectory =
+      trajectory_options(*request.field, {request.duration, request.start_time, request.path},
+                         options.extent, parameters);
+  options.trajectory.companion = companion_of(parameters);
+  options.trajectory.ghost_distance = 1e-5 * options.extent;
   return options;
 }
 

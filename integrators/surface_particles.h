@@ -17,9 +17,6 @@ struct SurfaceOptions {
   std::uint64_t max_triangles = 50'000'000;
 };
 
-/// A number > 0, or what it is when it is not given. Throws InputError.
-double positive(const Parameters& parameters, std::string_view name, double otherwise);
-
 /// Checks the request. Throws InputError.
 SurfaceOptions surface_options(const SurfaceRequest& request, const Parameters& parameters);
 

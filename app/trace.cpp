@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "core/error.h"
+#include "fields/make_field.h"
+#include "geometry/mesh_file.h"
+#include "integrators/integrate_lines.h"
+#include "integrators/integrate_surface.h"
+#include "integrators/mesh_quality.h"
+#include "integrators/surface_error.h"
+
+namespace pellucid {
+namespace {
+
+struct TraceOptions {
+  std::string field, integrator, seed, output;
+  bool closed = false;
+  double duration = 0;
+  double start_time = 0;
+  bool path = false;
+  std::uint64_t samples = 500;
+};
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Vec3 parse_point(std::string_view text) {
+  const auto parts = split(text, ',');
+  Vec3 x;
+  bool valid = parts.size() == 3;
+  for (int i = 0; valid && i < 3; ++i) valid = parse_number(parts[std::size_t(i)], x[i]);
+  if (!valid)
+    throw InputError(fmt::format("--seed: '{}'; accepted: X,Y,Z:X,Y,Z[:...] in numbers", text));
+  return x;
+}
+
+std::vector<Vec3> parse_seed(std::string_view text) {
+  std::vector<Vec3> points;
+  for (const std::string_view point : split(text, ':')) points.push_back(parse_point(point));
+  return points;
+}
+
+nlohmann::ordered_json to_json(const EndCounts& ends) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [reason, count] : ends) json[std::string(name_of(reason))] = count;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const Percentiles& values) {
+  return {{"p1", values.p1}, {"p50", values.p50}, {"p99", values.p99}, {"max", values.max}};
+}
+
+nlohmann::ordered_json to_json(const IntegratedSurface& surface, const MeshQuality& quality) {
+  return {{"particles", surface.stats.particles},
+          {"vertices", surface.mesh.positions.size()},
+          {"triangles", surface.mesh.triangles.size()},
+          {"evaluations", surface.stats.evaluations},
+          {"seconds", surface.stats.seconds},
+          {"bytes", surface.stats.bytes},
+          {"boundary_edges", quality.boundary_edges},
+          {"non_manifold_edges", quality.non_manifold_edges},
+          {"misoriented_edges", quality.misoriented_edges},
+          {"duplicate_vertices", quality.duplicate_vertices},
+          {"degenerate_triangles", quality.degenerate_triangles},
+          {"sheets", quality.sheets},
+          {"min_angle", to_json(quality.min_angle)},
+          {"aspect", to_json(quality.aspect)},
+          {"ends", to_json(surface.stats.ends)}};
+}
+
+void add_error(nlohmann::ordered_json& json, const SurfaceError& error) {
+  json["distance"] = {{"mean", error.mean}, {"rms", error.rms}, {"max", error.max}};
+  json["normal_degrees"] = {{"mean", error.normal_mean_degrees}, {"max", error.normal_max_degrees}};
+  json["samples"] = error.samples;
+}
+
+void print_summary(const std::string& output, const nlohmann::ordered_json& json) {
+  std::cout << output << '\n';
+  for (const auto& [key, value] : json.items()) std::cout << "  " << key << ": " << value << '\n';
+}
+
+void print(const TraceOptions& options, const GlobalOptions& globals,
+           const nlohmann::ordered_json& json) {
+  if (globals.json)
+    std::cout << json.dump(2) << '\n';
+  else if (!globals.quiet)
+    print_summary(options.output, json);
+}
+
+void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
+                   const VectorField& field) {
+  SurfaceRequest request;
+  request.field = &field;
+  request.seed = polyline_seed(parse_seed(options.seed), options.closed);
+  request.duration = options.duration;
+  request.start_time = options.start_time;
+  request.path = options.path;
+  request.progress = console_progress(globals);
+  const IntegratedSurface surface = integrate_surface(options.integrator, request);
+  write_mesh(options.output, surface.mesh);
+  nlohmann::ordered_json json = to_json(surface, measure_quality(surface.mesh));
+  if (options.samples > 0) {
+    report(request.progress, 1, "measuring the distance to the exact surface");
+    add_error(json, measure_error(surface.mesh, request, options.samples));
+  }
+  print(options, globals, json);
+}
+
+void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
+                 const VectorField& field) {
+  LineRequest request;
+  request.field = &field;
+  request.seeds = parse_seed(options.seed);
+  if (request.seeds.size() > 1)
+    request.seeds =
+        seeds_on(polyline_seed(request.seeds, options.closed), line_particles(options.integrator));
+  request.duration = options.duration;
+  request.start_time = options.start_time;
+  const IntegratedLines lines = integrate_lines(options.integrator, request);
+  write_lines(options.output, lines.lines);
+  print(options, globals,
+        {{"particles", lines.stats.particles},
+         {"lines", lines.lines.line_count()},
+         {"vertices", lines.lines.positions.size()},
+         {"evaluations", lines.stats.evaluations},
+         {"seconds", lines.stats.seconds},
+         {"bytes", lines.stats.bytes},
+         {"ends", to_json(lines.stats.ends)}});
+}
+
+bool draws_lines(std::string_view integrator) {
+  const std::string name = parse_name_and_options(integrator).name;
+  for (const LineIntegratorRow& row : line_integrators())
+    if (row.name == name) return true;
+  return false;
+}
+
+void trace(const TraceOptions& options, const GlobalOptions& globals) {
+  const auto field = make_field(options.field);
+  if (draws_lines(options.integrator))
+    trace_lines(options, globals, *field);
+  else
+    trace_surface(options, globals, *field);
+}
+
+}  // namespace
+
+void add_trace_command(CLI::App& app, GlobalOptions& globals) {
+  CLI::App* command =
+      app.add_subcommand("trace", "Integrate a surface or lines, write them, print their quality");
+  const auto options = std::make_shared<TraceOptions>();
+  command->add_option("--field", options->field, "NAME[:key=value,...] or FILE")->required();
+  command
+      ->add_option("--integrator", options->integrator,
+                   "NAME[:key=value,...]; see 'list integrators'")
+      ->required();
+  command->add_option("--seed", options->seed, "Polyline X,Y,Z:X,Y,Z[:...] of the seeds")
+      ->required();
+  command->add_flag("--closed", options->closed, "Join the polyline's ends");
+  command->add_option("--duration", options->duration, "Time to integrate, > 0")->required();
+  command->add_option("--start-time", options->start_time, "The field's time at the seeds");
+  command->add_flag("--path", options->path, "Path surface: the field's time runs along");
+  command->add_option("-o,--output", options->output, "Geometry: .ply, .obj or .vtp")->required();
+  command->add_option("--samples", options->samples,
+                      "Points where the distance to the exact surface is measured; 0: none");
+  add_global_options(*command, globals);
+  command->callback([options, &globals] { trace(*options, globals); });
+}
+
+}  // namespace pellucid
