@@ -1,0 +1,146 @@
+// The command line as scripts see it: exit codes, one line on stderr, nothing half written.
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/output_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+class UnitCommandLine : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "pellucid-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    write_text(folder_ / "sheet.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nproperty float alpha\nelement face 1\n"
+               "property list uchar int vertex_indices\nend_header\n"
+               "-1 -1 0 0.5\n1 -1 0 0.5\n0 1 0 0.5\n3 0 1 2\n");
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [32, 32],
+                            "objects": [{"mesh": "sheet.ply"}]})");
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+
+  fs::path scene() const { return folder_ / "scene.json"; }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
+    const std::string command = std::string(PELLUCID_PROGRAM) + " " + arguments + " >" +
+                                out.string() + " 2>" + err.string();
+    const int status = std::system(command.c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return outcome;
+  }
+
+  /// Runs what must be refused: exit code `code`, one line on stderr, no new file.
+  std::string refusal(const std::string& arguments, int code = 2) const {
+    const auto files = [&] { return std::distance(fs::directory_iterator(folder_), {}); };
+    const auto before = files();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, code) << arguments << ": " << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(files(), before) << arguments;
+    return outcome.err;
+  }
+
+  std::string render(const std::string& method, const std::string& output = "a.png") const {
+    return "render " + scene().string() + " --quiet -m " + method + " -o " +
+           (folder_ / output).string();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(UnitCommandLine, RendersAndWritesStatistics) {
+  const Outcome outcome = run(render("raytrace") + " --stats " + (folder_ / "s.json").string() +
+                              " --layers " + (folder_ / "layers.exr").string() + " --explain");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("not lit"));
+  EXPECT_TRUE(fs::exists(folder_ / "a.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "layers.exr"));
+  for (const char* key :
+       {"\"method\"", "\"seconds\"", "\"bytes\"", "\"fragments\"", "\"max_layers\"", "\"machine\""})
+    EXPECT_THAT(read_text(folder_ / "s.json"), HasSubstr(key));
+}
+
+TEST_F(UnitCommandLine, UnknownNamesOfferTheNearest) {
+  EXPECT_THAT(refusal(render("furier")), HasSubstr("unknown method 'furier'; known: fourier"));
+  EXPECT_THAT(refusal(render("fourier:band=3")), HasSubstr("unknown key 'band'; known: bands"));
+  EXPECT_THAT(refusal(render("raytrace:precision=high")), HasSubstr("accepted: exact|double"));
+  EXPECT_THAT(refusal("list method"), HasSubstr("unknown listing 'method'; known: methods"));
+  EXPECT_THAT(refusal("rendr x"), HasSubstr("pellucid: "));
+  refusal("");
+}
+
+TEST_F(UnitCommandLine, WrongScenesAreRefused) {
+  EXPECT_THAT(refusal("render none.json -m raytrace -o " + (folder_ / "a.png").string()),
+              HasSubstr("none.json: cannot read"));
+  write_text(folder_ / "sheet.ply", read_text(folder_ / "sheet.ply").substr(0, 200));
+  EXPECT_THAT(refusal(render("raytrace")),
+              AllOf(HasSubstr("sheet.ply"), HasSubstr("objects[0].mesh")));
+  write_text(scene(), "{}");
+  EXPECT_THAT(refusal(render("raytrace")), HasSubstr("'format' is missing"));
+}
+
+TEST_F(UnitCommandLine, OutputsThatCannotBeWrittenAreRefused) {
+  EXPECT_THAT(refusal(render("raytrace", "none/a.png")), HasSubstr("cannot write"));
+  EXPECT_THAT(refusal(render("raytrace", "a.bmp2")), HasSubstr("a.bmp2"));
+}
+
+TEST_F(UnitCommandLine, AFullDiskIsAFailureOfTheWork) {
+  const fs::path mount = folder_ / "full";
+  fs::create_directory(mount);
+  if (std::system(("mount -t tmpfs -o size=4k tmpfs " + mount.string() + " 2>/dev/null").c_str()))
+    GTEST_SKIP() << "may not mount a file system here";
+  EXPECT_THAT(refusal(render("raytrace", "full/a.exr"), 1), HasSubstr("full/a.exr"));
+  EXPECT_TRUE(fs::is_empty(mount));
+  EXPECT_EQ(std::system(("umount " + mount.string()).c_str()), 0);
+}
+
+TEST_F(UnitCommandLine, ListsEveryTableAsJsonToo) {
+  for (const char* what : {"methods", "integrators", "fields", "metrics", "studies"}) {
+    const Outcome text = run(std::string("list ") + what);
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    EXPECT_GT(text.out.size(), 50u) << what;
+    const Outcome json = run(std::string("list --json ") + what);
+    EXPECT_EQ(json.out.front(), '[') << what;
+  }
+}
+
+TEST_F(UnitCommandLine, HelpAndVersionExitWithZero) {
+  for (const char* arguments : {"--help", "--version", "render --help", "study --help",
+                                "compare --help", "trace --help", "list --help"})
+    EXPECT_EQ(run(arguments).exit_code, 0) << arguments;
+}
+
+TEST_F(UnitCommandLine, OneThreadGivesTheSamePicture) {
+  EXPECT_EQ(run(render("raytrace", "a.exr")).exit_code, 0);
+  EXPECT_EQ(run(render("raytrace", "b.exr") + " --threads 1").exit_code, 0);
+  EXPECT_EQ(read_text(folder_ / "a.exr"), read_text(folder_ / "b.exr"));
+}
+
+}  // namespace
+}  // namespace pellucid
