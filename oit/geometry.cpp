@@ -1,5 +1,6 @@
 #include "oit/geometry.h"
 
+#include <array>
 #include <cmath>
 
 namespace pellucid {
@@ -53,11 +54,9 @@ void Geometry::upload(const Scene& scene) {
     for (const auto& triangle : mesh.triangles)
       for (const std::uint32_t corner : triangle) indices.push_back(base + corner);
   }
-  triangle_count_ = std::uint32_t(indices.size() / 3);
   vertices_ = Buffer(gl_, vertices);
-  indices_ = Buffer(gl_, indices);
+  all_ = {std::uint32_t(indices.size() / 3), Buffer(gl_, indices)};
   gl_.VertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
-  gl_.VertexArrayElementBuffer(array_.id(), indices_.id());
   array_.attribute(0, 0, 3, 0);
   array_.attribute(1, 0, 4, sizeof(glm::vec3));
   if (!lit_) return;
@@ -88,9 +87,20 @@ void Geometry::set_uniforms(const Program& program) const {
   }
 }
 
-void Geometry::draw() const {
+void Geometry::draw(const Triangles& triangles) const {
   gl_.BindVertexArray(array_.id());
-  gl_.DrawElements(GL_TRIANGLES, GLsizei(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
+  gl_.VertexArrayElementBuffer(array_.id(), triangles.indices.id());
+  gl_.DrawElements(GL_TRIANGLES, GLsizei(3 * triangles.count), GL_UNSIGNED_INT, nullptr);
+}
+
+Triangles Geometry::every(int n) const {
+  std::vector<std::array<std::uint32_t, 3>> triangles(all_.count);
+  all_.indices.read(triangles.data());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < triangles.size(); i += std::size_t(n))
+    triangles[kept++] = triangles[i];
+  triangles.resize(kept);
+  return {std::uint32_t(kept), Buffer(gl_, triangles)};
 }
 
 }  // namespace pellucid

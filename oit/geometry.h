@@ -7,6 +7,12 @@
 
 namespace pellucid {
 
+/// Some of the scene's triangles.
+struct Triangles {
+  std::uint32_t count = 0;
+  Buffer indices;
+};
+
 /// The scene's triangles on the OpenGL side, in the order of the scene: gl_PrimitiveID orders
 /// crossings by object, then by triangle.
 ///
@@ -20,8 +26,12 @@ class Geometry {
   /// Defines that the geometry shaders need: LIT, ORTHOGRAPHIC.
   Defines defines() const;
   void set_uniforms(const Program& program) const;
-  void draw() const;
-  std::uint32_t triangle_count() const { return triangle_count_; }
+  void draw() const { draw(all_); }
+  /// gl_PrimitiveID counts within `triangles`.
+  void draw(const Triangles& triangles) const;
+  /// Every n-th triangle. n = 1 copies them all.
+  Triangles every(int n) const;
+  std::uint32_t triangle_count() const { return all_.count; }
 
  private:
   void upload(const Scene& scene);
@@ -32,9 +42,9 @@ class Geometry {
   DepthRange range_;
   double view_unit_;      // world units per unit of the positions' x and y
   glm::vec2 clip_scale_;  // see geometry.vert.glsl
-  std::uint32_t triangle_count_ = 0;
   VertexArray array_;
-  Buffer vertices_, normals_, indices_;
+  Buffer vertices_, normals_;
+  Triangles all_;
 };
 
 }  // namespace pellucid

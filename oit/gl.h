@@ -10,7 +10,7 @@
   X(Enable, ENABLE) X(Disable, DISABLE) X(Finish, FINISH) X(Viewport, VIEWPORT)                 \
   X(DebugMessageCallback, DEBUGMESSAGECALLBACK) X(MemoryBarrier, MEMORYBARRIER)                 \
   X(BlendFunci, BLENDFUNCI) X(BlendEquationi, BLENDEQUATIONI) X(Enablei, ENABLEI)               \
-  X(Disablei, DISABLEI) X(ColorMask, COLORMASK)                                                 \
+  X(Disablei, DISABLEI) X(DepthFunc, DEPTHFUNC)                                                 \
   X(CreateShader, CREATESHADER) X(ShaderSource, SHADERSOURCE) X(CompileShader, COMPILESHADER)   \
   X(GetShaderiv, GETSHADERIV) X(GetShaderInfoLog, GETSHADERINFOLOG)                             \
   X(DeleteShader, DELETESHADER) X(CreateProgram, CREATEPROGRAM) X(AttachShader, ATTACHSHADER)   \

@@ -20,6 +20,7 @@ std::uint64_t texel_bytes(GLenum format) {
   switch (format) {
     case GL_R32F:
     case GL_R32UI:
+    case GL_DEPTH_COMPONENT32F:
     case GL_RG16F:
       return 4;
     case GL_RG32F:
@@ -93,6 +94,10 @@ std::uint32_t Buffer::read_word(std::size_t index) const {
   return word;
 }
 
+void Buffer::read(void* data) const {
+  if (bytes_) name_.gl().GetNamedBufferSubData(id(), 0, GLsizeiptr(bytes_), data);
+}
+
 BufferTexture::BufferTexture(const Gl& gl, GLenum format, std::uint64_t bytes)
     : buffer_(gl, bytes),
       name_(gl, create([&](GLuint* id) { gl.CreateTextures(GL_TEXTURE_BUFFER, 1, id); })),
@@ -112,7 +117,10 @@ Framebuffer::Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachm
     return buffers.back();
   };
   for (const Attachment& a : attachments) {
-    if (!a.layers) gl.NamedFramebufferTexture(id(), next(), a.texture.id(), 0);
+    if (a.texture.format() == GL_DEPTH_COMPONENT32F)
+      gl.NamedFramebufferTexture(id(), GL_DEPTH_ATTACHMENT, a.texture.id(), 0);
+    else if (!a.layers)
+      gl.NamedFramebufferTexture(id(), next(), a.texture.id(), 0);
     for (int layer = a.first; layer < a.first + a.layers; ++layer)
       gl.NamedFramebufferTextureLayer(id(), next(), a.texture.id(), 0, layer);
   }
@@ -141,6 +149,10 @@ void Framebuffer::clear(int index, float value) const {
 
 void Framebuffer::clear_all(float value) const {
   for (int i = 0; i < attachments_; ++i) clear(i, value);
+}
+
+void Framebuffer::clear_depth(float value) const {
+  name_.gl().ClearNamedFramebufferfv(id(), GL_DEPTH, 0, &value);
 }
 
 VertexArray::VertexArray(const Gl& gl)

@@ -44,6 +44,7 @@ class Texture {
   Texture(const Gl& gl, GLenum format, int width, int height, int layers = 0);
 
   GLuint id() const { return name_.id(); }
+  GLenum format() const { return format_; }
   std::uint64_t bytes() const { return bytes_; }
   /// For sampler2D, sampler2DArray, samplerBuffer of layout(binding = unit).
   void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, id()); }
@@ -72,6 +73,7 @@ class Buffer {
   void bind_base(GLenum target, GLuint binding) const;
   void clear(std::uint32_t value) const;
   std::uint32_t read_word(std::size_t index) const;
+  void read(void* data) const;  // all bytes()
 
  private:
   GlName<&Gl::DeleteBuffers> name_;
@@ -96,7 +98,7 @@ class BufferTexture {
   GLenum format_ = 0;
 };
 
-/// Colour attachments 0, 1, … in the order given; an array texture attaches all of its layers.
+/// Colour attachments 0, 1, … in the order given, and a depth texture as the depth attachment.
 class Framebuffer {
  public:
   struct Attachment {
@@ -116,6 +118,7 @@ class Framebuffer {
   /// Clears attachment `index` to `value` in every component.
   void clear(int index, float value) const;
   void clear_all(float value) const;
+  void clear_depth(float value) const;
 
  private:
   void check_complete() const;

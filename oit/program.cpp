@@ -20,9 +20,11 @@ constexpr SharedFile shared_files[] = {
     {"composite.glsl", oit_glsl::composite_glsl},
     {"fragment_list.glsl", oit_glsl::fragment_list_glsl},
     {"list_sort.glsl", oit_glsl::list_sort_glsl},
+    {"peel_key.glsl", oit_glsl::peel_key_glsl},
     {"front_to_back.glsl", oit_glsl::front_to_back_glsl},
     {"optical_depth.glsl", oit_glsl::optical_depth_glsl},
     {"blended_weight.glsl", oit_glsl::blended_weight_glsl},
+    {"optical_weight.glsl", oit_glsl::optical_weight_glsl},
     {"fourier_series.glsl", oit_glsl::fourier_series_glsl},
 };
 

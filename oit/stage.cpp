@@ -13,6 +13,7 @@ void set_blend(const Gl& gl, GLuint attachment, Blend blend) {
   gl.Enablei(GL_BLEND, attachment);
   gl.BlendEquationi(attachment, GL_FUNC_ADD);
   if (blend == Blend::add) gl.BlendFunci(attachment, GL_ONE, GL_ONE);
+  if (blend == Blend::under) gl.BlendFunci(attachment, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   if (blend == Blend::transmit) gl.BlendFunci(attachment, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
 }
 
@@ -70,6 +71,11 @@ void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> b
 void Stage::draw_geometry(const Program& program) const {
   program.use();
   geometry_.draw();
+}
+
+void Stage::draw_geometry(const Program& program, const Triangles& triangles) const {
+  program.use();
+  geometry_.draw(triangles);
 }
 
 void Stage::draw_screen(const Program& program) const {

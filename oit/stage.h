@@ -11,6 +11,7 @@ namespace pellucid {
 enum class Blend {
   replace,
   add,      // destination + source
+  under,    // premultiplied source under the destination: front to back
   transmit  // destination * (1 - source): the product of transmittances
 };
 
@@ -41,6 +42,7 @@ class Stage {
   /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow.
   void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
   void draw_geometry(const Program& program) const;
+  void draw_geometry(const Program& program, const Triangles& triangles) const;
   void draw_screen(const Program& program) const;
 
  private:

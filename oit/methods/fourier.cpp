@@ -6,28 +6,42 @@
 namespace pellucid {
 namespace {
 
-// Four coefficients to a target: 2 bands + 1 of them.
-int target_count(int bands) { return (2 * bands + 1 + 3) / 4; }
+// Two bands to a target, band 0 included.
+int target_count(int bands) { return (bands + 2) / 2; }
+
+// OpenGL promises 8 colour attachments: 15 bands in one pass.
+constexpr int targets_per_pass = 8;
+
+/// A pass that projects onto some of the bands.
+struct BandPass {
+  Framebuffer targets;
+  Program program;
+};
 
 class Fourier final : public OitMethod {
  public:
   Fourier(Stage& stage, const Parameters& parameters)
       : stage_(stage),
         bands_(parameters.integer("bands")),
-        coefficients_(stage.target("Fourier coefficients", GL_RGBA32F, target_count(bands_))),
+        coefficients_(stage.target("Fourier coefficients", coefficient_format(parameters),
+                                   target_count(bands_))),
         sums_(stage.target("weighted sums of colour", GL_RGBA32F)),
-        coefficient_targets_(stage.gl(), {{coefficients_, target_count(bands_)}}),
+        subset_(stage.geometry().every(parameters.integer("subset"))),
         sum_target_(stage.gl(), {{sums_}}),
-        project_(geometry_program(oit_glsl::fourier_project_frag_glsl(), parameters)),
         weight_(geometry_program(oit_glsl::fourier_weight_frag_glsl(), parameters)),
         composite_(stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
-                                        {{"NORMALIZE", parameters.flag("normalize")}})) {}
+                                        {{"NORMALIZE", parameters.flag("normalize")}})) {
+    for (int first = 0; first < target_count(bands_); first += targets_per_pass)
+      passes_.push_back(band_pass(first, parameters));
+  }
 
   void draw(Frame& frame) override {
     frame.step("project", [&] {
-      coefficient_targets_.clear_all(0);
-      stage_.begin_pass(coefficient_targets_, {Blend::add});
-      stage_.draw_geometry(project_);
+      for (const BandPass& pass : passes_) {
+        pass.targets.clear_all(0);
+        stage_.begin_pass(pass.targets, {Blend::add});
+        stage_.draw_geometry(pass.program, subset_);
+      }
     });
     frame.step("weight", [&] {
       sum_target_.clear_all(0);
@@ -43,18 +57,35 @@ class Fourier final : public OitMethod {
   }
 
  private:
-  Program geometry_program(std::string_view fragment, const Parameters& parameters) const {
-    Program program = stage_.geometry_program(
-        fragment, {{"FOURIER_BANDS", bands_}, {"TARGETS", target_count(bands_)}});
+  static GLenum coefficient_format(const Parameters& parameters) {
+    return parameters.text("precision") == "16" ? GL_RGBA16F : GL_RGBA32F;
+  }
+
+  BandPass band_pass(int first, const Parameters& parameters) const {
+    const int targets = std::min(targets_per_pass, target_count(bands_) - first);
+    return {{stage_.gl(), {{coefficients_, targets, first}}},
+            geometry_program(oit_glsl::fourier_project_frag_glsl(), parameters,
+                             {{"FIRST_BAND", 2 * first}, {"TARGETS", targets}})};
+  }
+
+  Program geometry_program(std::string_view fragment, const Parameters& parameters,
+                           Defines defines = {}) const {
+    defines.emplace_back("BANDS", bands_);
+    defines.emplace_back("MIDDLE", parameters.text("at") == "middle");
+    defines.emplace_back("SUBSET", parameters.integer("subset"));
+    Program program = stage_.geometry_program(fragment, std::move(defines));
     program.set("clamp_alpha", float(parameters.real("clamp")));
+    program.set("margin", float(parameters.real("margin")));
     return program;
   }
 
   const Stage& stage_;
   int bands_;
   Texture coefficients_, sums_;
-  Framebuffer coefficient_targets_, sum_target_;
-  Program project_, weight_, composite_;
+  Triangles subset_;
+  Framebuffer sum_target_;
+  Program weight_, composite_;
+  std::vector<BandPass> passes_;
 };
 
 constexpr ParameterSpec parameters[] = {
@@ -62,9 +93,10 @@ constexpr ParameterSpec parameters[] = {
      .kind = ParameterSpec::Kind::integer,
      .default_value = "5",
      .min = 1,
-     .max = 15,
+     .max = 64,
      .unit = "bands",
-     .help = "frequencies of the series (m in the paper)"},
+     .help =
+         "frequencies of the series (m in the paper); beyond 15 each 16 more take another pass"},
     {.name = "normalize",
      .kind = ParameterSpec::Kind::flag,
      .default_value = "on",
@@ -76,7 +108,34 @@ constexpr ParameterSpec parameters[] = {
      .min = 0,
      .max = 0.999999,
      .unit = "1",
-     .help = "largest opacity; Eq. 13 divides by 1 - alpha"}};
+     .help = "largest opacity; Eq. 13 divides by 1 - alpha"},
+    {.name = "at",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "behind",
+     .choices = "behind|middle",
+     .help = "where the series is taken to be at a fragment: behind it as in Eq. 15, or in the "
+             "middle of its step, whither a series converges"},
+    {.name = "margin",
+     .kind = ParameterSpec::Kind::real,
+     .default_value = "0",
+     .min = 0,
+     .max = 1,
+     .unit = "depth ranges",
+     .help = "what the series' period exceeds the depth range by on either side; at 0 the nearest "
+             "and the farthest depth are one and the same to it"},
+    {.name = "precision",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "32",
+     .unit = "bits",
+     .choices = "32|16",
+     .help = "of a coefficient"},
+    {.name = "subset",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "1",
+     .min = 1,
+     .max = 1e6,
+     .unit = "triangles",
+     .help = "project every n-th triangle only, n-fold (section 5.5.3)"}};
 
 }  // namespace
 
@@ -92,7 +151,7 @@ const MethodRow& fourier_method() {
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.
       .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
-      .bytes_per_pixel = "16 ceil((2 bands + 1) / 4) + 16",
+      .bytes_per_pixel = "precision / 2 ceil((2 bands + 1) / 4) + 16",
       .make = make_oit<Fourier>};
   return row;
 }

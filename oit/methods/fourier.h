@@ -13,8 +13,14 @@ namespace pellucid {
 /// -tau(d) is held in [-60, 60] before it is exponentiated, so that ringing over hundreds of nearly
 /// opaque layers cannot leave the range of float.
 ///
+/// Erratum: the paper says that Eq. 19 converges to the exact composite as bands grow. tau has a
+/// step at every fragment, where Eq. 15 wants the value behind the step; a Fourier series converges
+/// to the middle of it. The limit is therefore exact only where all opacities of a pixel are equal.
+/// at=middle reads the series as the middle and weights by alpha / sqrt(1 - alpha) accordingly: it
+/// does converge. The default is the paper's.
+///
 /// Accuracy: the background's share is exact up to the clamp; exact for one layer when normalized;
-/// otherwise no bound: it converges as bands grow, like 1 / bands at a step.
+/// otherwise no bound: the error of tau falls like 1 / bands away from the steps.
 const MethodRow& fourier_method();
 
 }  // namespace pellucid

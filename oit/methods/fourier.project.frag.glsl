@@ -3,18 +3,19 @@
 #include "fourier_series.glsl"
 
 uniform float clamp_alpha;
+uniform float margin;  // of the series' period on either side of [0, 1]
 
-layout(location = 0) out vec4 coefficients[TARGETS];
+layout(location = 0) out vec4 coefficients[TARGETS];  // two bands each, from FIRST_BAND on
 
-// Coefficient i lies in component i % 4 of target i / 4.
 void main() {
   Fragment f = fragment();
-  float c[FOURIER_COEFFICIENTS];
-  fourier_project(optical_depth(min(f.alpha, clamp_alpha)), f.depth, c);
+  float d = (f.depth + margin) / (1.0 + 2.0 * margin);
+  float tau = float(SUBSET) * optical_depth(min(f.alpha, clamp_alpha));
+  vec2 one_band = fourier_wave(1.0, d);
+  vec2 wave = fourier_wave(float(FIRST_BAND), d);
   for (int target = 0; target < TARGETS; ++target) {
-    vec4 v = vec4(0.0);
-    for (int i = 0; i < 4; ++i)
-      if (4 * target + i < FOURIER_COEFFICIENTS) v[i] = c[4 * target + i];
-    coefficients[target] = v;
+    vec2 next_wave = add_angles(wave, one_band);
+    coefficients[target] = vec4(fourier_project(tau, wave), fourier_project(tau, next_wave));
+    wave = add_angles(next_wave, one_band);
   }
 }

@@ -1,21 +1,32 @@
 #include "fragment.glsl"
 #include "fourier_series.glsl"
+#include "optical_weight.glsl"
 
 uniform float clamp_alpha;
-layout(binding = 0) uniform sampler2DArray coefficients;
+uniform float margin;  // of the series' period on either side of [0, 1]
+layout(binding = 0) uniform sampler2DArray coefficients;  // two bands in a layer
 
 layout(location = 0) out vec4 sums;  // sum of C w, sum of w
 
+float tau_at(float d) {
+  vec2 one_band = fourier_wave(1.0, d);
+  vec2 wave = vec2(1.0, 0.0);
+  float tau = 0.0;
+  for (int k = 0; k <= BANDS; k += 2) {
+    vec4 c = texelFetch(coefficients, ivec3(gl_FragCoord.xy, k / 2), 0);
+    vec2 next_wave = add_angles(wave, one_band);
+    tau += fourier_integral(k, c.xy, d, wave);
+    if (k < BANDS) tau += fourier_integral(k + 1, c.zw, d, next_wave);
+    wave = add_angles(next_wave, one_band);
+  }
+  return tau;
+}
+
 void main() {
   Fragment f = fragment();
-  float c[FOURIER_COEFFICIENTS];
-  for (int target = 0; target < TARGETS; ++target) {
-    vec4 v = texelFetch(coefficients, ivec3(gl_FragCoord.xy, target), 0);
-    for (int i = 0; i < 4; ++i)
-      if (4 * target + i < FOURIER_COEFFICIENTS) c[4 * target + i] = v[i];
-  }
+  float d = (f.depth + margin) / (1.0 + 2.0 * margin);
   float alpha = min(f.alpha, clamp_alpha);
-  float tau = fourier_integral(f.depth, c);
-  float w = alpha / (1.0 - alpha) * exp(clamp(-tau, -60.0, 60.0));  // Eq. 15
+  float tau = tau_at(d);
+  float w = MIDDLE == 1 ? optical_weight_middle(alpha, tau) : optical_weight(alpha, tau);
   sums = vec4(f.color * w, w);
 }

@@ -97,9 +97,10 @@ class LinkedList final : public OitMethod {
 
   void resolve_deep(std::uint32_t longest, const Framebuffer& picture) const {
     if (longest > most_layers)
-      throw WorkError(fmt::format("linked-list: a pixel has {} layers or more; sorted are at most "
-                                  "{}",
-                                  longest, most_layers));
+      throw WorkError(
+          fmt::format("linked-list: a pixel has {} layers or more; sorted are at most "
+                      "{}",
+                      longest, most_layers));
     stage_.begin_pass(no_targets_, {Blend::replace});
     for (std::uint32_t length = 1; length < longest; length *= 2) {
       merge_.set("length_of_runs", int(length));

@@ -11,12 +11,10 @@
 namespace glsl {
 
 using namespace glm;
-#define out
-#define FOURIER_BANDS 15
 #include "oit/blended_weight.glsl"
 #include "oit/fourier_series.glsl"
 #include "oit/optical_depth.glsl"
-#undef out
+#include "oit/optical_weight.glsl"
 
 }  // namespace glsl
 
@@ -32,43 +30,64 @@ TEST(UnitFormulas, OpticalDepthKeepsTheDigitsOfSmallOpacities) {
   }
 }
 
+/// A series of 15 bands, summed as the shaders do.
+struct Series {
+  static constexpr int bands = 15;
+  glm::vec2 coefficients[bands + 1] = {};
+
+  void add(float f, float d) {
+    glm::vec2 wave(1, 0);
+    for (glm::vec2& c : coefficients) {
+      c += glsl::fourier_project(f, wave);
+      wave = glsl::add_angles(wave, glsl::fourier_wave(1, d));
+    }
+  }
+  float integral(float d) const {
+    float sum = 0;
+    glm::vec2 wave(1, 0);
+    for (int k = 0; k <= bands; ++k) {
+      sum += glsl::fourier_integral(k, coefficients[k], d, wave);
+      wave = glsl::add_angles(wave, glsl::fourier_wave(1, d));
+    }
+    return sum;
+  }
+};
+
 TEST(UnitFormulas, FourierSeriesIsExactAtItsEnds) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> unit(0, 1);
-  float sums[FOURIER_COEFFICIENTS] = {};
+  Series series;
   double total = 0;
   for (int i = 0; i < 50; ++i) {
     const float f = unit(random);
-    float c[FOURIER_COEFFICIENTS];
-    glsl::fourier_project(f, unit(random), c);
-    for (int k = 0; k < FOURIER_COEFFICIENTS; ++k) sums[k] += c[k];
+    series.add(f, unit(random));
     total += f;
   }
   // Eq. 6; the sines at 2 pi k are about 15 roundings of the recurrence away from 0.
-  EXPECT_NEAR(glsl::fourier_integral(0, sums), 0, 1e-6);
-  EXPECT_NEAR(glsl::fourier_integral(1, sums), total, 1e-4);
+  EXPECT_NEAR(series.integral(0), 0, 1e-6);
+  EXPECT_NEAR(series.integral(1), total, 1e-4);
 }
 
 TEST(UnitFormulas, FourierSeriesIsItsSum) {
   const float at = 0.3f, d = 0.65f;
-  float c[FOURIER_COEFFICIENTS];
-  glsl::fourier_project(2, at, c);
+  Series series;
+  series.add(2, at);
   double expected = 2 * double(d);  // Eq. 5 with the coefficients of Eq. 8, in double
-  for (int k = 1; k <= 15; ++k) {
+  for (int k = 1; k <= Series::bands; ++k) {
     const double w = 2 * M_PI * k;
     expected +=
         4 / w * (std::cos(w * at) * std::sin(w * d) + std::sin(w * at) * (1 - std::cos(w * d)));
   }
-  EXPECT_NEAR(glsl::fourier_integral(d, c), expected, 1e-5);
+  EXPECT_NEAR(series.integral(d), expected, 1e-5);
 }
 
 // 1 / bands is how fast a series nears a step away from it.
 TEST(UnitFormulas, FourierSeriesNearsTheStep) {
-  float c[FOURIER_COEFFICIENTS];
-  glsl::fourier_project(1, 0.5f, c);
-  EXPECT_NEAR(glsl::fourier_integral(0.25f, c), 0, 1.0 / 15);
-  EXPECT_NEAR(glsl::fourier_integral(0.75f, c), 1, 1.0 / 15);
-  EXPECT_NEAR(glsl::fourier_integral(0.5f, c), 0.5, 1e-5);
+  Series series;
+  series.add(1, 0.5f);
+  EXPECT_NEAR(series.integral(0.25f), 0, 1.0 / Series::bands);
+  EXPECT_NEAR(series.integral(0.75f), 1, 1.0 / Series::bands);
+  EXPECT_NEAR(series.integral(0.5f), 0.5, 1e-5);
 }
 
 // The numbers are Eqs. 7 to 10 of McGuire and Bavoil 2013 by hand at z = 20 and d = 0.5.
@@ -93,9 +112,9 @@ TEST(UnitFormulas, WeightsOfTheExactOpticalDepthSumToTheOpacity) {
     for (int i = 0; i < n; ++i) {
       const float alpha = unit(random) * 0.9f;
       tau += glsl::optical_depth(alpha);
-      weights += alpha / (1 - double(alpha)) * std::exp(-tau);
+      weights += glsl::optical_weight(alpha, float(tau));
     }
-    // Each optical depth is rounded to float.
+    // 64 weights below 1 in float.
     EXPECT_NEAR(weights, 1 - std::exp(-tau), 1e-6) << n;
   }
 }

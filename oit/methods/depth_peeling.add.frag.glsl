@@ -1,0 +1,14 @@
+// Blends the peeled layer under those before it.
+layout(binding = 0) uniform sampler2D layer;
+layout(binding = 1) uniform usampler2D layer_key;
+
+layout(location = 0) out vec4 sum;
+layout(location = 1) out uvec2 peeled;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 c = texelFetch(layer, pixel, 0);
+  if (c.a < 0.0) discard;  // cleared: the pixel had nothing left
+  sum = vec4(c.a * c.rgb, c.a);
+  peeled = texelFetch(layer_key, pixel, 0).xy;
+}

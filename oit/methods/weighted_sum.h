@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// Weighted sum (Meshkin 2007, "Sort-independent alpha blending", GDC): the terms of the composite
+/// that do not depend on the order, to first order in the opacities.
+///
+///   C = sum alpha_i C_i + C_bg (1 - sum alpha_i)
+///
+/// `clamp`: the picture is held in [0, 1], as the 8-bit frame buffers that it was made for do.
+///
+/// Accuracy: exact for one layer; the error is of second order in the opacities, so that it is of
+/// use for few layers of low opacity only.
+const MethodRow& weighted_sum_method();
+
+}  // namespace pellucid
