@@ -129,6 +129,16 @@ bool is_exr(const fs::path& path) {
   return ending == ".exr";
 }
 
+/// Pictures of surfaces are smooth or empty: on them differences to the left neighbour at level 6
+/// take a tenth of the time of level 9 with libpng's choice of filters, and as many bytes.
+ImageSpec png_spec(int width, int height, int channels) {
+  constexpr int filter_sub = 0x10;  // PNG_FILTER_SUB
+  ImageSpec spec(width, height, channels, TypeDesc::UINT8);
+  spec.attribute("png:filter", filter_sub);
+  spec.attribute("png:compressionLevel", 6);
+  return spec;
+}
+
 std::vector<std::uint8_t> to_bytes(const Image& image) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.pixels.size() * 3);
@@ -161,9 +171,8 @@ void write_image(const fs::path& path, const Image& image) {
     spec.attribute("compression", "zip");
     return write_pixels(path, spec, TypeDesc::FLOAT, image.pixels.data());
   }
-  ImageSpec spec(image.width, image.height, 3, TypeDesc::UINT8);
-  spec.attribute("png:compressionLevel", 9);
-  write_pixels(path, spec, TypeDesc::UINT8, to_bytes(image).data());
+  write_pixels(path, png_spec(image.width, image.height, 3), TypeDesc::UINT8,
+               to_bytes(image).data());
 }
 
 void write_counts(const fs::path& path, const CountImage& counts) {
@@ -176,9 +185,7 @@ void write_counts(const fs::path& path, const CountImage& counts) {
   std::vector<std::uint8_t> bytes(counts.pixels.size());
   std::transform(counts.pixels.begin(), counts.pixels.end(), bytes.begin(),
                  [](std::uint32_t n) { return std::uint8_t(std::min<std::uint32_t>(n, 255)); });
-  ImageSpec spec(counts.width, counts.height, 1, TypeDesc::UINT8);
-  spec.attribute("png:compressionLevel", 9);
-  write_pixels(path, spec, TypeDesc::UINT8, bytes.data());
+  write_pixels(path, png_spec(counts.width, counts.height, 1), TypeDesc::UINT8, bytes.data());
 }
 
 std::uint8_t displayed_byte(float value) {

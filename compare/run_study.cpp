@@ -105,9 +105,10 @@ void write_pictures(const CellFiles& files, const CellMeasurement& measured) {
 void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHand& at_hand) {
   const Image& reference = at_hand.reference();
   measured.row.metrics = compare_images(reference, measured.image);
+  if (job.cell.reference) return;
   write_image(job.files.error_map(), error_map(reference, measured.image));
-  const bool comparable = job.cell.call.row->promises.exact && !job.cell.reference &&
-                          !measured.layers.pixels.empty() && at_hand.has_reference_layers();
+  const bool comparable = job.cell.call.row->promises.exact && !measured.layers.pixels.empty() &&
+                          at_hand.has_reference_layers();
   if (comparable)
     measured.row.coverage =
         check_coverage(reference, at_hand.reference_layers(), measured.image, measured.layers);

@@ -7,7 +7,7 @@ function make(tag, attributes = {}, ...children) {
     if (typeof value === "function") element[name] = value;
     else if (value !== false && value != null) element.setAttribute(name, value);
   }
-  element.append(...children.flat().filter((child) => child != null && child !== false));
+  element.append(...children.flat(Infinity).filter((child) => child != null && child !== false));
   return element;
 }
 
@@ -30,7 +30,7 @@ function fixed(x, decimals) {
 
 const milliseconds = (seconds) => fixed(seconds * 1e3, 1);
 const megabytes = (bytes) => fixed(bytes / 1e6, 1);
-const similarity = (x) => (x == null ? "–" : x === 1 ? "1" : x.toFixed(4));
+const similarity = (x) => (x == null ? "–" : x === 1 ? "1" : x > 0.99995 ? ">0.9999" : x.toFixed(4));
 /** JSON holds no infinity: the PSNR of equal pictures is null. */
 const decibels = (x) => (x == null ? "∞" : x.toFixed(1));
 const count = (n) => n.toLocaleString("en").replaceAll(",", "\u202f");

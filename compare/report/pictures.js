@@ -72,15 +72,15 @@ function pictureCard(scene, row, reference, enlarge) {
   zoom.classList.add("zoom");
   zoom.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
-  card.append(views[0].frame, make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), errorMap(scene, row)),
+  card.append(views[0].frame, make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), errorMap(scene, row, enlarge)),
               make("figcaption", {}, caption(row, open), numbers(row), coverageNote(row), droppedNote(row)));
   return { card, flip };
 }
 
-function errorMap(scene, row) {
+function errorMap(scene, row, enlarge) {
   if (row.reference) return make("div");
   const image = make("img", { src: row.error_map, alt: `error of ${row.name}`, width: scene.width, height: scene.height });
-  const frame = make("div", { class: "frame" }, image);
+  const frame = make("button", { class: "frame", type: "button", "aria-label": `Enlarge the error of ${row.name}`, onclick: () => enlarge(row, "error") }, image);
   frame.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   return make("div", {}, frame, make("small", {}, "error"));
 }

@@ -36,7 +36,7 @@ function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
   const front = paretoFront(points);
   for (const point of points) point.best = front.includes(point);
   const reference = rows.filter((row) => row.reference).map((row) => ({ name: row.name, cost: cost(row) }));
-  const log = (name, range, fields) => ({ name, type: "log", range, nice: true, domain: { fields }, padding: 14 });
+  const log = (name, range, fields) => ({ name, type: "log", range, domain: { fields }, padding: 24 });
   return {
     width, height: 250, autosize: { type: "fit", contains: "padding" }, config: plotConfig(colors), title,
     data: [{ name: "points", values: points }, { name: "front", values: front }, { name: "reference", values: reference }],
@@ -47,7 +47,7 @@ function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
     marks: [
       { type: "rule", from: { data: "reference" }, encode: { enter: { x: { scale: "x", field: "cost" }, y: { value: 0 }, y2: { signal: "height" },
           stroke: { value: colors.faint }, strokeDash: { value: [3, 3] } } } },
-      { type: "text", from: { data: "reference" }, encode: { enter: { x: { scale: "x", field: "cost" }, dx: { value: 4 }, y: { value: 8 },
+      { type: "text", name: "referenceLabel", from: { data: "reference" }, encode: { enter: { x: { scale: "x", field: "cost" }, dx: { value: 4 }, y: { value: 8 },
           text: { field: "name" }, fill: { value: colors.faint }, fontSize: { value: 11 } } } },
       { type: "line", name: "frontLine", from: { data: "front" }, encode: { enter: { x: { scale: "x", field: "cost" }, y: { scale: "y", field: "error" },
           interpolate: { value: "step-after" }, stroke: { value: colors.accent }, strokeWidth: { value: 1.5 }, strokeOpacity: { value: 0.6 } } } },
@@ -56,7 +56,7 @@ function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
           strokeWidth: { value: 1.5 }, tooltip: { field: "tip" } } } },
       { type: "text", from: { data: "dots" }, encode: { enter: { text: { field: "datum.name" }, fill: { value: colors.ink }, fontSize: { value: 11 } } },
         transform: [{ type: "label", size: { signal: "[width, height]" }, anchor: ["right", "top", "bottom", "left", "top-right", "bottom-right", "top-left", "bottom-left"],
-                      offset: [6], avoidMarks: ["dots"], padding: 20 }] }] };
+                      offset: [6], avoidMarks: ["dots", "referenceLabel"], padding: 20 }] }] };
 }
 
 /** The median of every step, one bar per method. */
@@ -72,7 +72,7 @@ function stepsSpec(rows, width, colors) {
              { name: "y", type: "band", range: "height", padding: 0.3, domain: rows.map((row) => row.name) },
              { name: "color", type: "ordinal", range: { scheme: "tableau20" }, domain: { data: "steps", field: "step" } }],
     axes: [{ orient: "bottom", scale: "x", title: "ms", grid: true, tickCount: 5 }, { orient: "left", scale: "y", ticks: false, domain: false }],
-    legends: [{ fill: "color", orient: "bottom", columns: 4, direction: "horizontal", offset: 2 }],
+    legends: [{ fill: "color", orient: "bottom", columns: 3, labelLimit: 120, offset: 2 }],
     marks: [{ type: "rect", from: { data: "steps" }, encode: { enter: bar } }] };
 }
 

@@ -27,7 +27,7 @@ function sceneSection(scene) {
   const done = rows.filter((row) => !row.error);
   const cards = rows.map((row) => {
     if (row.error) return failedCard(row);
-    const { card, flip } = pictureCard(scene, row, done[0], (chosen) => viewer.open(done, chosen));
+    const { card, flip } = pictureCard(scene, row, done[0], (chosen, what) => viewer.open(done, chosen, what));
     flips.push(flip);
     return card;
   });

@@ -16,10 +16,10 @@ class Viewer {
     dialog.addEventListener("keydown", (event) => this.key(event));
   }
 
-  open(rows, row) {
+  open(rows, row, what = "picture") {
     this.rows = rows;
     this.at = rows.indexOf(row);
-    this.what = "picture";
+    this.what = what;
     this.show();
     this.dialog.showModal();
   }
