@@ -66,26 +66,26 @@ function pictureCard(scene, row, reference, enlarge) {
     for (const view of views) view.show(on);
   };
   const whole = make("img", { src: row.picture, alt: row.name, width: scene.width, height: scene.height, draggable: "false" });
+  const beside = row.reference ? errorLegend(data.error_scale) : errorMap(scene, row, enlarge);
   views.push(flippable(row, reference, whole, cropBox(scene), () => flip()),
              flippable(row, reference, zoomIn(scene, row.picture, `${row.name}, zoomed in`), null, () => flip()));
   const zoom = views[1].frame;
   zoom.classList.add("zoom");
   zoom.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
-  card.append(views[0].frame, make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), errorMap(scene, row, enlarge)),
+  card.append(views[0].frame, make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), beside),
               make("figcaption", {}, caption(row, open), numbers(row), coverageNote(row), droppedNote(row)));
   return { card, flip };
 }
 
 function errorMap(scene, row, enlarge) {
-  if (row.reference) return make("div");
   const image = make("img", { src: row.error_map, alt: `error of ${row.name}`, width: scene.width, height: scene.height });
   const frame = make("button", { class: "frame", type: "button", "aria-label": `Enlarge the error of ${row.name}`, onclick: () => enlarge(row, "error") }, image);
   frame.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   return make("div", {}, frame, make("small", {}, "error"));
 }
 
-/** The scale that all error maps share. */
+/** The scale that all error maps share: it stands where the reference's own would. */
 function errorLegend({ min, max, colors }) {
   const bar = make("div", { class: "bar" });
   bar.style.background = `linear-gradient(to right, ${colors.join(", ")})`;
@@ -95,5 +95,5 @@ function errorLegend({ min, max, colors }) {
     tick.style.left = `${(100 * i) / decades}%`;
     bar.append(tick);
   }
-  return make("div", { class: "scale" }, "Largest error of red, green and blue, one scale for all:", bar);
+  return make("div", { class: "scale" }, make("small", {}, "error maps: the largest error of red, green and blue"), bar);
 }

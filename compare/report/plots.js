@@ -28,6 +28,12 @@ function plotConfig(colors) {
            title: { color: colors.ink, font, fontSize: 13, fontWeight: 600, anchor: "start", offset: 10 }, text: { font } };
 }
 
+/** Where a point's label may stand, near places first. */
+const labelPlaces = (() => {
+  const near = ["right", "top", "bottom", "left"], corners = ["top-right", "bottom-right", "top-left", "bottom-left"];
+  return { anchor: [...near, ...corners, ...corners, ...near], offset: [...near.map(() => 6), ...corners.map(() => 4), ...corners.map(() => 12), ...near.map(() => 16)] };
+})();
+
 /** `cost` reads a row's cost; the reference's is a dashed line. */
 function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
   const points = rows.filter((row) => !row.reference).map((row) => ({
@@ -38,7 +44,7 @@ function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
   const reference = rows.filter((row) => row.reference).map((row) => ({ name: row.name, cost: cost(row) }));
   const log = (name, range, fields) => ({ name, type: "log", range, domain: { fields }, padding: 24 });
   return {
-    width, height: 250, autosize: { type: "fit", contains: "padding" }, config: plotConfig(colors), title,
+    width: width - 66, height: 230, padding: { left: 56, right: 10, top: 30, bottom: 40 }, autosize: "none", config: plotConfig(colors), title,
     data: [{ name: "points", values: points }, { name: "front", values: front }, { name: "reference", values: reference }],
     scales: [log("x", "width", [{ data: "points", field: "cost" }, { data: "reference", field: "cost" }]),
              log("y", "height", [{ data: "points", field: "error" }])],
@@ -55,8 +61,7 @@ function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
           size: { value: 60 }, fill: { signal: `datum.best ? "${colors.accent}" : "${colors.paper}"` }, stroke: { value: colors.accent },
           strokeWidth: { value: 1.5 }, tooltip: { field: "tip" } } } },
       { type: "text", from: { data: "dots" }, encode: { enter: { text: { field: "datum.name" }, fill: { value: colors.ink }, fontSize: { value: 11 } } },
-        transform: [{ type: "label", size: { signal: "[width, height]" }, anchor: ["right", "top", "bottom", "left", "top-right", "bottom-right", "top-left", "bottom-left"],
-                      offset: [6], avoidMarks: ["dots", "referenceLabel"], padding: 20 }] }] };
+        transform: [{ type: "label", size: { signal: "[width, height]" }, ...labelPlaces, avoidMarks: ["dots", "frontLine", "referenceLabel"] }] }] };
 }
 
 /** The median of every step, one bar per method. */

@@ -5,13 +5,16 @@ const viewer = new Viewer(document.getElementById("viewer"));
 const flips = [];   // one per picture card
 const redraws = []; // one per scene's plots
 
+const counted = (n, noun) => `${n} ${noun}${Number(n) === 1 ? "" : "s"}`;
+
 function headSection() {
   const scenes = new Set(data.rows.map((row) => row.scene)).size;
   const reference = data.rows.find((row) => row.reference)?.name ?? "none";
   const failed = data.rows.filter((row) => row.error).length;
   const machine = data.rows.find((row) => !row.error)?.machine ?? {};
-  const lead = `${data.rows.length} cells of ${scenes} ${scenes === 1 ? "scene" : "scenes"}, each measured against the ${reference} reference` +
-    (machine.cpu ? `, on ${machine.cpu} with ${machine.cores} cores.` : ".");
+  const methods = new Set(data.rows.filter((row) => !row.reference).map((row) => row.name)).size;
+  const lead = `${counted(scenes, "scene")} × ${counted(methods, "method")}, each picture measured against ${reference}` +
+    (machine.cpu ? `; on ${machine.cpu}, ${counted(machine.cores, "core")}.` : ".");
   return [make("h1", {}, data.study.title), data.study.source && make("p", { class: "source" }, data.study.source), make("p", { class: "lead" }, lead),
           failed > 0 && make("p", { class: "failed" }, `${failed} of the cells failed; the table says why.`)].filter(Boolean);
 }
@@ -34,7 +37,7 @@ function sceneSection(scene) {
   const plots = make("div", { class: "plots" });
   redraws.push(plotsOf(done, plots));
   return make("section", { id: `scene-${scene.name}` }, make("h2", {}, scene.name), make("p", { class: "lead" }, sceneLead(scene, done[0])),
-              make("div", { class: "cards" }, cards), errorLegend(data.error_scale), plots);
+              make("div", { class: "cards" }, cards), plots);
 }
 
 function navigation() {
