@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "oit/driver_check.h"
 #include "oit_glsl.h"
 
 namespace pellucid {
@@ -36,6 +37,7 @@ Stage::Stage(const Scene& scene, const RenderContext& context)
       geometry_(context_.gl(), scene),
       no_attributes_(context_.gl()) {
   check_size(gl(), width_, height_);
+  check_driver(context_);
   gl().Viewport(0, 0, width_, height_);
   context_.check("uploading the scene");
 }
