@@ -32,8 +32,8 @@ class UnitCommandLine : public ::testing::Test {
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                "property float z\nproperty float alpha\nelement face 1\n"
                "property list uchar int vertex_indices\nend_header\n"
-               "-1 -1 0 0.5\n1 -1 0 0.5\n0 1 0 0.5\n3 0 1 2\n");
-    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [32, 32],
+               "-1 -1 0 0.5\n1 -1 0 0.25\n0 1 0 0.75\n3 0 1 2\n");
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [96, 96],
                             "objects": [{"mesh": "sheet.ply"}]})");
   }
   void TearDown() override {
