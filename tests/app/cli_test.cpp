@@ -139,7 +139,7 @@ TEST_F(UnitCommandLine, HelpAndVersionExitWithZero) {
 TEST_F(UnitCommandLine, OneThreadGivesTheSamePicture) {
   EXPECT_EQ(run(render("raytrace", "a.exr")).exit_code, 0);
   EXPECT_EQ(run(render("raytrace", "b.exr") + " --threads 1").exit_code, 0);
-  EXPECT_EQ(read_text(folder_ / "a.exr"), read_text(folder_ / "b.exr"));
+  EXPECT_TRUE(read_text(folder_ / "a.exr") == read_text(folder_ / "b.exr"));
 }
 
 }  // namespace
