@@ -107,7 +107,9 @@ Image assemble(const ImageSpec& spec, const ChannelPlan& plan, const std::vector
 }
 
 /// Encodes in memory, so that a full disk is met by our own write and nothing else.
-std::string encode(const fs::path& path, const ImageSpec& spec, TypeDesc type, const void* pixels) {
+std::string encode(const fs::path& path, ImageSpec spec, TypeDesc type, const void* pixels) {
+  // Otherwise an EXR file holds the time of writing, and equal pictures give unequal files.
+  spec.attribute("DateTime", "1970:01:01 00:00:00");
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = ImageOutput::create(path.string(), &memory);
