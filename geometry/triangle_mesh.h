@@ -16,7 +16,7 @@ struct TriangleMesh {
   std::vector<Vec3> positions;  // world
   std::vector<Vec3> normals;    // unit length, world; either side
   std::vector<Rgba> colors;     // straight (not premultiplied) colour, opacity in alpha, in [0, 1]
-  std::vector<float> importance;                      // g in [0, 1]
+  std::vector<float> importance;                       // g in [0, 1]
   std::map<std::string, std::vector<double>> scalars;  // by name: s, t, time, speed, …
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
