@@ -1,6 +1,7 @@
 #include "fields/vdb_field.h"
 
 #include <fmt/format.h>
+#include <openvdb/io/DelayedLoadMetadata.h>
 #include <openvdb/openvdb.h>
 
 #include <cmath>
@@ -220,6 +221,7 @@ std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const 
 openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
   precheck_vdb(path);
   openvdb::initialize();
+  openvdb::io::DelayedLoadMetadata::unregisterType();  // it trusts a count of its own, unused here
   openvdb::io::File file(path.string());
   file.open(false);  // not delayed: what cannot be read is known now
   return file.readGrid(pick_grid(file, wanted, path));
