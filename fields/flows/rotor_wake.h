@@ -76,7 +76,7 @@ struct RotorWake {
     const double c = cos(omega * t), s = sin(omega * t);
     const Triple<T> with_rotor{c * p.x + s * p.y, c * p.y - s * p.x, p.z};
     const Triple<T> v = sum_over(wake, with_rotor, core).around;
-    return {-strength * (c * v.x - s * v.y), -strength * (s * v.x + c * v.y), -strength * v.z};
+    return {strength * (c * v.x - s * v.y), strength * (s * v.x + c * v.y), strength * v.z};
   }
 };
 
