@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -26,7 +27,13 @@ std::string milliseconds_and_memory(const ResultRow& row) {
                      double(row.total_bytes()) / 1e6);
 }
 
+/// On a terminal the line of the progress stands where the row goes.
+void clear_progress_line() {
+  if (::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0) fmt::print("\r\x1b[K");
+}
+
 void print_row(const ResultRow& row) {
+  clear_progress_line();
   const std::string name = row.parameters.empty()
                                ? fmt::format("{}/{}", row.scene, row.method)
                                : fmt::format("{}/{}:{}", row.scene, row.method, row.parameters);

@@ -28,12 +28,14 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037u;
 };
 
-/// Any text of a scene file that names a file beside it is taken for one that the scene reads.
+/// Any text of a scene file that names a file beside it, options after a colon left out, is taken
+/// for one that the scene reads.
 void add_named_files(const json& node, const fs::path& base, Hash& hash) {
   if (node.is_structured())
     for (const json& child : node) add_named_files(child, base, hash);
   if (!node.is_string()) return;
-  const fs::path path = base / node.get<std::string>();
+  const std::string text = node.get<std::string>();
+  const fs::path path = base / text.substr(0, text.find(':'));
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored)) hash.add(read_text(path));
 }

@@ -25,7 +25,7 @@ function plotConfig(colors) {
   const axis = { labelColor: colors.soft, titleColor: colors.soft, labelFont: font, titleFont: font, labelFontSize: 11,
                  titleFontSize: 12, titleFontWeight: 400, domainColor: colors.faint, tickColor: colors.faint, gridColor: colors.line };
   return { background: null, axis, legend: { labelColor: colors.soft, labelFont: font, labelFontSize: 11, symbolType: "square" },
-           title: { color: colors.ink, font, fontSize: 13, fontWeight: 600, anchor: "start", offset: 10 }, text: { font } };
+           title: { color: colors.ink, font, fontSize: 13, fontWeight: 600, anchor: "start", offset: 10, frame: "group" }, text: { font } };
 }
 
 /** Where a point's label may stand, near places first. */
@@ -44,7 +44,7 @@ function tradeOffSpec(rows, cost, title, axisTitle, width, colors) {
   const reference = rows.filter((row) => row.reference).map((row) => ({ name: row.name, cost: cost(row) }));
   const log = (name, range, fields) => ({ name, type: "log", range, domain: { fields }, padding: 24 });
   return {
-    width: width - 66, height: 230, padding: { left: 56, right: 10, top: 30, bottom: 40 }, autosize: "none", config: plotConfig(colors), title,
+    width: width - 66, height: 230, padding: { left: 56, right: 10, top: 34, bottom: 40 }, autosize: "none", config: plotConfig(colors), title,
     data: [{ name: "points", values: points }, { name: "front", values: front }, { name: "reference", values: reference }],
     scales: [log("x", "width", [{ data: "points", field: "cost" }, { data: "reference", field: "cost" }]),
              log("y", "height", [{ data: "points", field: "error" }])],

@@ -6,7 +6,7 @@ function facts(entries) {
 
 function methodFacts(methods) {
   return facts(Object.entries(methods).map(([name, method]) => {
-    const parts = [method.title, method.citation, method.equations && `equations ${method.equations}`,
+    const parts = [method.title, method.citation, method.equations && `equations: ${method.equations}`,
                    method.bytes_per_pixel && `bytes per pixel: ${method.bytes_per_pixel}`, method.exact && "exact"];
     return [name, parts.filter(Boolean).join(" · ")];
   }));

@@ -1,0 +1,132 @@
+#include "compare/report_data.h"
+
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/cell.h"
+#include "compare/crop.h"
+#include "compare/error_map.h"
+#include "compare/image_file.h"
+#include "core/output_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string data_uri(const fs::path& png) {
+  return "data:image/png;base64," + OIIO::Strutil::base64_encode(read_text(png));
+}
+
+std::string hex(const Vec3& color) {
+  const auto byte = [](double c) { return displayed_byte(float(c)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
+}
+
+/// Enough colours for a gradient that looks like the map.
+json error_scale_json() {
+  constexpr int stops = 33;
+  json colors = json::array();
+  for (int i = 0; i < stops; ++i) {
+    const double share = double(i) / (stops - 1);
+    colors.push_back(hex(
+        ErrorScale::color(ErrorScale::min * std::pow(ErrorScale::max / ErrorScale::min, share))));
+  }
+  return {{"min", ErrorScale::min}, {"max", ErrorScale::max}, {"colors", colors}};
+}
+
+const ResultRow* find(std::span<const ResultRow> rows, const Cell& cell) {
+  for (const ResultRow& row : rows)
+    if (row.scene == cell.scene && row.method == cell.call.row->name &&
+        row.parameters == cell.call.parameters.given())
+      return &row;
+  return nullptr;
+}
+
+json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
+  json j = to_json(row);
+  j["name"] = cell.call.text();
+  j["title"] = cell.call.row->title;
+  if (!row.error.empty()) return j;
+  j["picture"] = data_uri(files.preview());
+  if (!row.reference) j["error_map"] = data_uri(files.error_map());
+  return j;
+}
+
+void add_error(const Image& reference, const Image& test, Raster<double>& sum) {
+  for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+    sum.pixels[i] += pixel_error(reference.pixels[i], test.pixels[i]);
+}
+
+/// One scene's part of a study: its cells that are done, the reference first.
+struct SceneCells {
+  std::string name;
+  std::vector<Cell> cells;
+};
+
+std::vector<SceneCells> done_scenes(const Study& study, std::span<const ResultRow> rows) {
+  std::vector<SceneCells> scenes;
+  for (const Cell& cell : expand_cells(study)) {
+    const ResultRow* row = find(rows, cell);
+    if (cell.reference) scenes.push_back({cell.scene, {}});
+    if (row && row->error.empty()) scenes.back().cells.push_back(cell);
+  }
+  std::erase_if(scenes,
+                [](const SceneCells& s) { return s.cells.empty() || !s.cells[0].reference; });
+  return scenes;
+}
+
+Crop choose_crop(const Study& study, const fs::path& folder, const SceneCells& scene) {
+  const Image reference = read_image(CellFiles(folder, scene.cells[0]).picture());
+  const auto given = study.crops.find(scene.name);
+  if (given != study.crops.end()) return fit_crop(given->second, reference.width, reference.height);
+  Raster<double> error(reference.width, reference.height);
+  for (const Cell& cell : scene.cells)
+    if (!cell.call.row->promises.exact)
+      add_error(reference, read_image(CellFiles(folder, cell).picture()), error);
+  return worst_crop(error);
+}
+
+json scene_json(const Study& study, const fs::path& folder, const SceneCells& scene) {
+  const Image reference = read_image(CellFiles(folder, scene.cells[0]).picture());
+  const Crop crop = choose_crop(study, folder, scene);
+  return {{"name", scene.name},
+          {"width", reference.width},
+          {"height", reference.height},
+          {"crop", {crop.x, crop.y, crop.width, crop.height}}};
+}
+
+json methods_json(const Study& study) {
+  json methods = json::object();
+  for (const Cell& cell : expand_cells(study)) {
+    const MethodRow& row = *cell.call.row;
+    methods[std::string(row.name)] = {{"title", row.title},
+                                      {"citation", row.citation},
+                                      {"equations", row.equations},
+                                      {"bytes_per_pixel", row.bytes_per_pixel},
+                                      {"exact", row.promises.exact}};
+  }
+  return methods;
+}
+
+}  // namespace
+
+json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
+  json list = json::array(), scenes = json::array();
+  for (const Cell& cell : expand_cells(study))
+    if (const ResultRow* row = find(rows, cell))
+      list.push_back(row_json(cell, CellFiles(folder, cell), *row));
+  for (const SceneCells& scene : done_scenes(study, rows))
+    scenes.push_back(scene_json(study, folder, scene));
+  return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+          {"rows", list},
+          {"scenes", scenes},
+          {"methods", methods_json(study)},
+          {"error_scale", error_scale_json()}};
+}
+
+}  // namespace pellucid
