@@ -1,8 +1,9 @@
 // Sorting the list of one pixel by depth: runs of 16 nodes in registers, merged in place.
 #include "fragment_list.glsl"
 
-#define REPEAT16(X) \
-  X(0) X(1) X(2) X(3) X(4) X(5) X(6) X(7) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15)
+#define SLOTS_0_TO_7(X) X(0) X(1) X(2) X(3) X(4) X(5) X(6) X(7)
+#define SLOTS_8_TO_15(X) X(8) X(9) X(10) X(11) X(12) X(13) X(14) X(15)
+#define SLOTS(X) SLOTS_0_TO_7(X) SLOTS_8_TO_15(X)
 #define REPEAT8(X) X X X X X X X X
 
 const int RUN = 16;
@@ -46,7 +47,8 @@ void append(inout Chain chain, Node node) {
 // that is indexed by a variable costs more than the whole sort.
 Node run[RUN];
 
-void insert_into_run(Node node) {
+// Inserts a node into a run that will hold `most` nodes, 8 or 16.
+void insert_into_run(Node node, int most) {
 #define INSERT(i)                           \
   {                                         \
     Node old = run[i];                      \
@@ -56,27 +58,35 @@ void insert_into_run(Node node) {
     node.id = nearer ? old.id : node.id;    \
     node.key = nearer ? old.key : node.key; \
   }
-  REPEAT16(INSERT)
+  SLOTS_0_TO_7(INSERT)
+  if (most <= 8) return;
+  SLOTS_8_TO_15(INSERT)
 }
 
 // The nearest node of the run, which is taken out; id 0 when the run is empty.
 Node take_from_run() {
   Node node = run[0];
 #define SHIFT(i) run[i] = i < RUN - 1 ? run[min(i + 1, RUN - 1)] : no_node;
-  REPEAT16(SHIFT)
+  SLOTS(SHIFT)
   return node;
 }
 
-// Moves up to RUN nodes from the list into the run. Returns how many.
-int fill_run(inout uint list) {
-#define CLEAR(i) run[i] = no_node;
-  REPEAT16(CLEAR)
-  int n = 0;
-  for (; n < RUN && list != 0u; ++n) {
+void fill_run(inout uint list, inout int n, int most) {
+  for (; n < most && list != 0u; ++n) {
     Node node = load_node(list);
     list = node.next;
-    insert_into_run(node);
+    insert_into_run(node, most);
   }
+}
+
+// Moves up to RUN nodes from the list into the run. Returns how many. Few pixels have more than 8
+// layers: the first 8 nodes pass by half of the slots only.
+int fill_run(inout uint list) {
+#define CLEAR(i) run[i] = no_node;
+  SLOTS(CLEAR)
+  int n = 0;
+  fill_run(list, n, 8);
+  fill_run(list, n, RUN);
   return n;
 }
 

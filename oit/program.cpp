@@ -50,7 +50,7 @@ class Shader {
     gl.CompileShader(id_);
     GLint good = 0;
     gl.GetShaderiv(id_, GL_COMPILE_STATUS, &good);
-    if (!good) fail(text);
+    if (!good) fail();
   }
   ~Shader() { gl_.DeleteShader(id_); }
   Shader(const Shader&) = delete;
@@ -58,11 +58,11 @@ class Shader {
   GLuint id() const { return id_; }
 
  private:
-  [[noreturn]] void fail(const std::string& text) {
+  [[noreturn]] void fail() {
     std::string log(4096, '\0');
     gl_.GetShaderInfoLog(id_, GLsizei(log.size()), nullptr, log.data());
     gl_.DeleteShader(id_);
-    throw WorkError(fmt::format("a shader does not compile: {}\n{}", log.c_str(), text));
+    throw WorkError(fmt::format("a shader does not compile: {}", log.c_str()));
   }
 
   const Gl& gl_;

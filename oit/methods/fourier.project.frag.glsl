@@ -11,8 +11,9 @@ void main() {
   Fragment f = fragment();
   float d = (f.depth + margin) / (1.0 + 2.0 * margin);
   float tau = float(SUBSET) * optical_depth(min(f.alpha, clamp_alpha));
-  vec2 one_band = fourier_wave(1.0, d);
-  vec2 wave = fourier_wave(float(FIRST_BAND), d);
+  vec2 one_band = first_wave(d);
+  vec2 wave = vec2(1.0, 0.0);
+  for (int k = 0; k < FIRST_BAND; ++k) wave = add_angles(wave, one_band);
   for (int target = 0; target < TARGETS; ++target) {
     vec2 next_wave = add_angles(wave, one_band);
     coefficients[target] = vec4(fourier_project(tau, wave), fourier_project(tau, next_wave));

@@ -9,7 +9,7 @@ layout(binding = 0) uniform sampler2DArray coefficients;  // two bands in a laye
 layout(location = 0) out vec4 sums;  // sum of C w, sum of w
 
 float tau_at(float d) {
-  vec2 one_band = fourier_wave(1.0, d);
+  vec2 one_band = first_wave(d);
   vec2 wave = vec2(1.0, 0.0);
   float tau = 0.0;
   for (int k = 0; k <= BANDS; k += 2) {

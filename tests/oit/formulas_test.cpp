@@ -39,7 +39,7 @@ struct Series {
     glm::vec2 wave(1, 0);
     for (glm::vec2& c : coefficients) {
       c += glsl::fourier_project(f, wave);
-      wave = glsl::add_angles(wave, glsl::fourier_wave(1, d));
+      wave = glsl::add_angles(wave, glsl::first_wave(d));
     }
   }
   float integral(float d) const {
@@ -47,11 +47,20 @@ struct Series {
     glm::vec2 wave(1, 0);
     for (int k = 0; k <= bands; ++k) {
       sum += glsl::fourier_integral(k, coefficients[k], d, wave);
-      wave = glsl::add_angles(wave, glsl::fourier_wave(1, d));
+      wave = glsl::add_angles(wave, glsl::first_wave(d));
     }
     return sum;
   }
 };
+
+TEST(UnitFormulas, TheFirstWaveIsCosineAndSine) {
+  for (int i = 0; i <= 1000; ++i) {
+    const float d = float(i) / 1000;
+    // A few roundings, and 6e-8 of the power series cut off.
+    EXPECT_NEAR(glsl::first_wave(d).x, std::cos(2 * M_PI * double(d)), 5e-7) << d;
+    EXPECT_NEAR(glsl::first_wave(d).y, std::sin(2 * M_PI * double(d)), 5e-7) << d;
+  }
+}
 
 TEST(UnitFormulas, FourierSeriesIsExactAtItsEnds) {
   std::mt19937 random(1);

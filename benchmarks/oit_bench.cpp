@@ -1,0 +1,243 @@
+// Each order-independent method against the sum of its bare passes: the same passes over the same
+// scene into the same render targets, with shaders that write constants. Both are timed in turn in
+// one run; `ratio` is what counts, since the times are those of whatever driver there is.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/names.h"
+#include "core/stopwatch.h"
+#include "oit/registry.h"
+#include "oit/stage.h"
+
+namespace pellucid {
+namespace {
+
+/// `layers` wavy sheets of 2 x 100 x 100 triangles over the whole picture, in an order of no
+/// meaning.
+Scene wavy_sheets(int layers, int size) {
+  constexpr unsigned cells = 100;
+  Scene scene;
+  scene.width = scene.height = size;
+  scene.camera.fov = 25;
+  for (int i = 0; i < layers; ++i) {
+    const int place = i * 7919 % layers;
+    TriangleMesh mesh;
+    for (unsigned v = 0; v <= cells; ++v)
+      for (unsigned u = 0; u <= cells; ++u) {
+        const double x = 2.6 * u / cells - 1.3, y = 2.6 * v / cells - 1.3;
+        const double wave = 0.2 * std::sin(5 * x + place) * std::cos(4 * y - place);
+        mesh.positions.emplace_back(x, y, 1 - 2.0 * place / layers + wave);
+        mesh.colors.emplace_back(float(place) / float(layers), 0.5f, 0.3f,
+                                 std::min(0.9f, 2.0f / float(layers)));
+      }
+    for (unsigned v = 0; v < cells; ++v)
+      for (unsigned u = 0; u < cells; ++u) {
+        const unsigned a = v * (cells + 1) + u, b = a + cells + 1;
+        mesh.triangles.push_back({a, a + 1, b + 1});
+        mesh.triangles.push_back({a, b + 1, b});
+      }
+    scene.objects.push_back({"sheet", std::move(mesh)});
+  }
+  return scene;
+}
+
+/// One pass with a shader that writes constants.
+struct BarePass {
+  bool over_geometry;
+  std::vector<GLenum> targets;  // formats; blended additively in a pass over the geometry
+  std::string shader;
+};
+
+std::string write_constants(int targets) {
+  return "layout(location = 0) out vec4 c[" + std::to_string(targets) +
+         "];\nvoid main() { for (int i = 0; i < " + std::to_string(targets) +
+         "; ++i) c[i] = vec4(0.1); }\n";
+}
+
+BarePass geometry_into(std::vector<GLenum> targets) {
+  const int count = int(targets.size());
+  return {true, std::move(targets), write_constants(count)};
+}
+
+BarePass picture() { return {false, {GL_RGBA32F}, write_constants(1)}; }
+
+// What storing a node of a list takes: one count, one exchange, two stores.
+constexpr const char* store_node = R"(
+layout(binding = 0, r32ui) coherent uniform uimage2D heads;
+layout(binding = 1, rgba32ui) uniform uimageBuffer nodes;
+layout(binding = 2, rgba32f) uniform imageBuffer colors;
+layout(binding = 0) uniform atomic_uint count;
+void main() {
+  int node = int(atomicCounterIncrement(count)) + 1;
+  imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
+  imageStore(nodes, node, uvec4(1u));
+  imageStore(colors, node, vec4(0.1));
+}
+)";
+
+// And fetching it: every node of the pool once, in the order of memory.
+constexpr const char* load_nodes = R"(
+layout(binding = 1, rgba32ui) uniform uimageBuffer nodes;
+layout(binding = 2, rgba32f) uniform imageBuffer colors;
+layout(location = 0) out vec4 c;
+uniform int layers, width;
+void main() {
+  int first = (int(gl_FragCoord.y) * width + int(gl_FragCoord.x)) * layers;
+  c = vec4(0.0);
+  for (int i = 0; i < layers; ++i)
+    c += imageLoad(colors, first + i) * float(imageLoad(nodes, first + i).x);
+}
+)";
+
+struct Case {
+  const char* method;
+  std::vector<BarePass> passes;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> table = {
+      {"weighted-sum", {geometry_into({GL_RGBA32F}), picture()}},
+      {"weighted-average", {geometry_into({GL_RGBA32F, GL_R32F}), picture()}},
+      {"weighted-blended", {geometry_into({GL_RGBA32F, GL_R32F}), picture()}},
+      {"fourier:bands=2",
+       {geometry_into({GL_RGBA32F, GL_RGBA32F}), geometry_into({GL_RGBA32F}), picture()}},
+      {"fourier:bands=5",
+       {geometry_into({GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}), geometry_into({GL_RGBA32F}),
+        picture()}},
+      {"linked-list",
+       {{true, {}, "void main() {}\n"},
+        {true, {}, store_node},
+        {false, {GL_RGBA32F}, load_nodes}}}};
+  return table;
+}
+
+/// The bare passes of a case, ready to be drawn.
+class BareRenderer {
+ public:
+  BareRenderer(const Scene& scene, const Case& what, int layers)
+      : stage_(scene, {}),
+        heads_(stage_.gl(), GL_R32UI, scene.width, scene.height),
+        nodes_(stage_.gl(), GL_RGBA32UI, 16 * (stage_.pixel_count() * layers + 1)),
+        colors_(stage_.gl(), GL_RGBA32F, 16 * (stage_.pixel_count() * layers + 1)),
+        counter_(stage_.gl(), 4) {
+    for (const BarePass& pass : what.passes) add(pass, layers);
+  }
+
+  double seconds() {
+    stage_.make_current();
+    bind();
+    const Stopwatch watch;
+    for (const Pass& pass : passes_) draw(pass);
+    return watch.seconds();
+  }
+
+ private:
+  struct Pass {
+    bool over_geometry;
+    std::vector<Texture> targets;
+    std::vector<Framebuffer> framebuffers;  // one
+    Program program;
+  };
+
+  void add(const BarePass& bare, int layers) {
+    Pass pass;
+    pass.over_geometry = bare.over_geometry;
+    for (const GLenum format : bare.targets)
+      pass.targets.emplace_back(stage_.gl(), format, stage_.width(), stage_.height());
+    const auto& t = pass.targets;
+    const Gl& gl = stage_.gl();
+    if (t.empty()) pass.framebuffers.emplace_back(gl, stage_.width(), stage_.height());
+    if (t.size() == 1) pass.framebuffers.push_back({gl, {{t[0]}}});
+    if (t.size() == 2) pass.framebuffers.push_back({gl, {{t[0]}, {t[1]}}});
+    if (t.size() == 3) pass.framebuffers.push_back({gl, {{t[0]}, {t[1]}, {t[2]}}});
+    pass.program = pass.over_geometry ? stage_.geometry_program(bare.shader)
+                                      : stage_.screen_program(bare.shader);
+    pass.program.set("layers", layers);
+    pass.program.set("width", stage_.width());
+    passes_.push_back(std::move(pass));
+  }
+
+  void bind() const {
+    counter_.clear(0);
+    heads_.bind_image(0);
+    nodes_.bind_image(1);
+    colors_.bind_image(2);
+    counter_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
+  }
+
+  void draw(const Pass& pass) const {
+    const Framebuffer& target = pass.framebuffers[0];
+    target.clear_all(0);
+    stage_.begin_pass(target, {pass.over_geometry ? Blend::add : Blend::replace});
+    pass.over_geometry ? stage_.draw_geometry(pass.program) : stage_.draw_screen(pass.program);
+    stage_.gl().Finish();
+  }
+
+  Stage stage_;
+  Texture heads_;
+  BufferTexture nodes_, colors_;
+  Buffer counter_;
+  std::vector<Pass> passes_;
+};
+
+void against_bare_passes(benchmark::State& state, const Case& what, int layers, int size) {
+  const Scene scene = wavy_sheets(layers, size);
+  const NameAndOptions call = parse_name_and_options(what.method);
+  const MethodRow& row = find_row("method", call.name, oit_methods());
+  const auto method = row.make(scene, Parameters(row.name, row.parameters, call.options), {});
+  BareRenderer bare(scene, what, layers);
+  method->render({});
+  bare.seconds();
+  double method_seconds = 0, bare_seconds = 0;
+  for (auto _ : state) {
+    const double seconds = method->render({}).stats.seconds();
+    bare_seconds += bare.seconds();
+    method_seconds += seconds;
+    state.SetIterationTime(seconds);
+  }
+  state.counters["bare_ms"] = 1e3 * bare_seconds / double(state.iterations());
+  state.counters["ratio"] = method_seconds / bare_seconds;
+}
+
+/// Time of every method of the table over the number of layers, for the curve of cost.
+void over_layers(benchmark::State& state, const MethodRow& row) {
+  const int layers = int(state.range(0));
+  const Scene scene = wavy_sheets(layers, 250);
+  const auto method = row.make(scene, Parameters(row.name, row.parameters, {}), {});
+  method->render({});
+  for (auto _ : state) state.SetIterationTime(method->render({}).stats.seconds());
+  state.counters["ns_per_fragment"] = benchmark::Counter(
+      layers * 250.0 * 250.0 * 1e-9,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void register_all() {
+  for (const Case& what : cases())
+    for (const auto& [layers, size] : {std::pair(8, 1000), {32, 500}})
+      benchmark::RegisterBenchmark(
+          (std::string("bare/") + what.method + "/layers:" + std::to_string(layers)).c_str(),
+          [&what, layers = layers, size = size](benchmark::State& state) {
+            against_bare_passes(state, what, layers, size);
+          })
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond);
+  for (const MethodRow& row : oit_methods())
+    benchmark::RegisterBenchmark(("layers/" + std::string(row.name)).c_str(),
+                                 [&row](benchmark::State& state) { over_layers(state, row); })
+        ->RangeMultiplier(4)
+        ->Range(1, 256)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace pellucid
+
+int main(int argc, char** argv) {
+  pellucid::register_all();
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
