@@ -7,27 +7,38 @@ namespace pellucid {
 namespace {
 
 template <class Sample>
-class Differences {
+class AxisError {
  public:
-  Differences(const DenseGrid<Sample>& grid, int axis) : grid_(grid), axis_(axis) {
+  AxisError(const DenseGrid<Sample>& grid, int axis) : grid_(grid), axis_(axis) {
     for (int a = 0; a < axis; ++a) stride_ *= grid.axes[a].size();
   }
 
-  /// (widest gap)^(order) times the order-th derivative, from the order + 1 samples about sample
-  /// `index`, which is number i along the axis. 0 where they do not fit in.
-  double scaled_derivative(std::size_t index, std::size_t i, std::size_t order) const {
-    const Axis& axis = grid_.axes[axis_];
-    const std::size_t before = order / 2;
-    if (i < before || i - before + order >= axis.size()) return 0;
-    std::array<Vec3, 5> table{};
-    for (std::size_t k = 0; k <= order; ++k)
-      table[k] = Vec3(grid_.samples[index - before * stride_ + k * stride_]);
-    const double gap = divide(table, i - before, order);
-    const double size = glm::length(table[0]) * std::pow(gap, double(order));
-    return std::isfinite(size) ? size : 0;
+  /// Of the cell that begins at sample `index`, number i along the axis.
+  double of_lines(std::size_t index, std::size_t i) const {
+    return scaled_derivative(index, i, 2) / 8;
+  }
+  double of_cubics(std::size_t index, std::size_t i) const {
+    const bool at_end = i == 0 || i + 2 >= grid_.axes[axis_].size();
+    return scaled_derivative(index, i, 3) * std::sqrt(3.0) / (at_end ? 27 : 108) +
+           scaled_derivative(index, i, 4) / 384;
   }
 
  private:
+  /// (widest gap)^order times the order-th derivative, from the order + 1 samples nearest to the
+  /// cell. 0 where the axis has fewer.
+  double scaled_derivative(std::size_t index, std::size_t i, std::size_t order) const {
+    const std::size_t size = grid_.axes[axis_].size();
+    if (order >= size) return 0;
+    const std::size_t before = std::min<std::size_t>(i, (order - 1) / 2);
+    const std::size_t first = std::min(i - before, size - 1 - order);
+    const Sample* line = &grid_.samples[index - i * stride_];
+    std::array<Vec3, 5> table{};
+    for (std::size_t k = 0; k <= order; ++k) table[k] = Vec3(line[(first + k) * stride_]);
+    const double gap = divide(table, first, order);
+    const double error = glm::length(table[0]) * std::pow(gap, double(order));
+    return std::isfinite(error) ? error : 0;
+  }
+
   /// Leaves the derivative in table[0] (divided difference times order!); returns the widest gap.
   double divide(std::array<Vec3, 5>& table, std::size_t first, std::size_t order) const {
     const Axis& axis = grid_.axes[axis_];
@@ -50,11 +61,9 @@ class Differences {
 
 template <class Sample>
 double estimate_sampling_error(const DenseGrid<Sample>& grid, int support) {
-  const Differences<Sample> along[3] = {{grid, 0}, {grid, 1}, {grid, 2}};
+  const AxisError<Sample> axes[3] = {{grid, 0}, {grid, 1}, {grid, 2}};
   const auto error = [&](int axis, std::size_t index, std::size_t i) {
-    if (support == 2) return along[axis].scaled_derivative(index, i, 2) / 8;
-    return along[axis].scaled_derivative(index, i, 3) * std::sqrt(3.0) / 108 +
-           along[axis].scaled_derivative(index, i, 4) / 384;
+    return support == 2 ? axes[axis].of_lines(index, i) : axes[axis].of_cubics(index, i);
   };
   double largest = 0;
   std::size_t index = 0;
