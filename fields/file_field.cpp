@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "fields/meta_image_field.h"
+#include "fields/series_field.h"
 #include "fields/vdb_field.h"
 #include "fields/vtk_field.h"
 
@@ -23,6 +24,7 @@ constexpr FileFormatRow formats[] = {
     {".mhd", "MetaImage header beside raw data", read_meta_image_field},
     {".mha", "MetaImage", read_meta_image_field},
     {".vdb", "OpenVDB", read_vdb_field},
+    {".series", "time series of files, as ParaView writes it", read_series_field},
 };
 
 constexpr ParameterSpec parameters[] = {
@@ -80,21 +82,30 @@ std::string file_endings() {
   return endings;
 }
 
-std::unique_ptr<VectorField> read_file_field(std::string_view text,
-                                             const std::filesystem::path& base) {
-  const PathAndOptions parts = split(text);
-  if (!parts.format) return nullptr;
-  const std::filesystem::path path = base / parts.path;
-  const FileOptions options = parse_options(parts);
+const FileFormatRow* file_format(std::string_view path) {
+  for (const FileFormatRow& row : formats)
+    if (path.ends_with(row.ending)) return &row;
+  return nullptr;
+}
+
+std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
+                                       const FileFormatRow& format, const FileOptions& options) {
   require_readable(path);
   try {
-    return parts.format->read(path, options);
+    return format.read(path, options);
   } catch (const std::bad_alloc&) {
     throw InputError(
         fmt::format("{}: claims more data than this machine's memory holds", path.string()));
   } catch (const std::length_error&) {
     throw InputError(fmt::format("{}: claims more data than can be", path.string()));
   }
+}
+
+std::unique_ptr<VectorField> read_file_field(std::string_view text,
+                                             const std::filesystem::path& base) {
+  const PathAndOptions parts = split(text);
+  if (!parts.format) return nullptr;
+  return read_file(base / parts.path, *parts.format, parse_options(parts));
 }
 
 }  // namespace pellucid

@@ -32,8 +32,15 @@ std::span<const ParameterSpec> file_parameters();
 /// ".vti, .vtr, …", for messages.
 std::string file_endings();
 
+/// The format that a path ends as, or nothing.
+const FileFormatRow* file_format(std::string_view path);
+
+/// Throws InputError for a file that cannot be read or trusted.
+std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
+                                       const FileFormatRow& format, const FileOptions& options);
+
 /// Reads "FILE[:key=value,…]" (relative paths start at `base`) when FILE ends as one of the formats
-/// does; nothing when it does not. Throws InputError for a file that cannot be read or trusted.
+/// does; nothing when it does not.
 std::unique_ptr<VectorField> read_file_field(std::string_view text,
                                              const std::filesystem::path& base);
 
