@@ -1,0 +1,223 @@
+// `raytrace` against Embree's bare all-hit traversal: the same rays over the same triangles as
+// built-in primitives, every hit recorded by a filter function, sorted and thrown away. Both are
+// timed in turn in one run with the same threads; `ratio` (median of the pairs) is what counts.
+#include <benchmark/benchmark.h>
+#include <embree3/rtcore.h>
+#include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+#include "core/stopwatch.h"
+#include "groundtruth/raytrace.h"
+#include "scene/scene_file.h"
+
+namespace pellucid {
+namespace {
+
+/// `layers` wavy sheets of 2 × 150 × 150 triangles over the whole picture.
+Scene wavy_sheets(int layers) {
+  constexpr std::uint32_t cells = 150;
+  Scene scene;
+  scene.camera.fov = 25;
+  for (int i = 0; i < layers; ++i) {
+    TriangleMesh mesh;
+    for (std::uint32_t v = 0; v <= cells; ++v)
+      for (std::uint32_t u = 0; u <= cells; ++u) {
+        const double x = 2.6 * u / cells - 1.3, y = 2.6 * v / cells - 1.3;
+        const double wave = 0.2 * std::sin(5 * x + i) * std::cos(4 * y - i);
+        mesh.positions.emplace_back(x, y, 1 - 2.0 * i / layers + wave);
+        mesh.colors.emplace_back(float(i) / float(layers), 0.5f, 0.3f, 0.1f);
+      }
+    for (std::uint32_t v = 0; v < cells; ++v)
+      for (std::uint32_t u = 0; u < cells; ++u) {
+        const std::uint32_t a = v * (cells + 1) + u, b = a + cells + 1;
+        mesh.triangles.push_back({a, a + 1, b + 1});
+        mesh.triangles.push_back({a, b + 1, b});
+      }
+    scene.objects.push_back({"sheet", std::move(mesh)});
+  }
+  return scene;
+}
+
+struct BareHit {
+  float t;
+  unsigned object, triangle;
+  float u, v;
+};
+
+struct BareContext {
+  RTCIntersectContext embree;
+  std::vector<BareHit>* hits;
+};
+
+void record(const RTCFilterFunctionNArguments* args) {
+  RTCRayN* ray = args->ray;
+  RTCHitN* hit = args->hit;
+  reinterpret_cast<BareContext*>(args->context)
+      ->hits->push_back({RTCRayN_tfar(ray, args->N, 0), RTCHitN_geomID(hit, args->N, 0),
+                         RTCHitN_primID(hit, args->N, 0), RTCHitN_u(hit, args->N, 0),
+                         RTCHitN_v(hit, args->N, 0)});
+  args->valid[0] = 0;
+}
+
+/// Built-in triangles in float.
+class BareTraversal {
+ public:
+  BareTraversal(const Scene& from, bool robust)
+      : width_(from.width),
+        height_(from.height),
+        rays_(from.camera, from.width, from.height),
+        device_(rtcNewDevice(nullptr)),
+        scene_(rtcNewScene(device_)) {
+    if (robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    for (const SceneObject& object : from.objects) attach(object.mesh);
+    rtcCommitScene(scene_);
+  }
+  ~BareTraversal() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  BareTraversal(const BareTraversal&) = delete;
+  BareTraversal& operator=(const BareTraversal&) = delete;
+
+  std::uint64_t run() const {
+    std::atomic<std::uint64_t> total = 0;
+    tbb::enumerable_thread_specific<std::vector<BareHit>> buffers;
+    tbb::parallel_for(tbb::blocked_range2d<int>(0, height_, 16, 0, width_, 16), [&](const auto& r) {
+      std::vector<BareHit>& hits = buffers.local();
+      std::uint64_t count = 0;
+      for (int y = r.rows().begin(); y < r.rows().end(); ++y)
+        for (int x = r.cols().begin(); x < r.cols().end(); ++x) count += trace(x, y, hits);
+      total += count;
+    });
+    return total;
+  }
+
+ private:
+  void attach(const TriangleMesh& mesh) {
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
+    for (const Vec3& x : mesh.positions)
+      for (int k = 0; k < 3; ++k) *vertices++ = float(x[k]);
+    void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            12, mesh.triangles.size());
+    std::copy(mesh.triangles.begin(), mesh.triangles.end(),
+              static_cast<std::array<std::uint32_t, 3>*>(indices));
+    rtcSetGeometryOccludedFilterFunction(geometry, record);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+
+  std::uint64_t trace(int x, int y, std::vector<BareHit>& hits) const {
+    hits.clear();
+    const Ray ray = rays_.ray(x + 0.5, y + 0.5);
+    BareContext context{{}, &hits};
+    rtcInitIntersectContext(&context.embree);
+    RTCRay r{};
+    r.org_x = float(ray.origin.x), r.org_y = float(ray.origin.y), r.org_z = float(ray.origin.z);
+    r.dir_x = float(ray.direction.x), r.dir_y = float(ray.direction.y);
+    r.dir_z = float(ray.direction.z);
+    r.tfar = std::numeric_limits<float>::infinity();
+    r.mask = ~0u;
+    rtcOccluded1(scene_, &context.embree, &r);
+    std::sort(hits.begin(), hits.end(),
+              [](const BareHit& p, const BareHit& q) { return p.t < q.t; });
+    return hits.size();
+  }
+
+  int width_, height_;
+  RayGenerator rays_;
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+double seconds_of(const auto& work) {
+  const Stopwatch watch;
+  work();
+  return watch.seconds();
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Times `tested` and `bare` in turn.
+void in_pairs(benchmark::State& state, const auto& tested, const auto& bare) {
+  tested(), bare();  // warm-up
+  std::vector<double> ratios, bare_times;
+  for (auto _ : state) {
+    const double seconds = seconds_of(tested);
+    state.SetIterationTime(seconds);
+    bare_times.push_back(seconds_of(bare));
+    ratios.push_back(seconds / bare_times.back());
+  }
+  state.counters["ratio"] = median(ratios);
+  state.counters["bare_ms"] = 1e3 * median(bare_times);
+}
+
+void against_bare(benchmark::State& state, const Scene& scene, const std::string& precision,
+                  bool robust) {
+  const MethodRow& row = raytrace_method();
+  const auto renderer =
+      row.make(scene, Parameters(row.name, row.parameters, {{"precision", precision}}), {});
+  const BareTraversal bare(scene, robust);
+  in_pairs(
+      state, [&] { benchmark::DoNotOptimize(renderer->render({}).image.pixels.data()); },
+      [&] { benchmark::DoNotOptimize(bare.run()); });
+  state.counters["crossings"] = double(renderer->render({}).stats.fragments);
+}
+
+void one_thread_against_two(benchmark::State& state) {
+  const Scene scene = wavy_sheets(8);
+  const MethodRow& row = raytrace_method();
+  const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
+  const auto with_threads = [&](int count) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
+    renderer->render({});
+  };
+  in_pairs(
+      state, [&] { with_threads(1); }, [&] { with_threads(2); });
+}
+
+void register_scene(const std::string& name, const Scene& scene) {
+  for (const char* precision : {"exact", "double"})
+    for (const bool robust : {true, false})
+      benchmark::RegisterBenchmark(
+          (name + "/" + precision + "/" + (robust ? "against-robust" : "against-fast")).c_str(),
+          [&scene, precision, robust](benchmark::State& state) {
+            against_bare(state, scene, precision, robust);
+          })
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond)
+          ->Iterations(5);
+}
+
+}  // namespace
+}  // namespace pellucid
+
+int main(int argc, char** argv) {
+  using namespace pellucid;
+  benchmark::Initialize(&argc, argv);
+  // A scene file may follow the options, e.g. scenes/abc.json.
+  const Scene few = wavy_sheets(8), many = wavy_sheets(64);
+  register_scene("sheets-8", few);
+  register_scene("sheets-64", many);
+  Scene file;
+  if (argc > 1) {
+    file = load_scene(argv[1]);
+    register_scene(file.name, file);
+  }
+  benchmark::RegisterBenchmark("threads-1-against-2", one_thread_against_two)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(5);
+  benchmark::RunSpecifiedBenchmarks();
+}
