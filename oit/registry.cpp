@@ -6,6 +6,7 @@
 #include "oit/methods/depth_peeling.h"
 #include "oit/methods/fourier.h"
 #include "oit/methods/linked_list.h"
+#include "oit/methods/moment.h"
 #include "oit/methods/weighted_average.h"
 #include "oit/methods/weighted_blended.h"
 #include "oit/methods/weighted_sum.h"
@@ -16,7 +17,7 @@ std::span<const MethodRow> oit_methods() {
   static const std::array rows = {linked_list_method(),      depth_peeling_method(),
                                   weighted_sum_method(),     weighted_average_method(),
                                   weighted_blended_method(), binning_method(),
-                                  fourier_method()};
+                                  fourier_method(),          moment_method()};
   return rows;
 }
 

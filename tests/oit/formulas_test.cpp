@@ -6,6 +6,8 @@
 #include <glm/exponential.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <random>
 
 namespace glsl {
@@ -15,6 +17,7 @@ using namespace glm;
 #include "oit/fourier_series.glsl"
 #include "oit/optical_depth.glsl"
 #include "oit/optical_weight.glsl"
+#include "oit/power_moments.glsl"
 
 }  // namespace glsl
 
@@ -109,6 +112,38 @@ TEST(UnitFormulas, BlendedWeightsAreTheirEquations) {
   EXPECT_FLOAT_EQ(glsl::blended_weight_9(500), 1e-2f);
   EXPECT_FLOAT_EQ(glsl::blended_weight(0, 0.5f, 0.5f), 1);
   EXPECT_FLOAT_EQ(glsl::blended_weight(10, 0.5f, 0.5f), 187.5f);
+}
+
+/// Moments of masses at depths, mass 1 in all.
+struct Moments {
+  double b[7] = {};
+  void add(double mass, double z) {
+    for (int k = 0; k <= 6; ++k) b[k] += mass * std::pow(z, k);
+  }
+  glm::vec4 first() const { return glm::vec4(b[1], b[2], b[3], b[4]); }
+  glm::vec2 more() const { return glm::vec2(b[5], b[6]); }
+};
+
+// Two layers have three moments that matter, three layers five: between the layers the mass in
+// front is known exactly. A small mass everywhere, as the bias puts it there, keeps it regular.
+TEST(UnitFormulas, MomentsOfFewLayersTellTheMassInFront) {
+  Moments two, three;
+  two.add(0.3, -0.5);
+  two.add(0.7, 0.4);
+  three.add(0.2, -0.6);
+  three.add(0.5, 0.1);
+  three.add(0.3, 0.7);
+  for (const auto& [z, mass] : {std::pair(-0.9f, 0.0f), {0.0f, 0.3f}, {0.8f, 1.0f}}) {
+    const glm::vec4 b = glm::mix(two.first(), glm::vec4(0, 0.375, 0, 0.375), 1e-4f);
+    // The bias of 1e-4, over the squared distance to the nearest layer.
+    EXPECT_NEAR(glsl::mass_in_front_4(b, z, 0), mass, 5e-3) << z;
+  }
+  for (const auto& [z, mass] :
+       {std::pair(-0.9f, 0.0f), {-0.3f, 0.2f}, {0.4f, 0.7f}, {0.95f, 1.0f}}) {
+    const glm::vec4 b = glm::mix(three.first(), glm::vec4(0, 0.48, 0, 0.451), 1e-4f);
+    const glm::vec2 c = glm::mix(three.more(), glm::vec2(0, 0.45), 1e-4f);
+    EXPECT_NEAR(glsl::mass_in_front_6(b, c, z, 0), mass, 1e-2) << z;
+  }
 }
 
 // The theorem of the additional material, section 3: with the exact optical depth the weights of
