@@ -68,13 +68,15 @@ double first_guess(const Refinement& refinement, const Trajectory& path, const F
   if (!refinement.by_tolerance() || refinement.step > 0)
     return time_to_move(head.flow, refinement.step);
   const double sagitta = refinement.largest_sagitta();
+  // A ribbon that has become as thin as the tolerance has no shape to keep.
+  const double thin = 8 * refinement.tolerance;
   double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
   for (const FrontPoint* neighbour : {left, right}) {
     if (!neighbour) continue;
     const double width = separation(head.flow, neighbour->flow).width;
     const double twist = 4 * sagitta / twist_rate(head, *neighbour);
     dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
-                   time_to_move(head.flow, width * longest_aspect)});
+                   time_to_move(head.flow, longest_aspect * std::max(width, thin))});
   }
   return std::min(dt, std::numeric_limits<double>::max());
 }

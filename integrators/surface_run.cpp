@@ -62,11 +62,10 @@ SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& opti
 std::unique_ptr<Trajectory> SurfaceRun::spawn(double s, double t) {
   auto path = std::make_unique<Trajectory>(source_.start(s));
   ++stats_.particles;
-  if (!path->exists() || !path->reach(t, sampler())) {
+  if (!path->exists() || !path->skip_to(t, sampler())) {
     drop(std::move(path), EndReason::torn);
     return nullptr;
   }
-  path->release(t);
   return path;
 }
 

@@ -106,6 +106,14 @@ bool Trajectory::reach(double t, FieldSampler& sampler) {
   return t_ >= t;
 }
 
+bool Trajectory::skip_to(double t, FieldSampler& sampler) {
+  while (t_ < t && !end_) {
+    step(sampler);
+    release(t_);
+  }
+  return t_ >= t;
+}
+
 void Trajectory::step(FieldSampler& sampler) {
   const double left = options_->duration - t_;
   const double wanted = std::min(h_, largest_step());
@@ -246,7 +254,7 @@ Vec3 Trajectory::acceleration(double t) const {
 
 void Trajectory::release(double t) {
   auto keep = steps_.begin();
-  while (keep + 1 != steps_.end() && (keep + 1)->begin <= t) ++keep;
+  while (keep + 1 != steps_.end() && keep->begin + keep->length < t) ++keep;
   steps_.erase(steps_.begin(), keep);
 }
 

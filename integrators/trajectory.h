@@ -55,7 +55,10 @@ class Trajectory {
   /// Integrates until t is covered. False when the particle ends before t.
   bool reach(double t, FieldSampler& sampler);
 
-  /// t between released() and time().
+  /// The same, and forgets the way there.
+  bool skip_to(double t, FieldSampler& sampler);
+
+  /// t between what was released and time().
   FlowPoint at(double t) const;
   /// Second time derivative of the position.
   Vec3 acceleration(double t) const;
