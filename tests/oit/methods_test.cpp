@@ -114,6 +114,28 @@ TEST(UnitMethods, OneBinIsAnAverage) {
   EXPECT_LE(max_difference(render(method("binning"), scene, options).image, expected), 1e-5);
 }
 
+// Two layers: the mean over pixels nears the truth like 1 / sqrt(samples * pixels).
+TEST(UnitMethods, StochasticSamplesConverge) {
+  const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};
+  const Scene scene = stack(32, 32, layers);
+  const Image image = render(method("stochastic"), scene, {{"samples", "64"}}).image;
+  glm::dvec4 mean(0);
+  for (const Rgba& pixel : image.pixels) mean += glm::dvec4(pixel) / 1024.0;
+  const glm::dvec4 exact = composite(layers, scene.background);
+  // The deviation of a sample is 1/2; six of the mean's are 6 * 0.5 / sqrt(65536) = 0.012.
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(mean[c], exact[c], 0.012);
+}
+
+TEST(UnitMethods, MomentsOfTwoLayersAreExactWithoutTheMassAtZ) {
+  const std::vector<Rgba> layers = {{1, 0, 0, 0.6f}, {0, 1, 0, 0.8f}};
+  const Scene scene = stack(2, 2, layers);
+  const RawOptions options = {{"overestimation", "0"}};
+  // The moments of two layers leave no choice; the bias and roundings cost the digits.
+  EXPECT_LE(max_difference(render(method("moment"), scene, options).image,
+                           composite(layers, scene.background)),
+            2e-2);
+}
+
 TEST(UnitMethods, LayersOfOneColourAndOpacityAreTheTruthForAverages) {
   const std::vector<Rgba> layers(12, Rgba(0.3f, 0.6f, 0.2f, 0.25f));
   const Scene scene = stack(4, 4, layers);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "tests/oit/test_scenes.h"
 
@@ -111,6 +113,27 @@ TEST(PropertyMethods, PicturesAreFinite) {
   }
 }
 
+TEST(PropertyMethods, EveryChoiceOfEveryParameterDraws) {
+  const Scene scene = triangle_cloud(16, 9, 100, 13);
+  const std::vector<Rgba> one_layer = {{0.2f, 0.4f, 0.8f, 0.5f}};
+  const Scene single = stack(4, 4, one_layer);
+  for (const MethodRow& row : oit_methods())
+    for (const ParameterSpec& spec : row.parameters) {
+      std::stringstream choices{std::string(spec.choices)};
+      for (std::string choice; std::getline(choices, choice, '|');) {
+        SCOPED_TRACE(std::string(row.name) + ":" + std::string(spec.name) + "=" + choice);
+        const RawOptions options = {{std::string(spec.name), choice}};
+        EXPECT_TRUE(finite(render(row, scene, options).image));
+        // A half float keeps three digits of the coefficients.
+        const double tolerance = choice == "16" ? 1e-3 : 1e-5;
+        if (spec.name == "normalize" && choice == "off") continue;
+        EXPECT_LE(max_difference(render(row, single, options).image,
+                                 composite(one_layer, single.background)),
+                  tolerance);
+      }
+    }
+}
+
 TEST(PropertyMethods, AnyPictureSize) {
   for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {13, 1}, {63, 65}}) {
     const std::vector<Rgba> layers = {{0.2f, 0.4f, 0.8f, 0.5f}};
@@ -129,6 +152,55 @@ TEST(PropertyMethods, TheSameRendererGivesTheSamePictureAgain) {
     const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
     const Image first = renderer->render({}).image;
     EXPECT_EQ(max_difference(first, renderer->render({}).image), 0) << row.name;
+  }
+}
+
+// |n . v| of a sheet seen straight on is 1, of one whose normals lean by 60 degrees 1/2.
+TEST(PropertyMethods, HeadlightIsTheCosineOfTheNormal) {
+  for (const auto& [normal, cosine] :
+       {std::pair(Vec3(0, 0, -1), 1.0), {Vec3(std::sqrt(0.75), 0, 0.5), 0.5}}) {
+    Scene scene = stack(3, 3, {{0.8f, 0.6f, 0.4f, 0.5f}});
+    scene.lighting = Lighting::headlight;
+    for (Vec3& n : scene.objects[0].mesh.normals) n = normal;
+    const Vec3 color = 0.5 * cosine * Vec3(0.8, 0.6, 0.4) + 0.5 * scene.background;
+    for (const MethodRow& row : oit_methods())
+      EXPECT_LE(max_difference(render(row, scene).image, glm::dvec4(color, 0.5)), 1e-5) << row.name;
+  }
+}
+
+// A sheet through the eye's plane is seen from the eye on: it covers one half of the picture.
+TEST(PropertyMethods, WhatLiesBehindTheEyeIsClipped) {
+  Scene scene = stack(8, 8, {{1, 1, 1, 0.5f}});
+  scene.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}};
+  auto& positions = scene.objects[0].mesh.positions;
+  positions = {Vec3(-1e4, -1, 1e4), Vec3(1e4, -1, 1e4), Vec3(1e4, -1, -1e4), Vec3(-1e4, -1, -1e4)};
+  for (const MethodRow& row : oit_methods()) {
+    const Image image = render(row, scene).image;
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x)
+        EXPECT_NEAR(image.at(x, y).a, y < 4 ? 0 : 0.5, 1e-5) << row.name << ' ' << x << ' ' << y;
+  }
+}
+
+// Scale and place of a scene change nothing but the roundings of its double coordinates.
+TEST(PropertyMethods, ScaleAndPlaceOfTheSceneChangeNothing) {
+  const Scene scene = triangle_cloud(32, 32, 20, 14);
+  for (const auto& [scale, offset] : {std::pair(1e10, 0.0), {1e-10, 0.0}, {1.0, 1e7}}) {
+    Scene moved = scene;
+    const auto move = [scale = scale, offset = offset](Vec3& x) { x = scale * x + Vec3(offset); };
+    move(moved.camera.eye);
+    move(moved.camera.target);
+    for (SceneObject& object : moved.objects)
+      for (Vec3& x : object.mesh.positions) move(x);
+    for (const MethodRow& row : oit_methods()) {
+      // Coordinates of 1e7 keep 2e-9 of the scene: a vertex may cross a pixel's centre.
+      std::size_t changed = 0;
+      const Image a = render(row, scene).image, b = render(row, moved).image;
+      for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        changed += glm::length(a.pixels[i] - b.pixels[i]) > 1e-3f;
+      if (row.name == "stochastic") continue;  // its random numbers are a hash of the depth
+      EXPECT_LE(changed, 3u) << row.name << " scale " << scale << " offset " << offset;
+    }
   }
 }
 

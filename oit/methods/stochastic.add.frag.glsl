@@ -1,0 +1,6 @@
+// Adds a sample to the sum.
+layout(binding = 0) uniform sampler2D nearest;
+
+layout(location = 0) out vec4 sum;
+
+void main() { sum = texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
