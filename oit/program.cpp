@@ -25,6 +25,7 @@ constexpr SharedFile shared_files[] = {
     {"optical_depth.glsl", oit_glsl::optical_depth_glsl},
     {"blended_weight.glsl", oit_glsl::blended_weight_glsl},
     {"optical_weight.glsl", oit_glsl::optical_weight_glsl},
+    {"k_nearest.glsl", oit_glsl::k_nearest_glsl},
     {"random.glsl", oit_glsl::random_glsl},
     {"power_moments.glsl", oit_glsl::power_moments_glsl},
     {"fourier_series.glsl", oit_glsl::fourier_series_glsl},

@@ -114,6 +114,31 @@ TEST(UnitMethods, OneBinIsAnAverage) {
   EXPECT_LE(max_difference(render(method("binning"), scene, options).image, expected), 1e-5);
 }
 
+TEST(UnitMethods, KBufferIsExactUpToItsLayers) {
+  const auto layers = random_layers(8, 0.9f, 15);
+  Scene scene = stack(3, 3, layers);
+  std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(3));
+  const Image image = render(method("k-buffer"), scene, {{"layers", "8"}}).image;
+  EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5);
+}
+
+TEST(UnitMethods, KBufferAveragesItsTail) {
+  const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.25f}, {0, 0, 1, 0.5f}};
+  const Scene scene = stack(3, 3, layers);
+  const Image image = render(method("k-buffer"), scene, {{"layers", "1"}}).image;
+  // The tail: opacities 1/4 and 1/2 weight the colours, 3/8 of the background shine through.
+  const std::vector<Rgba> merged = {{1, 0, 0, 0.5f}, {0, 1 / 3.f, 2 / 3.f, 0.625f}};
+  EXPECT_LE(max_difference(image, composite(merged, scene.background)), 1e-5);
+}
+
+TEST(UnitMethods, KBufferKeepsCoincidentLayers) {
+  const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}, {0, 0, 1, 0.5f}};
+  Scene scene = empty_scene(3, 3);
+  for (const Rgba& layer : layers) scene.objects.push_back(sheet(0, layer));
+  const Image image = render(method("k-buffer"), scene).image;
+  EXPECT_NEAR(image.at(1, 1).a, 0.875, 1e-6);
+}
+
 // Two layers: the mean over pixels nears the truth like 1 / sqrt(samples * pixels).
 TEST(UnitMethods, StochasticSamplesConverge) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// k-buffer with a tail: hybrid transparency (Maule, Comba, Torchelsen and Bastos 2013, I3D). The
+/// `layers` nearest fragments of a pixel are sorted and composited exactly; those behind them are
+/// one layer of their weighted average colour and of their exact opacity.
+///
+/// What differs from the paper: no fragment shader interlock is needed. A first pass keeps the
+/// nearest depths by a cascade of atomic minima; in a second pass a fragment that finds its depth
+/// there claims the place for its colour by compare-and-swap, and any other goes to the tail.
+/// Coincident fragments each claim a place of their own.
+///
+/// Accuracy: exact where a pixel has at most `layers` layers; behind them only the order is lost.
+const MethodRow& k_buffer_method();
+
+}  // namespace pellucid
