@@ -131,9 +131,10 @@ void Trajectory::step(FieldSampler& sampler) {
   const bool accepted = !(error > 1) || h * speed() <= options_->tolerance;
   if (accepted) accept(h, k, y1, sampler);
   if (!options_->stepper->adaptive) return;
-  // PI control: Eq. 2.43c with β = 0.4 / p, safety factor 0.9.
-  double factor = 0.9 * std::pow(std::max(error, 1e-10), -0.7 / order);
-  if (accepted) factor *= std::pow(last_error_, 0.4 / order);
+  // PI control: Eq. 2.43c with β = 0.2 / p = 0.04 for p = 5, as DOPRI5 has it.
+  const double beta = 0.2 / order;
+  double factor = 0.92 * std::pow(std::max(error, 1e-10), 0.75 * beta - 1 / order);
+  if (accepted) factor *= std::pow(last_error_, beta);
   factor = std::clamp(factor, 0.2, accepted && !near_edge_ ? 5. : 1.);
   if (accepted) last_error_ = std::max(error, 1e-4), near_edge_ = false;
   h_ = std::max(h * factor, std::numeric_limits<double>::min());
