@@ -39,16 +39,16 @@ CubicInterpolation::CubicInterpolation(const Axis& axis) {
 }
 
 Stencil<4> CubicInterpolation::stencil(const Axis& axis, double p) const {
-  const std::size_t i = axis.cell(p);
-  const double h = axis.width(i), s = (p - axis.position(i)) / h, r = 1 - s;
+  const auto [i, s, inverse_width] = axis.locate(p);
+  const double h = axis.width(i), r = 1 - s;
   Stencil<4> result{std::clamp<std::size_t>(i, 1, axis.size() - 3) - 1, {}, {}};
   const auto add = [&result](std::size_t sample, double value, double slope) {
     result.value[sample - result.first] += value;
     result.slope[sample - result.first] += slope;
   };
   // The Hermite basis on [0, 1] and its derivatives.
-  add(i, r * r * (1 + 2 * s), -6 * s * r / h);
-  add(i + 1, s * s * (1 + 2 * r), 6 * s * r / h);
+  add(i, r * r * (1 + 2 * s), -6 * s * r * inverse_width);
+  add(i + 1, s * s * (1 + 2 * r), 6 * s * r * inverse_width);
   const double tangent[2] = {s * r * r * h, -s * s * r * h};
   const double tangent_slope[2] = {r * (r - 2 * s), s * (s - 2 * r)};
   for (std::size_t end = 0; end < 2; ++end) {

@@ -30,13 +30,23 @@ class Axis {
   double width(std::size_t cell) const { return positions_[cell + 1] - positions_[cell]; }
   double smallest_width() const;
 
-  /// The cell [position(i), position(i + 1)] that holds p, which lies in [front(), back()].
-  std::size_t cell(double p) const {
-    if (inverse_spacing_ > 0)
-      return std::min(static_cast<std::size_t>((p - positions_.front()) * inverse_spacing_),
-                      positions_.size() - 2);
+  /// Where p, in [front(), back()], lies.
+  struct Place {
+    std::size_t cell;      // between samples `cell` and `cell` + 1
+    double s;              // from 0 to 1 across the cell
+    double inverse_width;  // of the cell
+  };
+  Place locate(double p) const {
+    if (inverse_spacing_ > 0) {
+      const double t = (p - positions_.front()) * inverse_spacing_;
+      const auto last = static_cast<std::ptrdiff_t>(positions_.size()) - 2;
+      const auto i = std::min(static_cast<std::ptrdiff_t>(t), last);
+      return {static_cast<std::size_t>(i), t - static_cast<double>(i), inverse_spacing_};
+    }
     const auto above = std::upper_bound(positions_.begin() + 1, positions_.end() - 1, p);
-    return static_cast<std::size_t>(above - positions_.begin()) - 1;
+    const auto i = static_cast<std::size_t>(above - positions_.begin()) - 1;
+    const double inverse_width = 1 / width(i);
+    return {i, (p - positions_[i]) * inverse_width, inverse_width};
   }
 
  private:
@@ -53,9 +63,7 @@ class LinearInterpolation {
   explicit LinearInterpolation(const Axis&) {}
 
   Stencil<2> stencil(const Axis& axis, double p) const {
-    const std::size_t i = axis.cell(p);
-    const double slope = 1 / axis.width(i);
-    const double s = (p - axis.position(i)) * slope;
+    const auto [i, s, slope] = axis.locate(p);
     return {i, {1 - s, s}, {-slope, slope}};
   }
 };
