@@ -47,8 +47,9 @@ Scene wavy_sheets(int layers, int size) {
 /// One pass with a shader that writes constants.
 struct BarePass {
   bool over_geometry;
-  std::vector<GLenum> targets;  // formats; blended additively in a pass over the geometry
+  std::vector<GLenum> targets;  // formats
   std::string shader;
+  Blend last_blend = Blend::add;  // of the last target; the others of a pass over geometry add up
 };
 
 std::string write_constants(int targets) {
@@ -60,6 +61,13 @@ std::string write_constants(int targets) {
 BarePass geometry_into(std::vector<GLenum> targets) {
   const int count = int(targets.size());
   return {true, std::move(targets), write_constants(count)};
+}
+
+// The last target holds a product of transmittances.
+BarePass geometry_into_transmittance(std::vector<GLenum> targets) {
+  BarePass pass = geometry_into(std::move(targets));
+  pass.last_blend = Blend::transmit;
+  return pass;
 }
 
 BarePass picture() { return {false, {GL_RGBA32F}, write_constants(1)}; }
@@ -101,12 +109,13 @@ const std::vector<Case>& cases() {
   static const std::vector<Case> table = {
       {"weighted-sum", {geometry_into({GL_RGBA32F}), picture()}},
       {"weighted-average", {geometry_into({GL_RGBA32F, GL_R32F}), picture()}},
-      {"weighted-blended", {geometry_into({GL_RGBA32F, GL_R32F}), picture()}},
+      {"weighted-blended", {geometry_into_transmittance({GL_RGBA32F, GL_R32F}), picture()}},
       {"fourier:bands=2",
        {geometry_into({GL_RGBA32F, GL_RGBA32F}), geometry_into({GL_RGBA32F}), picture()}},
       {"fourier:bands=5",
        {geometry_into({GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}), geometry_into({GL_RGBA32F}),
         picture()}},
+      {"moment", {geometry_into({GL_R32F, GL_RGBA32F}), geometry_into({GL_RGBA32F}), picture()}},
       {"linked-list",
        {{true, {}, "void main() {}\n"},
         {true, {}, store_node},
@@ -137,6 +146,7 @@ class BareRenderer {
  private:
   struct Pass {
     bool over_geometry;
+    Blend last_blend;
     std::vector<Texture> targets;
     std::vector<Framebuffer> framebuffers;  // one
     Program program;
@@ -145,6 +155,7 @@ class BareRenderer {
   void add(const BarePass& bare, int layers) {
     Pass pass;
     pass.over_geometry = bare.over_geometry;
+    pass.last_blend = bare.last_blend;
     for (const GLenum format : bare.targets)
       pass.targets.emplace_back(stage_.gl(), format, stage_.width(), stage_.height());
     const auto& t = pass.targets;
@@ -171,7 +182,11 @@ class BareRenderer {
   void draw(const Pass& pass) const {
     const Framebuffer& target = pass.framebuffers[0];
     target.clear_all(0);
-    stage_.begin_pass(target, {pass.over_geometry ? Blend::add : Blend::replace});
+    const Blend blend = pass.over_geometry ? Blend::add : Blend::replace;
+    if (target.attachments() > 1)
+      stage_.begin_pass(target, {blend, pass.last_blend});
+    else
+      stage_.begin_pass(target, {blend});
     pass.over_geometry ? stage_.draw_geometry(pass.program) : stage_.draw_screen(pass.program);
     stage_.gl().Finish();
   }

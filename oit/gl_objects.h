@@ -47,10 +47,7 @@ class Texture {
   GLenum format() const { return format_; }
   std::uint64_t bytes() const { return bytes_; }
   /// For sampler2D, sampler2DArray, samplerBuffer of layout(binding = unit).
-  /// An empty texture unbinds nothing.
-  void bind(GLuint unit) const {
-    if (id()) name_.gl().BindTextureUnit(unit, id());
-  }
+  void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, id()); }
   /// For image2D of layout(binding = unit), read and written.
   void bind_image(GLuint unit) const;
   void clear(std::uint32_t value) const;  // every component of an unsigned integer format

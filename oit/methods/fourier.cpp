@@ -45,11 +45,12 @@ class Fourier final : public OitMethod {
     });
     frame.step("weight", [&] {
       sum_target_.clear_all(0);
-      coefficients_.bind(0);
+      coefficients_.bind_image(0);
       stage_.begin_pass(sum_target_, {Blend::add});
       stage_.draw_geometry(weight_);
     });
     frame.step("composite", [&] {
+      coefficients_.bind(0);
       sums_.bind(1);
       stage_.begin_pass(frame.picture(), {Blend::replace});
       stage_.draw_screen(composite_);
@@ -71,6 +72,7 @@ class Fourier final : public OitMethod {
   Program geometry_program(std::string_view fragment, const Parameters& parameters,
                            Defines defines = {}) const {
     defines.emplace_back("BANDS", bands_);
+    defines.emplace_back("PRECISION", parameters.integer("precision"));
     defines.emplace_back("MIDDLE", parameters.text("at") == "middle");
     defines.emplace_back("SUBSET", parameters.integer("subset"));
     Program program = stage_.geometry_program(fragment, std::move(defines));

@@ -2,7 +2,7 @@
 #include "optical_depth.glsl"
 
 layout(binding = 0) uniform sampler2D total;
-layout(binding = 3) uniform sampler2D sums;
+layout(binding = 1) uniform sampler2D sums;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

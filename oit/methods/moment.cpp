@@ -40,15 +40,16 @@ class Moment final : public OitMethod {
       stage_.draw_geometry(project_);
     });
     frame.step("weight", [&] {
-      total_.bind(0);
-      moments_.bind(1);
-      more_.bind(2);
+      total_.bind_image(0);
+      moments_.bind_image(1);
+      if (more_.id()) more_.bind_image(2);
       sum_target_.clear_all(0);
       stage_.begin_pass(sum_target_, {Blend::add});
       stage_.draw_geometry(weight_);
     });
     frame.step("composite", [&] {
-      sums_.bind(3);
+      total_.bind(0);
+      sums_.bind(1);
       stage_.begin_pass(frame.picture(), {Blend::replace});
       stage_.draw_screen(composite_);
     });
