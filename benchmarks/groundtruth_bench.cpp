@@ -13,6 +13,7 @@
 #include <string>
 
 #include "core/stopwatch.h"
+#include "groundtruth/crossing_finder.h"
 #include "groundtruth/raytrace.h"
 #include "scene/scene_file.h"
 
@@ -175,6 +176,23 @@ void against_bare(benchmark::State& state, const Scene& scene, const std::string
   state.counters["crossings"] = double(renderer->render({}).stats.fragments);
 }
 
+/// Finding and ordering alone: what is left of the ratio is the composite's.
+void crossings_against_bare(benchmark::State& state, const Scene& scene) {
+  const CrossingFinder finder(scene, Precision::exact);
+  const BareTraversal bare(scene, true);
+  const auto find_all = [&] {
+    tbb::enumerable_thread_specific<std::vector<Crossing>> buffers;
+    tbb::parallel_for(tbb::blocked_range2d<int>(0, scene.height, 16, 0, scene.width, 16),
+                      [&](const auto& r) {
+                        std::vector<Crossing>& crossings = buffers.local();
+                        for (int y = r.rows().begin(); y < r.rows().end(); ++y)
+                          for (int x = r.cols().begin(); x < r.cols().end(); ++x)
+                            finder.find(finder.frame().ray(x + 0.5, y + 0.5), crossings);
+                      });
+  };
+  in_pairs(state, find_all, [&] { benchmark::DoNotOptimize(bare.run()); });
+}
+
 void one_thread_against_two(benchmark::State& state) {
   const Scene scene = wavy_sheets(8);
   const MethodRow& row = raytrace_method();
@@ -188,6 +206,12 @@ void one_thread_against_two(benchmark::State& state) {
 }
 
 void register_scene(const std::string& name, const Scene& scene) {
+  benchmark::RegisterBenchmark(
+      (name + "/crossings-only/against-robust").c_str(),
+      [&scene](benchmark::State& state) { crossings_against_bare(state, scene); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(5);
   for (const char* precision : {"exact", "double"})
     for (const bool robust : {true, false})
       benchmark::RegisterBenchmark(

@@ -6,13 +6,12 @@
 
 #include "groundtruth/exact_sign.h"
 #include "scene/scene.h"
-#include "scene/unit_frame.h"
 
 namespace pellucid {
 
 /// Where a ray crosses a triangle in front of the eye.
 struct Crossing {
-  double depth;            // view depth, unit lengths (see UnitFrame)
+  double depth;            // view depth, units (see ViewFrame)
   double u, v;             // weights of the triangle's second and third vertex; the first has 1-u-v
   std::uint32_t object;    // index in Scene::objects
   std::uint32_t triangle;  // index in TriangleMesh::triangles
@@ -25,20 +24,20 @@ struct Crossing {
   }
 };
 
-/// Finds every crossing of a ray with a scene. Embree's traversal brings the candidates: each
-/// triangle is a user primitive whose box is widened by more than the rounding of rays and boxes to
-/// float, so none is missed; crosses() decides each. Thread-safe once it is made.
+/// Finds every crossing of a ray with a scene. Embree's traversal brings the candidates: one or
+/// two triangles are a user primitive whose box is widened by more than the rounding of rays and
+/// boxes to float, so none is missed; CrossingTest decides each. Thread-safe once it is made.
 class CrossingFinder {
  public:
   CrossingFinder(const Scene& scene, Precision precision);
   ~CrossingFinder();
 
-  /// All crossings of the ray through a picture point (pixels; centres at +0.5), front to back.
-  /// `crossings` is overwritten; its capacity is reused.
-  void find(double x, double y, std::vector<Crossing>& crossings) const;
+  const ViewFrame& frame() const;
 
-  PictureRay ray(double x, double y) const;  // in the unit frame
-  std::uint64_t bytes() const;               // of the hierarchy and of the vertex copies
+  /// All crossings of the ray, front to back. `crossings` is overwritten; its capacity is reused.
+  void find(const PictureRay& ray, std::vector<Crossing>& crossings) const;
+
+  std::uint64_t bytes() const;  // of the hierarchy and of the vertex copies
 
  private:
   struct State;

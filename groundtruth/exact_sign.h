@@ -1,26 +1,17 @@
 #pragma once
-// On which side of a line does a ray pass? The one decision on which every crossing rests.
+// On which side of an edge does a ray pass? The one decision on which every crossing rests.
 
 #include "core/vec.h"
-#include "scene/camera.h"
+#include "groundtruth/view_frame.h"
 
 namespace pellucid {
 
-/// A ray through a point of the picture, and how it moves with that point: the exact tests perturb
-/// the point by (+ε, +ε²) pixels to the right and down, infinitesimally, so that no ray meets an
-/// edge or a vertex. This is a rasterizer's top-left rule.
-struct PictureRay {
-  Vec3 origin;
-  Vec3 direction;  // component along the viewing axis is 1
-  Vec3 step_x;     // what one pixel to the right adds to the direction, or to the origin
-  Vec3 step_y;     // one pixel down
-  Projection projection = Projection::perspective;
-};
-
-/// Values of the three edge functions of a triangle (a, b, c) for a ray (o, d),
-///   e[0] = det(d, b - o, c - o),  e[1] = det(d, c - o, a - o),  e[2] = det(d, a - o, b - o):
-/// six times the volumes of the tetrahedra that the ray's direction spans with the edges. The
-/// point where the ray meets the triangle's plane has the barycentric coordinates e / Σe.
+/// The edge functions of a triangle (a, b, c) for a ray. In view coordinates, sheared so that the
+/// ray becomes the z-axis, a vertex lies at
+///   a' = (a.x - x a.z, a.y - y a.z)   (perspective)   or   (a.x - x, a.y - y)   (orthographic),
+/// and e[0] = b' × c', e[1] = c' × a', e[2] = a' × b'. For a perspective ray these are the
+/// determinants det(d, b, c), … of its direction d = (x, y, 1). The ray meets the triangle's plane
+/// at the barycentric coordinates e / Σe.
 struct EdgeFunctions {
   double e[3];
 };
@@ -30,11 +21,24 @@ enum class Precision {
   exact     // signs of the exact values: a filter first, unbounded precision where it cannot tell
 };
 
-/// True when the perturbed ray's line crosses the triangle; then `edges` holds e, all of one sign
-/// (zeros where the unperturbed ray meets an edge). A triangle that the ray's line sees edge-on or
-/// that has no area is never crossed. Exact precision makes crossings of a mesh consistent: the
-/// line crosses exactly one of the triangles around an edge or vertex that continue each other.
-bool crosses(const PictureRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
-             Precision precision, EdgeFunctions& edges);
+/// Decides crossings of one ray with triangles whose coordinates are at most `largest` in size.
+class CrossingTest {
+ public:
+  CrossingTest(const PictureRay& ray, double largest, Precision precision);
+
+  /// True when the ray's line crosses the triangle; then `edges` holds e, all of one sign. Where
+  /// the ray meets an edge or a vertex, its picture point is taken to lie (ε, ε²) pixels to the
+  /// right and down, infinitesimally: a rasterizer's top-left rule. A triangle that is seen edge-on
+  /// or has no area is never crossed. With exact precision the ray crosses exactly one of the
+  /// triangles around an edge or vertex that continue each other.
+  bool crosses(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const;
+
+ private:
+  bool crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const;
+
+  PictureRay ray_;
+  Precision precision_;
+  double bound_;  // on the rounding error of an edge function
+};
 
 }  // namespace pellucid

@@ -77,9 +77,9 @@ class Raytracer : public Renderer {
     std::uint64_t count = 0;
     for (int y = range.rows().begin(); y < range.rows().end(); ++y)
       for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
-        finder_.find(x + 0.5, y + 0.5, crossings);
-        const Composite pixel =
-            composite(scene_, crossings, finder_.ray(x + 0.5, y + 0.5).direction);
+        const PictureRay ray = finder_.frame().ray(x + 0.5, y + 0.5);
+        finder_.find(ray, crossings);
+        const Composite pixel = composite(scene_, crossings, finder_.frame().world_direction(ray));
         result.image.at(x, y) = Rgba(pixel.color, 1 - pixel.transmittance);
         if (!result.layers.pixels.empty())
           result.layers.at(x, y) = static_cast<std::uint32_t>(crossings.size());

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "scene/scene.h"
+
+namespace pellucid {
+
+/// A ray through a point of the picture, in view coordinates. Perspective: from the eye (the
+/// origin) through (x, y, 1). Orthographic: from (x, y, 0) along +z.
+struct PictureRay {
+  double x, y;
+  Projection projection;
+};
+
+/// View coordinates in which crossings are decided: x right, y up, z the view depth, the eye at the
+/// origin, in units (world lengths times a power of two, see UnitFrame). Vertices are rounded to
+/// them once, so that triangles that share a vertex still share it.
+class ViewFrame {
+ public:
+  explicit ViewFrame(const Scene& scene);
+
+  Vec3 from_world(const Vec3& x) const;
+
+  /// px runs right, py down, in pixels from the picture's top left corner.
+  PictureRay ray(double px, double py) const;
+
+  /// The ray's direction in the world's axes; not normalized.
+  Vec3 world_direction(const PictureRay& ray) const;
+
+ private:
+  CameraFrame camera_;
+  Projection projection_;
+  double scale_;                // units per world length
+  double pixel_;                // side of a pixel, as PictureRay counts
+  double center_x_, center_y_;  // of the picture, pixels
+};
+
+}  // namespace pellucid
