@@ -1,5 +1,5 @@
-// Image metrics on 1000×1000 RGB. `scripts/bench-skimage.py` times scikit-image's SSIM of the same
-// size on the same machine.
+// Image metrics on 1000×1000 RGB. `scripts/make-metric-expectations.py --time` times scikit-image's
+// SSIM of the same pictures on the same machine.
 #include <benchmark/benchmark.h>
 
 #include "compare/metrics.h"

@@ -46,11 +46,17 @@ TEST(UnitImageFile, ExrKeepsEveryBit) {
 
 TEST(UnitImageFile, PngHoldsTheNearestBytesWithoutATransferCurve) {
   const TemporaryFolder folder;
-  Image image(256, 1);
-  for (int n = 0; n < 256; ++n) image.at(n, 0) = Rgba((float(n) + 0.4f) / 255.f);
+  Image image(256, 2);
+  for (int n = 0; n < 256; ++n) {
+    image.at(n, 0) = Rgba((float(n) + 0.4f) / 255.f);
+    image.at(n, 1) = Rgba((float(n) - 0.4f) / 255.f);
+  }
   write_image(folder / "a.png", image);
   const Image back = read_image(folder / "a.png");
-  for (int n = 0; n < 256; ++n) EXPECT_FLOAT_EQ(back.at(n, 0).g, float(n) / 255.f);
+  for (int n = 0; n < 256; ++n) {
+    EXPECT_FLOAT_EQ(back.at(n, 0).g, float(n) / 255.f);
+    EXPECT_FLOAT_EQ(back.at(n, 1).g, float(n) / 255.f);
+  }
   EXPECT_EQ(back.at(3, 0).a, 1);
 }
 
