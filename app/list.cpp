@@ -120,6 +120,14 @@ void print(const nlohmann::ordered_json& rows) {
   }
 }
 
+/// The columns that are short enough for a table: name, title, citation.
+void print_markdown(const nlohmann::ordered_json& rows) {
+  std::cout << "| name | what it is | source |\n|---|---|---|\n";
+  for (const nlohmann::ordered_json& row : rows)
+    std::cout << fmt::format("| `{}` | {} | {} |\n", text_of(row["name"]), text_of(row["title"]),
+                             text_of(row.contains("citation") ? row["citation"] : row["source"]));
+}
+
 }  // namespace
 
 void add_list_command(CLI::App& app, GlobalOptions& globals) {
@@ -129,11 +137,15 @@ void add_list_command(CLI::App& app, GlobalOptions& globals) {
   CLI::App* command = app.add_subcommand("list", "List " + names);
   const auto what = std::make_shared<std::string>();
   command->add_option("WHAT", *what, names)->required();
+  const auto markdown = std::make_shared<bool>(false);
+  command->add_flag("--markdown", *markdown, "Print a Markdown table of names and sources");
   add_global_options(*command, globals);
-  command->callback([what, &globals] {
+  command->callback([what, markdown, &globals] {
     const nlohmann::ordered_json rows = find_row("listing", *what, listings).make();
     if (globals.json)
       std::cout << rows.dump(2) << '\n';
+    else if (*markdown)
+      print_markdown(rows);
     else
       print(rows);
   });

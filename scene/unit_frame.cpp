@@ -14,12 +14,4 @@ UnitFrame unit_frame(const Scene& scene) {
   return {box.center(), std::exp2(-std::ceil(std::log2(largest)))};
 }
 
-Camera in_unit_frame(const UnitFrame& frame, const Camera& camera) {
-  Camera unit = camera;
-  unit.eye = frame.from_world(camera.eye);
-  unit.target = frame.from_world(camera.target);
-  unit.height = camera.height * frame.scale;
-  return unit;
-}
-
 }  // namespace pellucid

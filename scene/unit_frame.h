@@ -17,7 +17,4 @@ struct UnitFrame {
 /// A scene of one single point has scale 1.
 UnitFrame unit_frame(const Scene& scene);
 
-/// The camera as the unit frame sees it: it takes the same picture.
-Camera in_unit_frame(const UnitFrame& frame, const Camera& camera);
-
 }  // namespace pellucid
