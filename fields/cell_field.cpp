@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
 #include <vtkStaticCellLocator.h>
-#include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include <array>
 
-#include "core/error.h"
 #include "fields/cell_grid.h"
 #include "fields/finite.h"
 
@@ -24,7 +19,7 @@ namespace {
 class CellSampler final : public FieldSampler {
  public:
   CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
-      : locator_(locator), grid_(grid), weights_(std::size_t(grid.largest_cell)) {}
+      : locator_(locator), grid_(grid) {}
 
   SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
     if (!find(x)) return SampleStatus::outside;
@@ -56,7 +51,7 @@ class CellSampler final : public FieldSampler {
   vtkStaticCellLocator* locator_;
   const CellGrid& grid_;
   vtkNew<vtkGenericCell> cell_;
-  std::vector<double> weights_;
+  std::array<double, CellGrid::largest_cell> weights_{};
   double parametric_[3] = {0, 0, 0};
 };
 

@@ -194,15 +194,20 @@ std::vector<Mat3> mean_jacobians(const CellGrid& grid) {
 
 }  // namespace
 
+// Through the derivatives of position and velocity by the parametric coordinates. VTK's own
+// Derivatives() does the same, but prints where a cell is flat; here that gives infinities.
 Mat3 CellGrid::jacobian(vtkGenericCell& cell, const double parametric[3]) const {
-  double values[3 * 27], derivatives[9], place[3] = {parametric[0], parametric[1], parametric[2]};
-  for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
-    for (int c = 0; c < 3; ++c) values[3 * i + c] = velocity(cell.GetPointId(i))[c];
-  cell.Derivatives(0, place, values, 3, derivatives);
-  Mat3 result;
+  double derivatives[3 * largest_cell];
+  cell.InterpolateDerivs(parametric, derivatives);
+  const int count = cell.GetNumberOfPoints();
+  Mat3 position(0), value(0);
   for (int axis = 0; axis < 3; ++axis)
-    for (int c = 0; c < 3; ++c) result[axis][c] = derivatives[3 * c + axis];
-  return result;
+    for (int i = 0; i < count; ++i) {
+      const double weight = derivatives[axis * count + i];
+      position[axis] += weight * point_at(cells, cell.GetPointId(i));
+      value[axis] += weight * velocity(cell.GetPointId(i));
+    }
+  return value * glm::inverse(position);
 }
 
 double CellGrid::smallest_width() const {
@@ -235,7 +240,6 @@ CellGrid make_cell_grid(vtkDataSet* data, vtkDataArray* vectors, const Path& pat
   grid.cells = volume_of(data, path);
   if (grid.cells->GetNumberOfCells() == 0) fail(path, "it has no volume cells");
   grid.bounds = checked_bounds(grid.cells, path);
-  grid.largest_cell = 27;
   grid.velocities.reserve(std::size_t(vectors->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
     grid.velocities.push_back(tuple_at(vectors, i));

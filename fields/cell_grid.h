@@ -15,10 +15,11 @@ namespace pellucid {
 
 /// Volume cells with a velocity at each point: checked, so that VTK can search them safely.
 struct CellGrid {
+  static constexpr int largest_cell = 27;  // most points of a cell that is accepted
+
   vtkSmartPointer<vtkDataSet> cells;
   std::vector<Vec3> velocities;  // by point
   Box3 bounds;
-  int largest_cell = 8;  // most points of one cell
 
   const Vec3& velocity(vtkIdType point) const { return velocities[std::size_t(point)]; }
 

@@ -27,8 +27,8 @@ class FieldSampler {
   virtual SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) = 0;
 };
 
-/// A vector field v(x, t). Immutable and shared between threads; samplers are per thread and must not
-/// outlive it.
+/// A vector field v(x, t). Immutable and shared between threads; samplers are per thread and must
+/// not outlive it.
 class VectorField {
  public:
   virtual ~VectorField() = default;

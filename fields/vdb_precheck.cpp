@@ -1,6 +1,7 @@
 #include "fields/vdb_precheck.h"
 
 #include <fmt/format.h>
+#include <openvdb/version.h>
 
 #include <cstdint>
 #include <fstream>
@@ -100,8 +101,9 @@ void precheck_vdb(const std::filesystem::path& path) {
   Walker walk(path);
   if (walk.number<std::uint64_t>() != 0x56444220) walk.fail("it does not begin with VDB's mark");
   const auto version = walk.number<std::uint32_t>();
-  if (version < oldest_version || version > 10000)
-    walk.fail(fmt::format("format version {}; accepted: {} and later", version, oldest_version));
+  if (version < oldest_version || version > openvdb::OPENVDB_FILE_VERSION)
+    walk.fail(fmt::format("format version {}; accepted: {} to {}", version, oldest_version,
+                          std::uint32_t(openvdb::OPENVDB_FILE_VERSION)));
   walk.skip(2 * sizeof(std::uint32_t));  // version of the library
   if (walk.number<std::uint8_t>() != 1) walk.fail("its grids cannot be found");
   walk.skip(36);  // the file's identity

@@ -171,6 +171,16 @@ TEST_F(UnitBadFiles, CellsHaveToPointSomewhere) {
   EXPECT_THAT(grid("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n41\n"), HasSubstr("VTK type 41"));
 }
 
+TEST_F(UnitBadFiles, FlatCellsHaveNoJacobianAndPrintNothing) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(legacy("UNSTRUCTURED_GRID",
+                   "POINTS 5 float\n0 0 0 1 0 0 0 1 0 0 0 1 1 1 0\nCELLS 2 10\n4 0 1 2 3\n"
+                   "4 0 1 2 4\nCELL_TYPES 2\n10\n10\nPOINT_DATA 5\nVECTORS v float\n"
+                   "1 0 0 1 0 0 1 0 0 1 0 0 1 0 0"),
+            "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(UnitBadFiles, ClaimsBeyondTheFileAreRefused) {
   EXPECT_THAT(complaint_about(folder_, "huge.vti",
                               "<VTKFile type=\"ImageData\" version=\"1.0\"><ImageData "
