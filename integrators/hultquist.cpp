@@ -112,7 +112,6 @@ void RibbonFront::advance(int p) {
   particle.head = *particle.next;
   particle.next.reset();
   particle.path.release(particle.head.t);
-  particle.head.vertex = run_.add_vertex(particle);
   look_ahead(p);
   if (left >= 0) tile(left, p, p, before);
   if (right >= 0) tile(p, right, p, before);
@@ -133,7 +132,8 @@ void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& befo
       wake(p);
     }
   }
-  if (edges.size() == 1) merge(advanced, advanced == left ? right : left);
+  const bool whole = edges.size() == 1 && edges[0].left == left && edges[0].right == right;
+  if (whole) merge(advanced, advanced == left ? right : left);
 }
 
 /// Takes `middle` out when p, that just advanced, and the particle beyond have come so close that

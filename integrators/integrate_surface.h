@@ -16,7 +16,7 @@ namespace pellucid {
 /// What a surface took.
 struct SurfaceStats {
   std::uint64_t particles = 0;    // trajectories started on the seed curve
-  std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian
+  std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian, discarded tries too
   double seconds = 0;             // wall clock
   std::uint64_t bytes = 0;        // largest size of the mesh and the trajectories together
   EndCounts ends;                 // how many particles ended for which reason

@@ -128,10 +128,9 @@ IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOption
   };
   IntegratedSurface surface = sweep_all();
   if (!tears.empty()) {
-    const SurfaceStats first = surface.stats;
+    const std::uint64_t evaluations = surface.stats.evaluations;
     surface = sweep_all();
-    surface.stats.particles += first.particles;
-    surface.stats.evaluations += first.evaluations;
+    surface.stats.evaluations += evaluations;
   }
   surface.stats.seconds = watch.seconds();
   return surface;

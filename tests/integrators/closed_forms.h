@@ -1,0 +1,101 @@
+#pragma once
+// Integral surfaces that are known in closed form: their distance is that of an implicit surface,
+// which owes nothing to any integrator.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "fields/make_field.h"
+#include "integrators/integrate_surface.h"
+
+namespace pellucid::testing {
+
+struct ClosedForm {
+  std::string name, field;
+  SeedCurve seed;
+  double duration;
+  bool path;
+  std::function<double(const Vec3& x)> implicit;  // 0 on the surface
+};
+
+inline std::ostream& operator<<(std::ostream& out, const ClosedForm& form) {
+  return out << form.name;
+}
+
+/// The wave z = A sin(kx) at y = 1, which saddles carry to z = A sin(kxy).
+inline SeedCurve wave_seed(double x0, double x1, double A, double k) {
+  return callable_seed(
+      [=](double s) {
+        const double x = x0 + s * (x1 - x0);
+        return Vec3(x, 1, A * std::sin(k * x));
+      },
+      false,
+      [=](double s) {
+        const double x = x0 + s * (x1 - x0);
+        return (x1 - x0) * Vec3(1, 0, A * k * std::cos(k * x));
+      });
+}
+
+inline double wave(const Vec3& x) { return x.z - 0.2 * std::sin(3 * x.x * x.y); }
+
+inline std::vector<ClosedForm> closed_forms() {
+  return {
+      {"Helicoid", "rotation:omega=1,c=0.5", segment_seed({0.2, 0, 0}, {1, 0, 0}), 4, false,
+       [](const Vec3& x) { return x.x * std::sin(2 * x.z) - x.y * std::cos(2 * x.z); }},
+      {"HalfSaddle", "saddle", wave_seed(0.2, 1, 0.2, 3), 1.5, false, wave},
+      {"Shear", "shear:b=1",
+       callable_seed([](double s) { return Vec3(0, s, 0.2 * std::sin(3 * s)); }), 1.5, false,
+       [](const Vec3& x) { return x.z - 0.2 * std::sin(3 * x.y); }},
+      {"UnsteadySaddle", "pulsing-saddle", wave_seed(0.2, 1, 0.2, 3), 1.2, true, wave},
+      // Every particle runs on a unit circle through its seed: a cylinder.
+      {"UnsteadyDrift", "drift", segment_seed({0, 0, 0}, {0.3, 0, 1}), 3, true,
+       [](const Vec3& x) { return std::hypot(x.x - 0.3 * x.z, x.y - 1) - 1; }},
+  };
+}
+
+/// |F| / |∇F|, which is the distance to first order.
+inline double implicit_distance(const ClosedForm& form, const Vec3& x) {
+  constexpr double h = 1e-6;
+  Vec3 gradient;
+  for (int i = 0; i < 3; ++i) {
+    Vec3 a = x, b = x;
+    a[i] -= h;
+    b[i] += h;
+    gradient[i] = (form.implicit(b) - form.implicit(a)) / (2 * h);
+  }
+  return std::abs(form.implicit(x)) / glm::length(gradient);
+}
+
+struct Swept {
+  std::unique_ptr<VectorField> field;
+  SurfaceRequest request;
+  IntegratedSurface surface;
+};
+
+inline Swept sweep(const ClosedForm& form, std::string_view integrator) {
+  Swept swept{make_field(form.field), {}, {}};
+  swept.request.field = swept.field.get();
+  swept.request.seed = form.seed;
+  swept.request.duration = form.duration;
+  swept.request.path = form.path;
+  swept.surface = integrate_surface(integrator, swept.request);
+  return swept;
+}
+
+/// Largest distance over each triangle's middle and the middles of its sides.
+inline double largest_distance(const ClosedForm& form, const TriangleMesh& mesh) {
+  double largest = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 &x = mesh.positions[a], &y = mesh.positions[b], &z = mesh.positions[c];
+    for (const Vec3& p : {(x + y + z) / 3.0, 0.5 * (x + y), 0.5 * (y + z), 0.5 * (z + x)})
+      largest = std::max(largest, implicit_distance(form, p));
+  }
+  return largest;
+}
+
+}  // namespace pellucid::testing
