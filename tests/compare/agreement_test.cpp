@@ -1,0 +1,108 @@
+// Independent paths to one picture: the ray tracer, and every method of the table by OpenGL.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/methods.h"
+#include "scene/appearance.h"
+#include "scene/scene_file.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+
+Rendering render(const Scene& scene, const MethodRow& row, const RawOptions& options = {}) {
+  return row.make(scene, Parameters(row.name, row.parameters, options), {})
+      ->render({.layers = true});
+}
+
+Rendering truth(const Scene& scene) { return render(scene, methods().front()); }
+
+/// Over the pixels in which both see as many layers.
+struct Agreement {
+  double rmse = 0, largest = 0;
+  std::size_t other_coverage = 0;
+};
+
+Agreement agreement(const Rendering& reference, const Rendering& test) {
+  Agreement result;
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < test.image.pixels.size(); ++i) {
+    if (reference.layers.pixels[i] != test.layers.pixels[i]) {
+      ++result.other_coverage;
+      continue;
+    }
+    for (int c = 0; c < 3; ++c) {
+      const double d =
+          std::abs(double(reference.image.pixels[i][c]) - double(test.image.pixels[i][c]));
+      result.largest = std::max(result.largest, d);
+      sum += d * d;
+      ++count;
+    }
+  }
+  result.rmse = std::sqrt(sum / double(count));
+  return result;
+}
+
+class PropertyMethodAgainstTruth : public ::testing::TestWithParam<MethodRow> {};
+
+TEST_P(PropertyMethodAgainstTruth, OneLayerIsTheTruth) {
+  // One tilted, lit, many-coloured rectangle under perspective. 1e-4: half precision has 5e-4 at 1,
+  // so a method may not lose its fragment to it; float sums and an exp cost about 1e-6.
+  Scene scene;
+  scene.width = 101;
+  scene.height = 67;
+  scene.lighting = Lighting::headlight;
+  scene.background = Vec3(0.9, 1, 0.8);
+  TriangleMesh mesh = rectangle(-1, 1.2, -1.1, 1, 0, Rgba(0, 0, 0, 0.6f));
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh.positions[i].z = 0.3 * mesh.positions[i].x - 0.5 * mesh.positions[i].y;
+    mesh.colors[i] =
+        Rgba(0.1f + 0.2f * float(i), 0.9f - 0.2f * float(i), i % 2, 0.2f + 0.2f * float(i));
+  }
+  mesh.normals.clear();
+  ensure_normals(mesh);
+  scene.objects = {{"", mesh}};
+  const Agreement found = agreement(truth(scene), render(scene, GetParam()));
+  EXPECT_LE(found.largest, 1e-4);
+  // The outline is some 250 pixels long, and OpenGL snaps it to 1/256 pixel.
+  EXPECT_LE(found.other_coverage, 4u);
+}
+
+TEST_P(PropertyMethodAgainstTruth, ExactMethodsAgreeOnAHardScene) {
+  if (!GetParam().promises.exact) GTEST_SKIP() << "promises no exactness";
+  Scene scene;
+  scene.width = scene.height = 200;
+  scene.objects = {{"", random_triangles(400, 11)}, {"", sphere(3, Rgba(0.2, 0.5, 1, 0.3f))}};
+  const Agreement found = agreement(truth(scene), render(scene, GetParam()));
+  EXPECT_LE(found.rmse, 1e-4);
+  // Random triangles have some 400 · 100 pixels of outline; one in 256 is snapped past a centre.
+  EXPECT_LE(found.other_coverage, 400u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, PropertyMethodAgainstTruth,
+                         ::testing::ValuesIn(methods().begin(), methods().end()),
+                         [](const auto& method) {
+                           std::string name(method.param.name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(SlowAgreement, LinkedListsEqualTheRayTracerOnTheAbcFlow) {
+  const Scene scene = load_scene(PELLUCID_SOURCE_DIR "/scenes/abc.json");
+  for (const MethodRow& row : methods()) {
+    if (row.name != "linked-list") continue;
+    const Rendering test = render(scene, row);
+    const Agreement found = agreement(truth(scene), test);
+    EXPECT_GE(test.stats.max_layers, 5u) << "the surface no longer folds over itself";
+    EXPECT_LE(found.rmse, 1e-4);
+    EXPECT_LE(found.other_coverage, test.image.pixels.size() / 1000);
+  }
+}
+
+}  // namespace
+}  // namespace pellucid
