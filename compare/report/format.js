@@ -11,7 +11,7 @@ function make(tag, attributes = {}, ...children) {
   return element;
 }
 
-const superscripts = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+const superscript = (text) => [...text].map((c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("");
 
 /** Three digits; small numbers as 1.23·10⁻⁴. */
 function scientific(x) {
@@ -19,7 +19,7 @@ function scientific(x) {
   if (x === 0) return "0";
   if (Math.abs(x) >= 1e-3 && Math.abs(x) < 1e4) return x.toPrecision(3);
   const [digits, power] = x.toExponential(2).split("e");
-  return `${digits}·10${[...String(Number(power))].map((c) => superscripts[c]).join("")}`;
+  return `${digits}·10${superscript(String(Number(power)))}`;
 }
 
 /** At least `decimals`, and one more digit where the number is small. */
@@ -32,7 +32,7 @@ const milliseconds = (seconds) => fixed(seconds * 1e3, 1);
 const megabytes = (bytes) => fixed(bytes / 1e6, 1);
 const similarity = (x) => (x == null ? "–" : x === 1 ? "1" : x > 0.99995 ? ">0.9999" : x.toFixed(4));
 /** JSON holds no infinity: the PSNR of equal pictures is null. */
-const decibels = (x) => (x == null ? "∞" : x.toFixed(1));
+const decibels = (x) => (x == null || x === Infinity ? "∞" : x.toFixed(1));
 const count = (n) => n.toLocaleString("en").replaceAll(",", "\u202f");
 const percent = (share) => (share === 0 ? "0 %" : `${(100 * share).toPrecision(2)} %`);
 

@@ -1,6 +1,8 @@
 // A card per method: picture, zoom-in and error map, its numbers below. A click flips the picture
 // and its zoom-in to the reference and back.
 
+const pictureOf = ({ width, height }, src, alt) => make("img", { src, alt, width, height, draggable: "false" });
+
 /** The crop of `scene` shown over the whole width of its frame, pixels as squares. */
 function zoomIn(scene, source, title) {
   const [x, y, width, height] = scene.crop;
@@ -24,7 +26,8 @@ function cropBox(scene) {
 function numbers(row) {
   const entries = [["SSIM", similarity(row.metrics.ssim)], ["RMSE", scientific(row.metrics.rmse)],
                    ["ms", milliseconds(row.seconds.median)], ["MB", megabytes(row.bytes.total)]];
-  return make("dl", { class: "numbers" }, entries.map(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
+  const cells = entries.map(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]);
+  return make("dl", { class: "numbers" }, cells);
 }
 
 /** For exact methods: where the numbers of layers differ, and the error where they don't. */
@@ -41,7 +44,8 @@ function droppedNote(row) {
 }
 
 function failedCard(row) {
-  return make("figure", { class: "card" }, make("div", { class: "failed" }, row.error), make("figcaption", {}, caption(row)));
+  const why = make("div", { class: "failed" }, row.error);
+  return make("figure", { class: "card" }, why, make("figcaption", {}, caption(row)));
 }
 
 function caption(row, enlarge) {
@@ -65,22 +69,26 @@ function pictureCard(scene, row, reference, enlarge) {
     card.classList.toggle("flipped", on);
     for (const view of views) view.show(on);
   };
-  const whole = make("img", { src: row.picture, alt: row.name, width: scene.width, height: scene.height, draggable: "false" });
+  const whole = pictureOf(scene, row.picture, row.name);
   const beside = row.reference ? errorLegend(data.error_scale) : errorMap(scene, row, enlarge);
+  const closer = zoomIn(scene, row.picture, `${row.name}, zoomed in`);
   views.push(flippable(row, reference, whole, cropBox(scene), () => flip()),
-             flippable(row, reference, zoomIn(scene, row.picture, `${row.name}, zoomed in`), null, () => flip()));
+             flippable(row, reference, closer, null, () => flip()));
   const zoom = views[1].frame;
   zoom.classList.add("zoom");
   zoom.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
-  card.append(views[0].frame, make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), beside),
-              make("figcaption", {}, caption(row, open), numbers(row), coverageNote(row), droppedNote(row)));
+  const pair = make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), beside);
+  const notes = [numbers(row), coverageNote(row), droppedNote(row)];
+  card.append(views[0].frame, pair, make("figcaption", {}, caption(row, open), notes));
   return { card, flip };
 }
 
 function errorMap(scene, row, enlarge) {
-  const image = make("img", { src: row.error_map, alt: `error of ${row.name}`, width: scene.width, height: scene.height });
-  const frame = make("button", { class: "frame", type: "button", "aria-label": `Enlarge the error of ${row.name}`, onclick: () => enlarge(row, "error") }, image);
+  const image = pictureOf(scene, row.error_map, `error of ${row.name}`);
+  const label = `Enlarge the error of ${row.name}`;
+  const onclick = () => enlarge(row, "error");
+  const frame = make("button", { class: "frame", type: "button", "aria-label": label, onclick }, image);
   frame.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   return make("div", {}, frame, make("small", {}, "error"));
 }
@@ -95,5 +103,6 @@ function errorLegend({ min, max, colors }) {
     tick.style.left = `${(100 * i) / decades}%`;
     bar.append(tick);
   }
-  return make("div", { class: "scale" }, make("small", {}, "error maps: the largest error of red, green and blue"), bar);
+  const meaning = make("small", {}, "error maps: the largest error of red, green and blue");
+  return make("div", { class: "scale" }, meaning, bar);
 }

@@ -24,12 +24,19 @@ function machineFacts(rows) {
 }
 
 function sceneFacts(rows) {
-  return rows.filter((row) => row.reference && row.scene_provenance).map((row) => [make("h3", {}, row.scene), facts(Object.entries(row.scene_provenance))]);
+  const known = rows.filter((row) => row.reference && row.scene_provenance);
+  return known.map((row) => [make("h3", {}, row.scene), facts(Object.entries(row.scene_provenance))]);
 }
 
+const measures = `Times are medians of wall-clock seconds around finished work, after one warm-up. Memory is
+what a method allocates beyond the scene's geometry and the final picture. RMSE, PSNR and SSIM (Wang et al. 2004,
+11×11 Gaussian window) are of the float pictures.`;
+
 function provenanceSection(data) {
-  return make("section", { id: "provenance" }, make("h2", {}, "Provenance"),
-    make("h3", {}, "Methods"), methodFacts(data.methods), sceneFacts(data.rows), make("h3", {}, "Machine"), machineFacts(data.rows),
-    make("p", { class: "note" }, "Times are medians of wall-clock seconds around finished work, after one warm-up. Memory is what a method " +
-      "allocates beyond the scene's geometry and the final picture. RMSE, PSNR and SSIM (Wang et al. 2004, 11×11 Gaussian window) are of the float pictures."));
+  return make("section", { id: "provenance" },
+    make("h2", {}, "Provenance"),
+    make("h3", {}, "Methods"), methodFacts(data.methods),
+    sceneFacts(data.rows),
+    make("h3", {}, "Machine"), machineFacts(data.rows),
+    make("p", { class: "note" }, measures));
 }

@@ -13,15 +13,22 @@ function headSection() {
   const failed = data.rows.filter((row) => row.error).length;
   const machine = data.rows.find((row) => !row.error)?.machine ?? {};
   const methods = new Set(data.rows.filter((row) => !row.reference).map((row) => row.name)).size;
-  const lead = `${counted(scenes, "scene")} × ${counted(methods, "method")}, each picture measured against ${reference}` +
-    (machine.cpu ? `; on ${machine.cpu}, ${counted(machine.cores, "core")}.` : ".");
-  return [make("h1", {}, data.study.title), data.study.source && make("p", { class: "source" }, data.study.source), make("p", { class: "lead" }, lead),
-          failed > 0 && make("p", { class: "failed" }, `${failed} of the cells failed; the table says why.`)].filter(Boolean);
+  const size = `${counted(scenes, "scene")} × ${counted(methods, "method")}`;
+  const where = machine.cpu ? `; on ${machine.cpu}, ${counted(machine.cores, "core")}` : "";
+  const lead = `${size}, each picture measured against ${reference}${where}.`;
+  const parts = [
+    make("h1", {}, data.study.title),
+    data.study.source && make("p", { class: "source" }, data.study.source),
+    make("p", { class: "lead" }, lead),
+    failed > 0 && make("p", { class: "failed" }, `${counted(failed, "cell")} failed; the table says why.`),
+  ];
+  return parts.filter(Boolean);
 }
 
 function sceneLead(scene, reference) {
   const pixels = scene.width * scene.height;
-  return `${scene.width} × ${scene.height} pixels, ${(reference.fragments / pixels).toPrecision(3)} layers per pixel on average, ` +
+  const average = (reference.fragments / pixels).toPrecision(3);
+  return `${scene.width} × ${scene.height} pixels, ${average} layers per pixel on average, ` +
     `${count(reference.max_layers)} at most. The frame in each picture marks its zoom-in.`;
 }
 
@@ -36,14 +43,17 @@ function sceneSection(scene) {
   });
   const plots = make("div", { class: "plots" });
   redraws.push(plotsOf(done, plots));
-  return make("section", { id: `scene-${scene.name}` }, make("h2", {}, scene.name), make("p", { class: "lead" }, sceneLead(scene, done[0])),
+  const lead = make("p", { class: "lead" }, sceneLead(scene, done[0]));
+  return make("section", { id: `scene-${scene.name}` }, make("h2", {}, scene.name), lead,
               make("div", { class: "cards" }, cards), plots);
 }
 
 function navigation() {
-  const links = data.scenes.map((scene) => [`scene-${scene.name}`, scene.name]).concat([["table", "All numbers"], ["provenance", "Provenance"]]);
+  const scenes = data.scenes.map((scene) => [`scene-${scene.name}`, scene.name]);
+  const links = [...scenes, ["table", "All numbers"], ["provenance", "Provenance"]];
+  const keys = ["click a picture, or ", make("kbd", {}, "F"), " for all: flip to the reference"];
   return make("div", {}, links.map(([id, text]) => make("a", { href: `#${id}` }, text)),
-              make("span", { class: "keys" }, "click a picture, or ", make("kbd", {}, "F"), " for all: flip to the reference"));
+              make("span", { class: "keys" }, keys));
 }
 
 let allFlipped = false;
@@ -58,11 +68,8 @@ function redraw() {
 
 document.getElementById("head").append(...headSection());
 document.getElementById("nav").append(navigation());
-document.getElementById("main").append(
-  ...data.scenes.map(sceneSection),
-  make("section", { id: "table" }, make("h2", {}, "All numbers"),
-       make("p", { class: "lead" }, "A click on a head sorts. The best of each scene, the reference left out, is in colour."), sortableTable(data.rows)),
-  provenanceSection(data));
+const sections = [...data.scenes.map(sceneSection), tableSection(data.rows), provenanceSection(data)];
+document.getElementById("main").append(...sections);
 redraw();
 
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
@@ -72,5 +79,6 @@ addEventListener("resize", () => {
   resizing = setTimeout(redraw, 150);
 });
 addEventListener("keydown", (event) => {
-  if (event.key.toLowerCase() === "f" && !event.ctrlKey && !event.metaKey && !event.altKey && !viewer.dialog.open) flipAll();
+  const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
+  if (event.key.toLowerCase() === "f" && plain && !viewer.dialog.open) flipAll();
 });

@@ -1,32 +1,41 @@
 // All numbers of the study, sorted by a click on a column's head.
 
 const columns = [
-  { title: "Scene", value: (row) => row.scene, text: (row) => row.scene },
-  { title: "Method", value: (row) => row.name, text: (row) => row.name },
-  { title: "RMSE", value: (row) => row.metrics.rmse, text: (row) => scientific(row.metrics.rmse), better: "lower" },
-  { title: "SSIM", value: (row) => row.metrics.ssim, text: (row) => similarity(row.metrics.ssim), better: "higher" },
-  { title: "PSNR [dB]", value: (row) => row.metrics.psnr ?? Infinity, text: (row) => decibels(row.metrics.psnr), better: "higher" },
-  { title: "Max error", value: (row) => row.metrics.max_error, text: (row) => scientific(row.metrics.max_error), better: "lower" },
-  { title: "SSIM, 8 bits", value: (row) => row.metrics.displayed.ssim, text: (row) => similarity(row.metrics.displayed.ssim), better: "higher" },
-  { title: "Time [ms]", value: (row) => row.seconds.median, text: (row) => milliseconds(row.seconds.median), better: "lower",
-    tip: (row) => `${milliseconds(row.seconds.min)} to ${milliseconds(row.seconds.max)} ms in ${row.seconds.repeats} runs` },
-  { title: "Memory [MB]", value: (row) => row.bytes.total, text: (row) => megabytes(row.bytes.total), better: "lower",
-    tip: (row) => row.bytes.parts.map((part) => `${part.name}: ${megabytes(part.bytes)} MB`).join("\n") },
-  { title: "Fragments", value: (row) => row.fragments, text: (row) => count(row.fragments) },
-  { title: "Layers", value: (row) => row.max_layers, text: (row) => count(row.max_layers) }];
+  { title: "Scene", value: (row) => row.scene, text: String },
+  { title: "Method", value: (row) => row.name, text: String },
+  { title: "RMSE", value: (row) => row.metrics.rmse, text: scientific, better: Math.min },
+  { title: "SSIM", value: (row) => row.metrics.ssim, text: similarity, better: Math.max },
+  { title: "PSNR [dB]", value: (row) => row.metrics.psnr ?? Infinity, text: decibels, better: Math.max },
+  { title: "Max error", value: (row) => row.metrics.max_error, text: scientific, better: Math.min },
+  { title: "SSIM, 8 bits", value: (row) => row.metrics.displayed.ssim, text: similarity, better: Math.max },
+  { title: "Time [ms]", value: (row) => row.seconds.median, text: milliseconds, better: Math.min, tip: timeTip },
+  { title: "Memory [MB]", value: (row) => row.bytes.total, text: megabytes, better: Math.min, tip: memoryTip },
+  { title: "Fragments", value: (row) => row.fragments, text: count },
+  { title: "Layers", value: (row) => row.max_layers, text: count },
+];
+
+function timeTip({ seconds }) {
+  return `${milliseconds(seconds.min)} to ${milliseconds(seconds.max)} ms in ${seconds.repeats} runs`;
+}
+
+function memoryTip({ bytes }) {
+  return bytes.parts.map((part) => `${part.name}: ${megabytes(part.bytes)} MB`).join("\n");
+}
 
 /** The best value of a column in a scene, the reference left out. */
 function bestIn(rows, scene, column) {
-  const values = rows.filter((row) => row.scene === scene && !row.reference && !row.error).map(column.value).filter((v) => v != null);
-  return column.better === "lower" ? Math.min(...values) : Math.max(...values);
+  const judged = rows.filter((row) => row.scene === scene && !row.reference && !row.error);
+  return column.better(...judged.map(column.value).filter((value) => value != null));
 }
 
 function tableRow(rows, row) {
-  const identity = columns.slice(0, 2).map((column) => make("td", {}, column.text(row)));
-  if (row.error) return make("tr", {}, identity, make("td", { class: "error", colspan: columns.length - 2 }, row.error));
+  const identity = columns.slice(0, 2).map((column) => make("td", {}, column.text(column.value(row))));
+  const colspan = columns.length - 2;
+  if (row.error) return make("tr", {}, identity, make("td", { class: "error", colspan }, row.error));
   const cells = columns.slice(2).map((column) => {
-    const best = column.better && !row.reference && column.value(row) === bestIn(rows, row.scene, column);
-    return make("td", { class: best && "best", title: column.tip?.(row) }, column.text(row));
+    const value = column.value(row);
+    const best = column.better && !row.reference && value === bestIn(rows, row.scene, column);
+    return make("td", { class: best && "best", title: column.tip?.(row) }, column.text(value));
   });
   return make("tr", { class: row.reference && "reference" }, identity, cells);
 }
@@ -39,7 +48,8 @@ function compareValues(a, b) {
 
 function sortableTable(rows) {
   const body = make("tbody");
-  const heads = columns.map((column, i) => make("th", { scope: "col" }, make("button", { type: "button", onclick: () => sortBy(i) }, column.title)));
+  const heads = columns.map(({ title }, i) =>
+    make("th", { scope: "col" }, make("button", { type: "button", onclick: () => sortBy(i) }, title)));
   const fill = (sorted) => body.replaceChildren(...sorted.map((row) => tableRow(rows, row)));
   function sortBy(i) {
     const direction = heads[i].getAttribute("aria-sort") === "ascending" ? -1 : 1;
@@ -50,4 +60,10 @@ function sortableTable(rows) {
   }
   fill(rows);
   return make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, heads)), body));
+}
+
+function tableSection(rows) {
+  const lead = "A click on a head sorts. The best of each scene, the reference left out, is in colour.";
+  return make("section", { id: "table" }, make("h2", {}, "All numbers"), make("p", { class: "lead" }, lead),
+              sortableTable(rows));
 }

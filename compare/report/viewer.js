@@ -30,7 +30,8 @@ class Viewer {
     const shown = this.what === "reference" ? reference : row;
     this.image.src = this.what === "error" && row.error_map ? row.error_map : shown.picture;
     this.title.textContent = `${row.scene} · ${this.what === "error" ? `error of ${row.name}` : shown.name}`;
-    this.numbers.textContent = row.reference ? "reference" : `SSIM ${similarity(row.metrics.ssim)}, RMSE ${scientific(row.metrics.rmse)}`;
+    const { ssim, rmse } = row.metrics;
+    this.numbers.textContent = row.reference ? "reference" : `SSIM ${similarity(ssim)}, RMSE ${scientific(rmse)}`;
   }
 
   set(what) {
@@ -45,7 +46,12 @@ class Viewer {
   }
 
   key(event) {
-    const acts = { " ": () => this.flip(), e: () => this.toggleError(), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1) };
+    const acts = {
+      " ": () => this.flip(),
+      e: () => this.toggleError(),
+      ArrowLeft: () => this.step(-1),
+      ArrowRight: () => this.step(1),
+    };
     const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
     event.preventDefault();
