@@ -75,6 +75,11 @@ TEST_P(PropertyBadFiles, TruncatedFilesAreRefused) {
 }
 
 TEST_P(PropertyBadFiles, MutatedFilesAreRefusedOrUsable) {
+#if defined(__SANITIZE_ADDRESS__)
+  // OpenVDB asks for absurd sizes there and is refused by std::bad_alloc, which this sanitizer ends
+  // the process for.
+  if (GetParam().ending == ".vdb") GTEST_SKIP() << "needs std::bad_alloc";
+#endif
   std::mt19937_64 random(11);
   ::testing::internal::CaptureStderr();
   for (int round = 0; round < 100; ++round) {
