@@ -60,6 +60,14 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   return !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, middle);
 }
 
+/// Seeds that all but coincide have led to different places.
+bool FrontLine::are_apart(const Place& a, const Place& b) const {
+  constexpr double stretched = 100;
+  const FlowPoint &x = at(a.particle).head.flow, &y = at(b.particle).head.flow;
+  const SurfaceOptions& options = run_.options();
+  return are_parting(x, y) || glm::distance(x.x, y.x) > stretched * options.rip * options.extent;
+}
+
 /// Where only one of the places is reached, the other end of the gap is searched for.
 void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) {
   if (a.particle < 0 && b.particle < 0) return;
@@ -69,8 +77,8 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
     return;
   }
   if (both) shadow = shadow_between(a, b, std::move(shadow));
-  const bool fine = both && is_fine(a, b, shadow.get());
   const bool narrow = b.s - a.s <= run_.options().rip;
+  const bool fine = both && (is_fine(a, b, shadow.get()) || (narrow && !are_apart(a, b)));
   if (fine && (!split || narrow)) {
     edges_.push_back({a.particle, b.particle, std::move(shadow)});
     return;
@@ -106,8 +114,8 @@ void FrontLine::take_out(int middle) {
   run_.drop(std::move(particle.shadow), EndReason::merged);
   particle.merged = true;
   particle.next.reset();
-  if (refinement_.by_tolerance())
-    left.shadow = std::make_unique<Trajectory>(std::move(particle.path));
+  particle.lent = refinement_.by_tolerance();
+  if (particle.lent) left.shadow = std::make_unique<Trajectory>(std::move(particle.path));
   left.right = particle.right;
   at(particle.right).left = particle.left;
   particle.left = particle.right = -1;

@@ -120,13 +120,27 @@ void RibbonFront::advance(int p) {
   wake(front_.at(p).right);
 }
 
+/// Of a chain of edges that is torn, the part that hangs together with the particle that advanced:
+/// beyond the gap two triangles would meet in a single vertex.
+std::span<const FrontLine::Edge> reached_from(int advanced,
+                                              std::span<const FrontLine::Edge> edges) {
+  std::size_t begin = 0, end = edges.size();
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i].left != edges[i - 1].right) {
+      if (edges[0].left == advanced) return edges.first(i);
+      begin = i;
+    }
+  return edges.subspan(begin, end - begin);
+}
+
 /// Tiles the ribbon between two neighbours, one of which just advanced from `before`. The
 /// triangle's new edge becomes several when it asks for particles on it.
 void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& before) {
   const auto edges = front_.join(left, right);
-  for (const auto& edge : edges) {
+  for (const auto& edge : reached_from(advanced, edges))
     run_.add_triangle(before.vertex, front_.at(edge.right).head.vertex,
                       front_.at(edge.left).head.vertex);
+  for (const auto& edge : edges) {
     for (const int p : {edge.left, edge.right}) {
       look_ahead(p);
       wake(p);

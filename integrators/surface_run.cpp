@@ -98,6 +98,7 @@ void SurfaceRun::retire(std::span<const FrontParticle> particles) {
     bytes += sizeof particle + particle.path.bytes();
     if (particle.shadow) bytes += sizeof(Trajectory) + particle.shadow->bytes();
     if (particle.shadow) ++stats_.ends[particle.shadow->end().value_or(otherwise)];
+    if (particle.lent) continue;  // counted as a shadow
     if (particle.merged)
       ++stats_.ends[EndReason::merged];
     else

@@ -172,15 +172,12 @@ void SynchronousFront::tile(const Ribbon& ribbon) {
   const auto edges = front_.join(ribbon.left, ribbon.right, diagonals_stray(ribbon));
   std::vector<int> chain;
   for (const auto& edge : edges) {
-    // Where the ribbon is torn, the stretch before the gap is done.
-    if (!chain.empty() && chain.back() != edge.left) {
-      tile(l0, r0, chain);
-      chain.clear();
-    }
+    if (!chain.empty() && chain.back() != edge.left) break;
     if (chain.empty()) chain.push_back(edge.left);
     chain.push_back(edge.right);
   }
-  if (!chain.empty()) tile(l0, r0, chain);
+  if (chain.size() == edges.size() + 1) tile(l0, r0, chain);
+  // A chain with a gap is not tiled: the hole becomes one row longer.
   // Without refinement nothing can fill the gap between a particle that ended and one that goes on.
   if (rows_ > 0 && !(moves_on(ribbon.left) && moves_on(ribbon.right)))
     front_.at(ribbon.left).right = front_.at(ribbon.right).left = -1;

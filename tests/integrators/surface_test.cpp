@@ -137,7 +137,8 @@ TEST(UnitSurface, HalfSaddleInFiftyThousandTriangles) {
 }
 
 TEST(UnitSurface, CrossingASeparatrixGivesTwoSheets) {
-  for (const char* integrator : {"hultquist:tolerance=1e-2", "adaptive-front:particles=9,tolerance=1e-2"}) {
+  for (const char* integrator :
+       {"hultquist:tolerance=1e-2", "adaptive-front:particles=9,tolerance=1e-2"}) {
     ClosedForm form{"", "saddle", testing::wave_seed(-1, 1, 0.2, 3), 5, false, testing::wave};
     const auto swept = sweep(form, integrator);
     const TriangleMesh& mesh = swept.surface.mesh;
