@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -143,6 +146,37 @@ TEST(UnitFormulas, MomentsOfFewLayersTellTheMassInFront) {
     const glm::vec4 b = glm::mix(three.first(), glm::vec4(0, 0.48, 0, 0.451), 1e-4f);
     const glm::vec2 c = glm::mix(three.more(), glm::vec2(0, 0.45), 1e-4f);
     EXPECT_NEAR(glsl::mass_in_front_6(b, c, z, 0), mass, 1e-2) << z;
+  }
+}
+
+// The mass at z is 1 / (v B^-1 v), v = (1, z, z^2, …), B the Hankel matrix: here by inverting it.
+// And what lies in front of z, at z and behind it, which is in front of -z for the mirrored
+// distribution, is everything.
+TEST(UnitFormulas, CanonicalMassesAreThoseOfTheHankelMatrix) {
+  Moments m;
+  for (const auto& [mass, z] :
+       {std::pair(0.3, -0.8), {0.1, -0.3}, {0.2, 0.0}, {0.25, 0.35}, {0.15, 0.9}})
+    m.add(mass, z);
+  const glm::dmat3 three(m.b[0], m.b[1], m.b[2], m.b[1], m.b[2], m.b[3], m.b[2], m.b[3], m.b[4]);
+  const glm::dmat4 four(m.b[0], m.b[1], m.b[2], m.b[3], m.b[1], m.b[2], m.b[3], m.b[4], m.b[2],
+                        m.b[3], m.b[4], m.b[5], m.b[3], m.b[4], m.b[5], m.b[6]);
+  const glm::vec4 b = m.first(), mirrored = b * glm::vec4(-1, 1, -1, 1);
+  const glm::vec2 c = m.more(), more_mirrored = c * glm::vec2(-1, 1);
+  for (float z = -0.95f; z < 1; z += 0.1f) {
+    const glm::dvec3 v3(1, z, z * z);
+    const glm::dvec4 v4(1, z, z * z, z * z * z);
+    const double at3 = 1 / glm::dot(v3, glm::inverse(three) * v3);
+    const double at4 = 1 / glm::dot(v4, glm::inverse(four) * v4);
+    // Roundings of 6e-8 over norms of about 1e-3.
+    EXPECT_NEAR(glsl::mass_in_front_4(b, z, 1) - glsl::mass_in_front_4(b, z, 0), at3, 1e-4) << z;
+    EXPECT_NEAR(glsl::mass_in_front_6(b, c, z, 1) - glsl::mass_in_front_6(b, c, z, 0), at4, 1e-3)
+        << z;
+    EXPECT_NEAR(glsl::mass_in_front_4(b, z, 1) + glsl::mass_in_front_4(mirrored, -z, 0), 1, 1e-3)
+        << z;
+    EXPECT_NEAR(
+        glsl::mass_in_front_6(b, c, z, 1) + glsl::mass_in_front_6(mirrored, more_mirrored, -z, 0),
+        1, 1e-2)
+        << z;
   }
 }
 

@@ -114,6 +114,26 @@ TEST(UnitMethods, OneBinIsAnAverage) {
   EXPECT_LE(max_difference(render(method("binning"), scene, options).image, expected), 1e-5);
 }
 
+// Within one bin tau grows in proportion to d.
+TEST(UnitMethods, ALinearBinIsARamp) {
+  const auto layers = random_layers(3, 0.8f, 16);
+  double total = 0;
+  for (const Rgba& layer : layers) total -= std::log1p(-double(layer.a));
+  Vec3 colors(0);
+  double weights = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double a = layers[std::size_t(i)].a, w = a / (1 - a) * std::exp(-0.5 * i * total);
+    colors += w * Vec3(layers[std::size_t(i)]);
+    weights += w;
+  }
+  const Scene scene = stack(2, 2, layers);
+  const double alpha = 1 - std::exp(-total);
+  const glm::dvec4 expected(alpha * colors / weights + (1 - alpha) * scene.background, alpha);
+  const RawOptions options = {{"bins", "1"}, {"mode", "linear"}};
+  // The depth range is 1e-5 wider than the sheets on either side.
+  EXPECT_LE(max_difference(render(method("binning"), scene, options).image, expected), 1e-4);
+}
+
 TEST(UnitMethods, KBufferIsExactUpToItsLayers) {
   const auto layers = random_layers(8, 0.9f, 15);
   Scene scene = stack(3, 3, layers);
