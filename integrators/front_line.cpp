@@ -68,6 +68,14 @@ bool FrontLine::are_apart(const Place& a, const Place& b) const {
   return are_parting(x, y) || glm::distance(x.x, y.x) > stretched * options.rip * options.extent;
 }
 
+/// When the front has a particle between the two. Beside one that stands still for ever the middle
+/// of the times would, in linear fields, lie on the edge before and leave a triangle of no area.
+double FrontLine::time_between(const Place& a, const Place& b) const {
+  const auto stands = [&](int p) { return p >= 0 && at(p).path.end() == EndReason::stagnated; };
+  if (!stands(a.particle) && !stands(b.particle)) return 0.5 * (a.t + b.t);
+  return 0.38 * std::min(a.t, b.t) + 0.62 * std::max(a.t, b.t);
+}
+
 /// Where only one of the places is reached, the other end of the gap is searched for.
 void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) {
   if (a.particle < 0 && b.particle < 0) return;
@@ -86,7 +94,7 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   if (both && narrow) run_.tear(a.s, b.s);
   if (narrow || (!shadow && !run_.may_spawn()))
     return run_.drop(std::move(shadow), EndReason::torn);
-  const Place middle = place(0.5 * (a.s + b.s), 0.5 * (a.t + b.t), std::move(shadow));
+  const Place middle = place(0.5 * (a.s + b.s), time_between(a, b), std::move(shadow));
   span(a, middle, {}, false);
   span(middle, b, {}, false);
 }
