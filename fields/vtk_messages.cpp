@@ -35,11 +35,9 @@ VtkMessages::VtkMessages()
     : lock_(output_mutex()),
       before_(vtkOutputWindow::GetInstance()),
       verbosity_before_(vtkLogger::GetCurrentVerbosityCutoff()) {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   capture_.TakeReference(Capture::New());
   vtkOutputWindow::SetInstance(capture_);
-  // The second way to stderr; messages that matter are thrown as errors, so it stays off.
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // the second way to stderr
 }
 
 VtkMessages::~VtkMessages() {
