@@ -68,12 +68,12 @@ bool FrontLine::are_apart(const Place& a, const Place& b) const {
   return are_parting(x, y) || glm::distance(x.x, y.x) > stretched * options.rip * options.extent;
 }
 
-/// When the front has a particle between the two. Beside one that stands still for ever the middle
-/// of the times would, in linear fields, lie on the edge before and leave a triangle of no area.
+/// When the front has a particle between the two. One that stands still is where it is at any time,
+/// also at the other one's.
 double FrontLine::time_between(const Place& a, const Place& b) const {
   const auto stands = [&](int p) { return p >= 0 && at(p).path.end() == EndReason::stagnated; };
   if (!stands(a.particle) && !stands(b.particle)) return 0.5 * (a.t + b.t);
-  return 0.38 * std::min(a.t, b.t) + 0.62 * std::max(a.t, b.t);
+  return std::max(a.t, b.t);
 }
 
 /// Where only one of the places is reached, the other end of the gap is searched for.
