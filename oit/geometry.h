@@ -29,7 +29,7 @@ class Geometry {
   void draw() const { draw(all_); }
   /// gl_PrimitiveID counts within `triangles`.
   void draw(const Triangles& triangles) const;
-  /// Every n-th triangle. n = 1 copies them all.
+  /// Every n-th triangle, copied.
   Triangles every(int n) const;
   std::uint32_t triangle_count() const { return all_.count; }
 

@@ -96,8 +96,8 @@ void append_run(inout Chain chain) {
 
 // Merges neighbouring runs of `length` nodes throughout a list.
 //
-// llvmpipe silently ends the loops of a shader after 65535 iterations in all. Written as one loop
-// of equal small steps, eight to an iteration, a pass gets through 2^18 nodes.
+// llvmpipe silently ends the loops of a shader after 65535 iterations in all. One loop of equal
+// small steps, at most two for each node and eight to an iteration, makes the most of them.
 struct Merge {
   int length;
   Node p, q;        // fronts of the two runs

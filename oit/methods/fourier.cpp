@@ -1,5 +1,7 @@
 #include "oit/methods/fourier.h"
 
+#include <optional>
+
 #include "oit/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -26,11 +28,12 @@ class Fourier final : public OitMethod {
         coefficients_(stage.target("Fourier coefficients", coefficient_format(parameters),
                                    target_count(bands_))),
         sums_(stage.target("weighted sums of colour", GL_RGBA32F)),
-        subset_(stage.geometry().every(parameters.integer("subset"))),
         sum_target_(stage.gl(), {{sums_}}),
         weight_(geometry_program(oit_glsl::fourier_weight_frag_glsl(), parameters)),
         composite_(stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
                                         {{"NORMALIZE", parameters.flag("normalize")}})) {
+    if (parameters.integer("subset") > 1)
+      subset_ = stage.geometry().every(parameters.integer("subset"));
     for (int first = 0; first < target_count(bands_); first += targets_per_pass)
       passes_.push_back(band_pass(first, parameters));
   }
@@ -40,7 +43,7 @@ class Fourier final : public OitMethod {
       for (const BandPass& pass : passes_) {
         pass.targets.clear_all(0);
         stage_.begin_pass(pass.targets, {Blend::add});
-        stage_.draw_geometry(pass.program, subset_);
+        subset_ ? stage_.draw_geometry(pass.program, *subset_) : stage_.draw_geometry(pass.program);
       }
     });
     frame.step("weight", [&] {
@@ -84,7 +87,7 @@ class Fourier final : public OitMethod {
   const Stage& stage_;
   int bands_;
   Texture coefficients_, sums_;
-  Triangles subset_;
+  std::optional<Triangles> subset_;
   Framebuffer sum_target_;
   Program weight_, composite_;
   std::vector<BandPass> passes_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "core/error.h"
 #include "oit/oit_renderer.h"
 #include "oit_glsl.h"
@@ -15,12 +17,20 @@ struct NodePool {
   BufferTexture links, colors;
 };
 
-// Sorted and composited in one pass up to here; deeper pixels take a pass for each level of a merge
-// sort, since llvmpipe silently ends the loops of a shader after 65535 iterations in all. 1024
-// layers take about 50 iterations each.
-constexpr int most_layers_at_once = 1024;
-// And of these passes each gets through so many.
-constexpr std::uint32_t most_layers = 1 << 18;
+// llvmpipe silently ends the loops of a shader after 65535 iterations in all. Sorting and
+// compositing takes about 6 for each layer: up to here one pass does it all …
+constexpr int most_layers_at_once = 4096;
+// … and deeper pixels take a pass for each level of a merge sort, at a quarter of an iteration for
+// each layer.
+constexpr std::uint32_t most_layers = 250'000;
+
+/// Programs for pixels of more than `most_layers_at_once` layers.
+struct DeepPrograms {
+  explicit DeepPrograms(const Stage& stage)
+      : merge(stage.screen_program(oit_glsl::linked_list_merge_frag_glsl())),
+        blend(stage.screen_program(oit_glsl::linked_list_blend_frag_glsl())) {}
+  Program merge, blend;
+};
 
 NodePool make_pool(const Gl& gl, std::uint64_t nodes) {
   GLint most = 0;
@@ -45,9 +55,7 @@ class LinkedList final : public OitMethod {
         query_(stage.gl()),
         count_(stage.geometry_program(oit_glsl::linked_list_count_frag_glsl())),
         build_(stage.geometry_program(oit_glsl::linked_list_build_frag_glsl())),
-        resolve_(stage.screen_program(oit_glsl::linked_list_resolve_frag_glsl())),
-        merge_(stage.screen_program(oit_glsl::linked_list_merge_frag_glsl())),
-        blend_(stage.screen_program(oit_glsl::linked_list_blend_frag_glsl())) {
+        resolve_(stage.screen_program(oit_glsl::linked_list_resolve_frag_glsl())) {
     resolve_.set("most_layers", most_layers_at_once);
     stage.record("counters", node_count_.bytes() + longest_.bytes());
   }
@@ -57,6 +65,15 @@ class LinkedList final : public OitMethod {
     frame.step("build", [&] { build(); });
     frame.step("sort and composite", [&] { resolve(frame.picture()); });
     frame.stats().fragments = pool_.nodes;
+  }
+
+  std::vector<std::string> explain() const override {
+    return {
+        pool_.links.bytes() ? fmt::format("list nodes: {}, as many as were counted", pool_.nodes)
+                            : "list nodes: none before the first picture counts its fragments",
+        deep_ ? "deep lists: sorted by passes of their own"
+              : fmt::format("deep lists: left out, no pixel was seen to have more than {} layers",
+                            most_layers_at_once)};
   }
 
  private:
@@ -86,7 +103,7 @@ class LinkedList final : public OitMethod {
     finish_stores();
   }
 
-  void resolve(const Framebuffer& picture) const {
+  void resolve(const Framebuffer& picture) {
     longest_.clear(0);
     longest_.bind_base(GL_SHADER_STORAGE_BUFFER, 0);
     stage_.begin_pass(picture, {Blend::replace});
@@ -95,20 +112,21 @@ class LinkedList final : public OitMethod {
     if (const std::uint32_t longest = longest_.read_word(0)) resolve_deep(longest, picture);
   }
 
-  void resolve_deep(std::uint32_t longest, const Framebuffer& picture) const {
+  void resolve_deep(std::uint32_t longest, const Framebuffer& picture) {
     if (longest > most_layers)
       throw WorkError(
           fmt::format("linked-list: a pixel has {} layers or more; sorted are at most "
                       "{}",
                       longest, most_layers));
+    if (!deep_) deep_.emplace(stage_);
     stage_.begin_pass(no_targets_, {Blend::replace});
     for (std::uint32_t length = 1; length < longest; length *= 2) {
-      merge_.set("length_of_runs", int(length));
-      stage_.draw_screen(merge_);
+      deep_->merge.set("length_of_runs", int(length));
+      stage_.draw_screen(deep_->merge);
       finish_stores();
     }
     stage_.begin_pass(picture, {Blend::replace});
-    stage_.draw_screen(blend_);
+    stage_.draw_screen(deep_->blend);
   }
 
   void finish_stores() const {
@@ -121,7 +139,8 @@ class LinkedList final : public OitMethod {
   NodePool pool_;
   Framebuffer no_targets_;
   SampleQuery query_;
-  Program count_, build_, resolve_, merge_, blend_;
+  Program count_, build_, resolve_;
+  std::optional<DeepPrograms> deep_;
 };
 
 }  // namespace
