@@ -40,6 +40,14 @@ void add_named_files(const json& node, const fs::path& base, Hash& hash) {
   if (fs::is_regular_file(path, ignored)) hash.add(read_text(path));
 }
 
+void add_call(const MethodCall& call, Hash& hash) {
+  hash.add(call.row->name);
+  for (const auto& [key, value] : call.parameters.all()) {
+    hash.add(key);
+    hash.add(value);
+  }
+}
+
 /// A row whose picture has been lost is not finished.
 bool is_complete(const CellFiles& files) {
   return fs::exists(files.picture()) && fs::exists(files.preview());
@@ -76,15 +84,30 @@ void CellFiles::make_folders() const {
   }
 }
 
-std::string fingerprint(const Cell& cell) {
+ResultRow identity_row(const Cell& cell) {
+  ResultRow row;
+  row.scene = cell.scene;
+  row.method = cell.call.row->name;
+  row.parameters = cell.call.parameters.given();
+  row.parameter_values = cell.call.parameters.all();
+  row.reference = cell.reference;
+  return row;
+}
+
+std::string scene_fingerprint(const fs::path& scene_file) {
   Hash hash;
-  hash.add(read_text(cell.scene_file));
-  add_named_files(read_json(cell.scene_file), cell.scene_file.parent_path(), hash);
-  hash.add(cell.call.row->name);
-  for (const auto& [key, value] : cell.call.parameters.all()) {
-    hash.add(key);
-    hash.add(value);
-  }
+  hash.add(read_text(scene_file));
+  add_named_files(read_json(scene_file), scene_file.parent_path(), hash);
+  return hash.hex();
+}
+
+std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
+                             const MethodCall& reference, const RenderContext& context) {
+  Hash hash;
+  hash.add(scene_fingerprint);
+  add_call(cell.call, hash);
+  add_call(reference, hash);
+  hash.add(context.gl);
   return hash.hex();
 }
 

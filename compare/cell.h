@@ -45,9 +45,16 @@ class CellFiles {
   std::string scene_, slug_;
 };
 
-/// A hash of all that the cell's picture depends on: the bytes of the scene's file and of the files
-/// that it names, the method, all its parameters.
-std::string fingerprint(const Cell& cell);
+/// The row of a cell that nothing is known of yet: its names and parameters.
+ResultRow identity_row(const Cell& cell);
+
+/// A hash of the scene's file and of all files that it names.
+std::string scene_fingerprint(const std::filesystem::path& scene_file);
+
+/// A hash of all that the cell's row depends on, times aside: the scene, the method and the
+/// reference with all their parameters, and where OpenGL runs.
+std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
+                             const MethodCall& reference, const RenderContext& context);
 
 /// The row of a cell that was finished, by whichever run, for the same fingerprint.
 std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint);

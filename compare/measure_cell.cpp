@@ -37,16 +37,6 @@ Spread total_spread(const std::vector<RenderStats>& runs) {
   return spread(seconds);
 }
 
-ResultRow identity(const Cell& cell) {
-  ResultRow row;
-  row.scene = cell.scene;
-  row.method = cell.call.row->name;
-  row.parameters = cell.call.parameters.given();
-  row.parameter_values = cell.call.parameters.all();
-  row.reference = cell.reference;
-  return row;
-}
-
 void describe(const Renderer& renderer, const Scene& scene, ResultRow& row) {
   row.explanation = renderer.explain();
   row.scene_provenance = scene.provenance;
@@ -59,36 +49,42 @@ void check_finite(const Image& image) {
   if (bad > 0) throw WorkError(fmt::format("{} pixels of its picture are not finite", bad));
 }
 
+/// Counting takes time, so that the rendering that warms up counts and the timed ones don't.
+void warm_up(Renderer& renderer, CellMeasurement& result) {
+  RenderRequest counting;
+  counting.layers = true;
+  Rendering rendering = renderer.render(counting);
+  result.layers = std::move(rendering.layers);
+  result.row.fragments = rendering.stats.fragments;
+  result.row.max_layers = rendering.stats.max_layers;
+  result.row.dropped = rendering.stats.dropped;
+}
+
+void time_renderings(Renderer& renderer, int repeats, CellMeasurement& result) {
+  std::vector<RenderStats> runs;
+  for (int i = 0; i < repeats; ++i) {
+    Rendering rendering = renderer.render({});
+    runs.push_back(std::move(rendering.stats));
+    result.image = std::move(rendering.image);
+  }
+  check_finite(result.image);
+  result.row.repeats = repeats;
+  result.row.seconds = total_spread(runs);
+  result.row.steps = step_spreads(runs);
+  result.row.bytes = runs.back().bytes;
+}
+
 }  // namespace
 
 CellMeasurement measure_cell(const Cell& cell, const Scene& scene, int repeats,
                              const RenderContext& context) {
-  CellMeasurement result{identity(cell), {}, {}};
-  ResultRow& row = result.row;
+  CellMeasurement result{identity_row(cell), {}, {}};
   const Stopwatch setup;
   const auto renderer = cell.call.row->make(scene, cell.call.parameters, context);
-  row.setup_seconds = setup.seconds();
-
-  RenderRequest counting;
-  counting.layers = true;
-  Rendering warm_up = renderer->render(counting);
-  result.layers = std::move(warm_up.layers);
-  row.fragments = warm_up.stats.fragments;
-  row.max_layers = warm_up.stats.max_layers;
-  row.dropped = warm_up.stats.dropped;
-
-  std::vector<RenderStats> runs;
-  for (int i = 0; i < repeats; ++i) {
-    Rendering rendering = renderer->render({});
-    runs.push_back(rendering.stats);
-    result.image = std::move(rendering.image);
-  }
-  check_finite(result.image);
-  row.repeats = repeats;
-  row.seconds = total_spread(runs);
-  row.steps = step_spreads(runs);
-  row.bytes = runs.back().bytes;
-  describe(*renderer, scene, row);
+  result.row.setup_seconds = setup.seconds();
+  warm_up(*renderer, result);
+  time_renderings(*renderer, repeats, result);
+  describe(*renderer, scene, result.row);
   return result;
 }
 

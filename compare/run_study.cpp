@@ -41,9 +41,13 @@ bool is_selected(const Cell& cell, const std::string& only) {
 
 std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
   std::vector<Job> jobs;
-  for (const Cell& cell : expand_cells(study))
-    jobs.push_back({cell, CellFiles(options.folder, cell), fingerprint(cell),
+  std::string scene;
+  for (const Cell& cell : expand_cells(study)) {
+    if (cell.reference) scene = scene_fingerprint(cell.scene_file);  // a scene's first cell
+    jobs.push_back({cell, CellFiles(options.folder, cell),
+                    cell_fingerprint(scene, cell, study.reference, options.context),
                     is_selected(cell, options.only)});
+  }
   if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
     throw InputError(
         fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
@@ -67,11 +71,10 @@ void read_known_rows(std::vector<Job>& jobs, bool resume) {
 /// The scene and its reference, loaded when the first cell asks for them.
 class SceneAtHand {
  public:
-  SceneAtHand(fs::path file, Progress progress)
-      : file_(std::move(file)), progress_(std::move(progress)) {}
+  explicit SceneAtHand(fs::path file) : file_(std::move(file)) {}
 
   const Scene& scene() {
-    if (!scene_) scene_ = std::make_unique<Scene>(load_scene(file_, progress_));
+    if (!scene_) scene_ = std::make_unique<Scene>(load_scene(file_));
     return *scene_;
   }
   /// Read back as it was stored, so that every run of a cell compares with the same bits.
@@ -88,7 +91,6 @@ class SceneAtHand {
 
  private:
   fs::path file_;
-  Progress progress_;
   std::unique_ptr<Scene> scene_;
   std::optional<CellFiles> reference_files_;
   Image reference_;
@@ -101,7 +103,6 @@ void write_pictures(const CellFiles& files, const CellMeasurement& measured) {
   if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
 }
 
-/// The picture as it was stored stands for the method: what is measured can be measured again.
 void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHand& at_hand) {
   const Image& reference = at_hand.reference();
   measured.row.metrics = compare_images(reference, measured.image);
@@ -124,15 +125,20 @@ ResultRow compute(const Job& job, SceneAtHand& at_hand, int repeats, const Rende
 }
 
 ResultRow failed(const Job& job, const std::string& why) {
-  ResultRow row;
-  row.scene = job.cell.scene;
-  row.method = job.cell.call.row->name;
-  row.parameters = job.cell.call.parameters.given();
-  row.parameter_values = job.cell.call.parameters.all();
-  row.reference = job.cell.reference;
+  ResultRow row = identity_row(job.cell);
   row.fingerprint = job.fingerprint;
   row.error = why;
   return row;
+}
+
+/// An adverse cell must not take the others with it: any exception becomes its row's error.
+ResultRow compute_or_fail(const Job& job, SceneAtHand& at_hand, int repeats,
+                          const RenderContext& context) {
+  try {
+    return compute(job, at_hand, repeats, context);
+  } catch (const std::exception& error) {
+    return failed(job, error.what());
+  }
 }
 
 class StudyRun {
@@ -157,7 +163,7 @@ class StudyRun {
   void run_scene(std::span<Job> jobs) {
     const auto pending = [](const Job& job) { return job.selected && !job.row; };
     if (std::none_of(jobs.begin(), jobs.end(), pending)) return;
-    SceneAtHand at_hand(jobs.front().cell.scene_file, {});
+    SceneAtHand at_hand(jobs.front().cell.scene_file);
     Job& reference = jobs.front();
     if (!reference.row) run_job(reference, at_hand);
     at_hand.set_reference(reference.files);
@@ -165,19 +171,14 @@ class StudyRun {
       if (pending(job)) reference.row->error.empty() ? run_job(job, at_hand) : skip(job);
   }
 
-  /// An adverse cell must not take the others with it: any exception becomes its row's error. A
-  /// full disk ends the study, since no row can be written either.
   void run_job(Job& job, SceneAtHand& at_hand) {
     report(options_.progress, progress(), job.cell.name());
-    try {
-      record(job, compute(job, at_hand, study_.repeats, options_.context));
-    } catch (const std::exception& error) {
-      record(job, failed(job, error.what()));
-    }
+    record(job, compute_or_fail(job, at_hand, study_.repeats, options_.context));
   }
 
   void skip(Job& job) { record(job, failed(job, "its scene's reference failed")); }
 
+  /// Where no row can be written, on a full disk, the study ends.
   void record(Job& job, ResultRow row) {
     write_row(job.files, row);
     job.row = std::move(row);

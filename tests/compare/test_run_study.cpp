@@ -155,6 +155,23 @@ TEST(UnitResume, OnlyWhatIsNewOrChangedOrLostIsComputed) {
   EXPECT_EQ(run(folder, two_methods, true).computed, 6u);  // both scenes draw it
 }
 
+TEST(UnitResume, AnotherReferenceOrDriverMakesOtherCells) {
+  const StudyFolder folder;
+  run(folder, R"(["shifted"])");
+  std::string text = read_text(folder / "study.json");
+  text.replace(text.find("truth"), 5, "exact-shifted");
+  write_text(folder / "study.json", text);
+  const Study study = load_study(folder / "study.json", fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  options.resume = true;
+  const StudyOutcome outcome = run_study(study, options);
+  EXPECT_EQ(outcome.computed, 4u);
+  EXPECT_DOUBLE_EQ(row_of(outcome, "one", "shifted").metrics.linear.rmse, 0.125);
+  options.context.gl = "egl";
+  EXPECT_EQ(run_study(study, options).computed, 4u);
+}
+
 TEST(UnitResume, AFailedCellIsTriedAgain) {
   const StudyFolder folder;
   run(folder, R"(["broken"])");
