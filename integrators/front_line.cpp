@@ -63,9 +63,10 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
 /// Seeds that all but coincide have led to different places.
 bool FrontLine::are_apart(const Place& a, const Place& b) const {
   constexpr double stretched = 100;
-  const FlowPoint &x = at(a.particle).head.flow, &y = at(b.particle).head.flow;
+  const FrontPoint &x = at(a.particle).head, &y = at(b.particle).head;
   const SurfaceOptions& options = run_.options();
-  return are_parting(x, y) || glm::distance(x.x, y.x) > stretched * options.rip * options.extent;
+  return are_parting(x, y) ||
+         glm::distance(x.flow.x, y.flow.x) > stretched * options.rip * options.extent;
 }
 
 /// When the front has a particle between the two. One that stands still is where it is at any time,

@@ -16,7 +16,9 @@ struct FrontPoint {
 
   double t = 0;
   FlowPoint flow;
-  Vec3 normal{0};  // unit, or 0 where the surface has none
+  double speed = 0;
+  Vec3 direction{0};  // of the flow, unit; 0 where it stands still
+  Vec3 normal{0};     // unit; 0 where the surface has none
   std::uint32_t vertex = no_vertex;
 };
 
@@ -37,9 +39,8 @@ struct FrontParticle {
       : s(seed), path(std::move(trajectory)) {}
 };
 
-/// The unit normal w × v; 0 where they are parallel or vanish: the surface has no normal there.
-Vec3 surface_normal(const FlowPoint& point);
-
+/// The point of the trajectory at time t. Its normal is w × v, but 0 where these are parallel or
+/// vanish: the surface has no normal there.
 FrontPoint front_point(const Trajectory& path, double t);
 
 /// How far two neighbours of the front are apart, world units.
@@ -47,10 +48,10 @@ struct Separation {
   double distance;
   double width;  // across the flow: a front edge may lean without its ribbon being wide
 };
-Separation separation(const FlowPoint& a, const FlowPoint& b);
+Separation separation(const FrontPoint& a, const FrontPoint& b);
 
 /// Do the two move away from each other within 60° of the line that joins them? So they do on
 /// either side of a separatrix.
-bool are_parting(const FlowPoint& a, const FlowPoint& b);
+bool are_parting(const FrontPoint& a, const FrontPoint& b);
 
 }  // namespace pellucid

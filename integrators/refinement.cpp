@@ -29,8 +29,8 @@ double cosine(const FrontPoint& a, const FrontPoint& b) {
 }
 
 /// Time until the particle has moved by `move` at its present speed.
-double time_to_move(const FlowPoint& here, double move) {
-  return std::min(move / glm::length(here.v), std::numeric_limits<double>::max());
+double time_to_move(const FrontPoint& here, double move) {
+  return std::min(move / here.speed, std::numeric_limits<double>::max());
 }
 
 /// The longest time whose chord's sagitta is allowed, by the present curvature.
@@ -54,8 +54,7 @@ constexpr double widest_aspect = 3;
 
 /// The shortest time that a ribbon's triangles should take, so as not to be too wide.
 double shortest_time(const FrontPoint& a, const FrontPoint& b) {
-  const double speed = 0.5 * (glm::length(a.flow.v) + glm::length(b.flow.v));
-  return separation(a.flow, b.flow).width / (widest_aspect * speed);
+  return separation(a, b).width / (widest_aspect * 0.5 * (a.speed + b.speed));
 }
 
 /// How far the middle of the ribbon's diagonal strays from the surface in the shortest time.
@@ -65,18 +64,17 @@ double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
 
 double first_guess(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                    const FrontPoint* left, const FrontPoint* right) {
-  if (!refinement.by_tolerance() || refinement.step > 0)
-    return time_to_move(head.flow, refinement.step);
+  if (!refinement.by_tolerance() || refinement.step > 0) return time_to_move(head, refinement.step);
   const double sagitta = refinement.largest_sagitta();
   // A ribbon that has become as thin as the tolerance has no shape to keep.
   const double thin = 8 * refinement.tolerance;
   double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
   for (const FrontPoint* neighbour : {left, right}) {
     if (!neighbour) continue;
-    const double width = separation(head.flow, neighbour->flow).width;
+    const double width = separation(head, *neighbour).width;
     const double twist = 4 * sagitta / twist_rate(head, *neighbour);
     dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
-                   time_to_move(head.flow, longest_aspect * std::max(width, thin))});
+                   time_to_move(head, longest_aspect * std::max(width, thin))});
   }
   return std::min(dt, std::numeric_limits<double>::max());
 }
@@ -99,18 +97,17 @@ constexpr double largest_tilt = 0.15;
 /// By how much the step has to be shortened: 1 when it will do.
 double shortening(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                   const FrontPoint* left, const FrontPoint* right, double dt) {
-  const FlowPoint end = path.at(head.t + dt);
-  const double moved = glm::distance(end.x, head.flow.x);
-  const FrontPoint next{head.t + dt, end, surface_normal(end)};
+  const FrontPoint next = front_point(path, head.t + dt);
+  const double moved = glm::distance(next.flow.x, head.flow.x);
   const bool is_short = moved <= shortest_edge(refinement);
   if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
   if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
   const Vec3 middle = path.at(head.t + 0.5 * dt).x;
-  const double sagitta = distance_to_segment(middle, head.flow.x, end.x);
+  const double sagitta = distance_to_segment(middle, head.flow.x, next.flow.x);
   double largest = refinement.step > 0 ? refinement.step : refinement.largest_sagitta();
   for (const FrontPoint* neighbour : {left, right})
     if (neighbour && !is_short)
-      largest = std::min(largest, largest_tilt * separation(head.flow, neighbour->flow).width);
+      largest = std::min(largest, largest_tilt * separation(head, *neighbour).width);
   if (sagitta <= largest) return 1;
   return std::clamp(0.9 * std::sqrt(largest / sagitta), 0.3, 0.8);
 }
@@ -140,9 +137,9 @@ Refinement refinement_of(const Parameters& parameters, double default_threshold,
 
 bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
                    const Vec3& middle) {
-  const auto [distance, width] = separation(a.flow, b.flow);
+  const auto [distance, width] = separation(a, b);
   const double shortest = shortest_edge(refinement);
-  if (are_parting(a.flow, b.flow) && distance > shortest) return true;
+  if (are_parting(a, b) && distance > shortest) return true;
   if (cosine(a, b) < coarse_cosine && distance > shortest) return true;
   if (!refinement.by_tolerance())
     return width > refinement.threshold || distance > 2 * refinement.threshold;
@@ -152,8 +149,8 @@ bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const Fron
 
 bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
                     const Vec3& middle) {
-  if (are_parting(a.flow, b.flow) || cosine(a, b) < fine_cosine) return false;
-  const auto [distance, width] = separation(a.flow, b.flow);
+  if (are_parting(a, b) || cosine(a, b) < fine_cosine) return false;
+  const auto [distance, width] = separation(a, b);
   if (!refinement.by_tolerance())
     return width <= 0.5 * refinement.threshold && distance <= refinement.threshold;
   // Twice as long an edge has four times the sagitta.

@@ -11,7 +11,7 @@ std::uint32_t SurfaceBuilder::add_vertex(const FrontPoint& point, double s) {
   if (with_normals_) normals_.push_back(point.normal);
   s_.push_back(s > 1 ? s - std::floor(s) : s);
   t_.push_back(point.t);
-  speed_.push_back(glm::length(point.flow.v));
+  speed_.push_back(point.speed);
   return std::uint32_t(positions_.size() - 1);
 }
 
