@@ -1,6 +1,7 @@
 #include "fields/cell_field.h"
 
 #include <fmt/format.h>
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
@@ -19,7 +20,7 @@ namespace {
 class CellSampler final : public FieldSampler {
  public:
   CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
-      : locator_(locator), grid_(grid) {}
+      : locator_(locator), grid_(grid), rounding_(1e-14 * grid.bounds.diagonal()) {}
 
   SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
     if (!find(x)) return SampleStatus::outside;
@@ -38,7 +39,24 @@ class CellSampler final : public FieldSampler {
   bool find(const Vec3& x) {
     if (!grid_.bounds.contains(x)) return false;
     double position[3] = {x.x, x.y, x.z};
-    return locator_->FindCell(position, 0, cell_, parametric_, weights_.data()) >= 0;
+    if (locator_->FindCell(position, 0, cell_, parametric_, weights_.data()) < 0) return false;
+    polish(x);
+    return true;
+  }
+
+  /// One more step of Newton's iteration: VTK stops when a step is below a thousandth of a cell,
+  /// and the next one squares the error.
+  void polish(const Vec3& x) {
+    const int type = cell_->GetCellType();
+    if (type == VTK_TETRA || type == VTK_VOXEL) return;  // solved directly
+    Vec3 miss = x;
+    for (int i = 0; i < cell_->GetNumberOfPoints(); ++i)
+      miss -= weights_[std::size_t(i)] * grid_.point(cell_->GetPointId(i));
+    if (glm::length(miss) <= rounding_) return;
+    const Vec3 step = glm::inverse(grid_.slopes(*cell_, parametric_).position) * miss;
+    if (!is_finite(step)) return;
+    for (int axis = 0; axis < 3; ++axis) parametric_[axis] += step[axis];
+    cell_->InterpolateFunctions(parametric_, weights_.data());
   }
 
   Vec3 interpolate() const {
@@ -50,6 +68,7 @@ class CellSampler final : public FieldSampler {
 
   vtkStaticCellLocator* locator_;
   const CellGrid& grid_;
+  double rounding_;  // of a position in the grid
   vtkNew<vtkGenericCell> cell_;
   std::array<double, CellGrid::largest_cell> weights_{};
   double parametric_[3] = {0, 0, 0};

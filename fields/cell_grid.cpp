@@ -82,20 +82,27 @@ std::vector<Mat3> mean_jacobians(const CellGrid& grid) {
 
 }  // namespace
 
-// Through the derivatives of position and velocity by the parametric coordinates. VTK's own
-// Derivatives() does the same, but prints where a cell is flat; here that gives infinities.
-Mat3 CellGrid::jacobian(vtkGenericCell& cell, const double parametric[3]) const {
+Vec3 CellGrid::point(vtkIdType number) const { return point_at(cells, number); }
+
+CellGrid::Slopes CellGrid::slopes(vtkGenericCell& cell, const double parametric[3]) const {
   double derivatives[3 * largest_cell];
   cell.InterpolateDerivs(parametric, derivatives);
   const int count = cell.GetNumberOfPoints();
-  Mat3 position(0), value(0);
+  Slopes result{Mat3(0), Mat3(0)};
   for (int axis = 0; axis < 3; ++axis)
     for (int i = 0; i < count; ++i) {
       const double weight = derivatives[axis * count + i];
-      position[axis] += weight * point_at(cells, cell.GetPointId(i));
-      value[axis] += weight * velocity(cell.GetPointId(i));
+      result.position[axis] += weight * point(cell.GetPointId(i));
+      result.velocity[axis] += weight * velocity(cell.GetPointId(i));
     }
-  return value * glm::inverse(position);
+  return result;
+}
+
+// VTK's own Derivatives() does the same, but prints where a cell is flat; here that gives
+// infinities.
+Mat3 CellGrid::jacobian(vtkGenericCell& cell, const double parametric[3]) const {
+  const Slopes at = slopes(cell, parametric);
+  return at.velocity * glm::inverse(at.position);
 }
 
 double CellGrid::smallest_width() const {

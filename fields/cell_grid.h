@@ -21,7 +21,14 @@ struct CellGrid {
   std::vector<Vec3> velocities;  // by point
   Box3 bounds;
 
+  Vec3 point(vtkIdType number) const;
   const Vec3& velocity(vtkIdType point) const { return velocities[std::size_t(point)]; }
+
+  /// How positions, velocities change with the parametric coordinates: column k by the k-th.
+  struct Slopes {
+    Mat3 position, velocity;
+  };
+  Slopes slopes(vtkGenericCell& cell, const double parametric[3]) const;
 
   /// Of the cell's interpolant; column j is the derivative along axis j.
   Mat3 jacobian(vtkGenericCell& cell, const double parametric[3]) const;

@@ -16,7 +16,7 @@ template <class Grid>
 class VdbSampler final : public FieldSampler {
  public:
   VdbSampler(const Grid& grid, const GridFrame& frame)
-      : accessor_(grid.getConstAccessor()), frame_(frame) {}
+      : accessor_(grid.getConstUnsafeAccessor()), frame_(frame) {}
 
   SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
     if (!gather(x)) return SampleStatus::outside;
@@ -78,7 +78,8 @@ class VdbSampler final : public FieldSampler {
     return false;
   }
 
-  typename Grid::ConstAccessor accessor_;
+  // Not registered with the tree, which never changes: threads would wait for each other there.
+  typename Grid::ConstUnsafeAccessor accessor_;
   GridFrame frame_;
   Vec3 corner_[8];
   Vec3 s_;
