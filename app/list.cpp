@@ -9,6 +9,7 @@
 #include "compare/study.h"
 #include "core/names.h"
 #include "fields/catalogue.h"
+#include "integrators/integrate_lines.h"
 #include "integrators/integrate_surface.h"
 
 namespace pellucid {
@@ -45,6 +46,11 @@ nlohmann::ordered_json list_methods() {
 nlohmann::ordered_json list_integrators() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const IntegratorRow& row : integrators())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"parameters", to_json(row.parameters)}});
+  for (const LineIntegratorRow& row : line_integrators())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "core/error.h"
+#include "core/names.h"
 #include "fields/make_field.h"
 #include "geometry/mesh_file.h"
 #include "integrators/integrate_lines.h"
@@ -138,11 +140,15 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
          {"ends", to_json(lines.stats.ends)}});
 }
 
+/// Is the integrator one of lines? Throws InputError that lists those of both kinds.
 bool draws_lines(std::string_view integrator) {
   const std::string name = parse_name_and_options(integrator).name;
-  for (const LineIntegratorRow& row : line_integrators())
-    if (row.name == name) return true;
-  return false;
+  std::vector<std::string_view> known;
+  for (const IntegratorRow& row : integrators()) known.push_back(row.name);
+  for (const LineIntegratorRow& row : line_integrators()) known.push_back(row.name);
+  const auto found = std::find(known.begin(), known.end(), name);
+  if (found == known.end()) throw InputError(unknown_name("integrator", name, known));
+  return std::size_t(found - known.begin()) >= integrators().size();
 }
 
 void trace(const TraceOptions& options, const GlobalOptions& globals) {

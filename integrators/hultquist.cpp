@@ -176,7 +176,8 @@ constexpr ParameterSpec own_parameters[] = {
      .max = 1e6,
      .unit = "particles",
      .help = "evenly spaced on the seed curve; more follow where they are needed"},
-    threshold_parameter,
+    threshold_parameter(
+        "a ribbon wider than this gets a particle; default 0.05, unless a tolerance is given"),
     tolerance_parameter,
     step_parameter,
 };

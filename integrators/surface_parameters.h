@@ -73,11 +73,10 @@ inline constexpr ParameterSpec surface_own_parameters[] = {
      .help = "the surface ends"},
 };
 
-inline constexpr ParameterSpec threshold_parameter = {
-    .name = "threshold",
-    .min = 0,
-    .unit = "world units",
-    .help = "neighbours farther apart get a particle between them; default: 0.05, or by tolerance"};
+/// It has no default value in the table, so that a tolerance can take its place.
+constexpr ParameterSpec threshold_parameter(std::string_view help) {
+  return {.name = "threshold", .min = 0, .unit = "world units", .help = help};
+}
 
 inline constexpr ParameterSpec tolerance_parameter = {
     .name = "tolerance",

@@ -236,7 +236,8 @@ constexpr ParameterSpec adaptive_own[] = {
      .max = 1e6,
      .unit = "particles",
      .help = "evenly spaced on the seed curve; more follow where they are needed"},
-    threshold_parameter,
+    threshold_parameter(
+        "a ribbon wider than this gets a particle; default 0.5, unless a tolerance is given"),
     tolerance_parameter,
     step_parameter,
 };
