@@ -29,6 +29,14 @@ bool before(Node a, Node b) {
   return a.key.x < b.key.x || (a.key.x == b.key.x && a.key.y < b.key.y);
 }
 
+int count(uint list) {
+  int n = 0;
+  while (list != 0u) {
+    REPEAT8(if (list != 0u) { list = load_node(list).next; ++n; })
+  }
+  return n;
+}
+
 // A list that grows at its end.
 struct Chain {
   uint first;

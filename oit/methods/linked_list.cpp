@@ -17,19 +17,24 @@ struct NodePool {
   BufferTexture links, colors;
 };
 
+// Layers that are sorted in registers: RUN of list_sort.glsl.
+constexpr int most_layers_in_registers = 16;
 // llvmpipe silently ends the loops of a shader after 65535 iterations in all. Sorting and
 // compositing takes about 6 for each layer: up to here one pass does it all …
-constexpr int most_layers_at_once = 4096;
+constexpr std::uint32_t most_layers_at_once = 4096;
 // … and deeper pixels take a pass for each level of a merge sort, at a quarter of an iteration for
 // each layer.
 constexpr std::uint32_t most_layers = 250'000;
 
-/// Programs for pixels of more than `most_layers_at_once` layers.
-struct DeepPrograms {
-  explicit DeepPrograms(const Stage& stage)
-      : merge(stage.screen_program(oit_glsl::linked_list_merge_frag_glsl())),
-        blend(stage.screen_program(oit_glsl::linked_list_blend_frag_glsl())) {}
-  Program merge, blend;
+/// Programs for pixels of more layers than registers hold.
+struct LongListPrograms {
+  explicit LongListPrograms(const Stage& stage)
+      : sort(stage.screen_program(oit_glsl::linked_list_sort_frag_glsl())),
+        merge(stage.screen_program(oit_glsl::linked_list_merge_frag_glsl())),
+        blend(stage.screen_program(oit_glsl::linked_list_blend_frag_glsl())) {
+    sort.set("most_layers", int(most_layers_at_once));
+  }
+  Program sort, merge, blend;
 };
 
 NodePool make_pool(const Gl& gl, std::uint64_t nodes) {
@@ -56,7 +61,6 @@ class LinkedList final : public OitMethod {
         count_(stage.geometry_program(oit_glsl::linked_list_count_frag_glsl())),
         build_(stage.geometry_program(oit_glsl::linked_list_build_frag_glsl())),
         resolve_(stage.screen_program(oit_glsl::linked_list_resolve_frag_glsl())) {
-    resolve_.set("most_layers", most_layers_at_once);
     stage.record("counters", node_count_.bytes() + longest_.bytes());
   }
 
@@ -68,12 +72,13 @@ class LinkedList final : public OitMethod {
   }
 
   std::vector<std::string> explain() const override {
-    return {
-        pool_.links.bytes() ? fmt::format("list nodes: {}, as many as were counted", pool_.nodes)
-                            : "list nodes: none before the first picture counts its fragments",
-        deep_ ? "deep lists: sorted by passes of their own"
-              : fmt::format("deep lists: left out, no pixel was seen to have more than {} layers",
-                            most_layers_at_once)};
+    return {pool_.links.bytes()
+                ? fmt::format("list nodes: {}, as many as were counted", pool_.nodes)
+                : "list nodes: none before the first picture counts its fragments",
+            long_lists_ ? "long lists: sorted by passes of their own"
+                        : fmt::format("long lists: left out, no pixel was seen to have more than "
+                                      "{} layers",
+                                      most_layers_in_registers)};
   }
 
  private:
@@ -109,24 +114,29 @@ class LinkedList final : public OitMethod {
     stage_.begin_pass(picture, {Blend::replace});
     stage_.draw_screen(resolve_);
     finish_stores();
-    if (const std::uint32_t longest = longest_.read_word(0)) resolve_deep(longest, picture);
+    if (const std::uint32_t longest = longest_.read_word(0)) resolve_long(longest, picture);
   }
 
-  void resolve_deep(std::uint32_t longest, const Framebuffer& picture) {
+  void resolve_long(std::uint32_t longest, const Framebuffer& picture) {
     if (longest > most_layers)
       throw WorkError(
-          fmt::format("linked-list: a pixel has {} layers or more; sorted are at most "
-                      "{}",
-                      longest, most_layers));
-    if (!deep_) deep_.emplace(stage_);
+          fmt::format("linked-list: a pixel has {} layers or more; sorted are at most {}", longest,
+                      most_layers));
+    if (!long_lists_) long_lists_.emplace(stage_);
+    stage_.draw_screen(long_lists_->sort);
+    finish_stores();
+    if (longest > most_layers_at_once) resolve_deep(longest, picture);
+  }
+
+  void resolve_deep(std::uint32_t longest, const Framebuffer& picture) const {
     stage_.begin_pass(no_targets_, {Blend::replace});
     for (std::uint32_t length = 1; length < longest; length *= 2) {
-      deep_->merge.set("length_of_runs", int(length));
-      stage_.draw_screen(deep_->merge);
+      long_lists_->merge.set("length_of_runs", int(length));
+      stage_.draw_screen(long_lists_->merge);
       finish_stores();
     }
     stage_.begin_pass(picture, {Blend::replace});
-    stage_.draw_screen(deep_->blend);
+    stage_.draw_screen(long_lists_->blend);
   }
 
   void finish_stores() const {
@@ -140,7 +150,7 @@ class LinkedList final : public OitMethod {
   Framebuffer no_targets_;
   SampleQuery query_;
   Program count_, build_, resolve_;
-  std::optional<DeepPrograms> deep_;
+  std::optional<LongListPrograms> long_lists_;
 };
 
 }  // namespace
