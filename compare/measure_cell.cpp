@@ -33,6 +33,7 @@ std::vector<std::pair<std::string, Spread>> step_spreads(const std::vector<Rende
 
 Spread total_spread(const std::vector<RenderStats>& runs) {
   std::vector<double> seconds;
+  seconds.reserve(runs.size());
   for (const RenderStats& run : runs) seconds.push_back(run.seconds());
   return spread(seconds);
 }

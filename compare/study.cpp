@@ -76,6 +76,7 @@ std::vector<MethodCall> calls_of_object(const JsonNode& node, std::span<const Me
     if (sets.size() > max_calls) node.fail(fmt::format("more than {} combinations", max_calls));
   }
   std::vector<MethodCall> calls;
+  calls.reserve(sets.size());
   for (const RawOptions& options : sets)
     calls.push_back(make_call(node, node["method"].string(), options, table));
   return calls;
@@ -106,7 +107,7 @@ std::vector<MethodCall> read_methods(const JsonNode& node, const MethodCall& ref
 
 /// A scene that is not there, or is something else, is found before hours of work.
 fs::path read_scene_path(const JsonNode& node, const fs::path& base) {
-  const fs::path path = (base / node.string()).lexically_normal();
+  fs::path path = (base / node.string()).lexically_normal();
   if (!fs::is_regular_file(path))
     node.fail(fmt::format("'{}' is not a file; accepted: a scene file, relative to the study",
                           path.string()));
@@ -137,6 +138,7 @@ Crop read_crop(const JsonNode& node) {
 
 std::map<std::string, Crop> read_crops(const JsonNode& node, const std::vector<fs::path>& scenes) {
   std::vector<std::string> names;
+  names.reserve(scenes.size());
   for (const fs::path& scene : scenes) names.push_back(scene_name(scene));
   std::map<std::string, Crop> crops;
   for (const auto& item : node.value().items()) {
