@@ -1,5 +1,6 @@
 // Surfaces against closed forms, and every row of the table against its promises.
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 
@@ -199,6 +200,18 @@ TEST(UnitSurface, GhostNormalsAgreeWithVariationalOnes) {
     const auto ghosts = normals(how);
     for (std::size_t i = 0; i < truth.size(); ++i)
       ASSERT_LE(57.29577951 * std::asin(glm::length(glm::cross(truth[i], ghosts[i]))), 1e-2) << how;
+  }
+}
+
+TEST(PropertyThreads, MeshesAreTheSameToTheLastBitForAnyNumberOfThreads) {
+  const ClosedForm form = closed_forms()[0];
+  for (const IntegratorRow& row : integrators()) {
+    const TriangleMesh parallel = sweep(form, row.name).surface.mesh;
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const TriangleMesh serial = sweep(form, row.name).surface.mesh;
+    EXPECT_EQ(parallel.positions, serial.positions) << row.name;
+    EXPECT_EQ(parallel.normals, serial.normals) << row.name;
+    EXPECT_EQ(parallel.triangles, serial.triangles) << row.name;
   }
 }
 
