@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace pellucid {
+namespace {
+
+/// Between seeds closer than this (in s) a front line is never refined: doubles end at 1e-16, and
+/// trajectories are as exact as 1e-9 of the curve.
+constexpr double closest_seeds = 1e-12;
+
+}  // namespace
 
 void FrontLine::start(std::span<const double> seeds, bool ring) {
   std::vector<Place> places;
@@ -60,15 +67,6 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   return !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, middle);
 }
 
-/// Seeds that all but coincide have led to different places.
-bool FrontLine::are_apart(const Place& a, const Place& b) const {
-  constexpr double stretched = 100;
-  const FrontPoint &x = at(a.particle).head, &y = at(b.particle).head;
-  const SurfaceOptions& options = run_.options();
-  return are_parting(x, y) ||
-         glm::distance(x.flow.x, y.flow.x) > stretched * options.rip * options.extent;
-}
-
 /// When the front has a particle between the two. One that stands still is where it is at any time,
 /// also at the other one's.
 double FrontLine::time_between(const Place& a, const Place& b) const {
@@ -87,14 +85,16 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   }
   if (both) shadow = shadow_between(a, b, std::move(shadow));
   const bool narrow = b.s - a.s <= run_.options().rip;
-  const bool fine = both && (is_fine(a, b, shadow.get()) || (narrow && !are_apart(a, b)));
-  if (fine && (!split || narrow)) {
+  if (both && is_fine(a, b, shadow.get()) && (!split || narrow)) {
     edges_.push_back({a.particle, b.particle, std::move(shadow)});
     return;
   }
-  if (both && narrow) run_.tear(a.s, b.s);
-  if (narrow || (!shadow && !run_.may_spawn()))
-    return run_.drop(std::move(shadow), EndReason::torn);
+  // Neighbours that are only far apart are on a surface that stretches, and get company; those that
+  // part, or of which one is missing, lie on either side of an edge of the surface.
+  const bool at_edge = narrow && (!both || are_parting(at(a.particle).head, at(b.particle).head));
+  const bool torn = at_edge || b.s - a.s <= closest_seeds;
+  if (both && torn) run_.tear(a.s, b.s);
+  if (torn || (!shadow && !run_.may_spawn())) return run_.drop(std::move(shadow), EndReason::torn);
   const Place middle = place(0.5 * (a.s + b.s), time_between(a, b), std::move(shadow));
   span(a, middle, {}, false);
   span(middle, b, {}, false);
