@@ -1,7 +1,7 @@
 #include "composite.glsl"
 #include "optical_depth.glsl"
 
-layout(binding = 0) uniform sampler2D sums;
+layout(binding = 1) uniform sampler2D sums;
 layout(binding = 0, r32ui) uniform uimage2DArray bins;
 
 void main() {

@@ -1,6 +1,6 @@
 #include "oit/methods/binning.h"
 
-#include "oit/oit_renderer.h"
+#include "oit/optical_depth_passes.h"
 #include "oit_glsl.h"
 
 namespace pellucid {
@@ -9,21 +9,10 @@ namespace {
 class Binning final : public OitMethod {
  public:
   Binning(Stage& stage, const Parameters& parameters)
-      : stage_(stage),
-        bins_(stage.target("bins of optical depth", GL_R32UI, parameters.integer("bins"))),
-        sums_(stage.target("weighted sums of colour", GL_RGBA32F)),
-        no_targets_(stage.gl(), stage.width(), stage.height()),
-        sum_target_(stage.gl(), {{sums_}}) {
-    const Defines defines = {{"BINS", parameters.integer("bins")},
-                             {"LINEAR", parameters.text("mode") == "linear"},
-                             {"NORMALIZE", parameters.flag("normalize")}};
-    project_ = stage.geometry_program(oit_glsl::binning_project_frag_glsl(), defines);
-    accumulate_ = stage.screen_program(oit_glsl::binning_accumulate_frag_glsl(), defines);
-    weight_ = stage.geometry_program(oit_glsl::binning_weight_frag_glsl(), defines);
-    composite_ = stage.screen_program(oit_glsl::binning_composite_frag_glsl(), defines);
-    for (const Program* program : {&project_, &weight_})
-      program->set("clamp_alpha", float(parameters.real("clamp")));
-  }
+      : Binning(stage, parameters,
+                {{"BINS", parameters.integer("bins")},
+                 {"LINEAR", parameters.text("mode") == "linear"},
+                 {"NORMALIZE", parameters.flag("normalize")}}) {}
 
   void draw(Frame& frame) override {
     frame.step("project", [&] { project(); });
@@ -31,22 +20,24 @@ class Binning final : public OitMethod {
       stage_.draw_screen(accumulate_);
       finish_stores();
     });
-    frame.step("weight", [&] {
-      sum_target_.clear_all(0);
-      stage_.begin_pass(sum_target_, {Blend::add});
-      stage_.draw_geometry(weight_);
-    });
-    frame.step("composite", [&] {
-      sums_.bind(0);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
-    });
+    passes_.weight_and_composite(frame);
   }
 
  private:
+  Binning(Stage& stage, const Parameters& parameters, const Defines& defines)
+      : stage_(stage),
+        no_targets_(stage.gl(), stage.width(), stage.height()),
+        project_(clamped_geometry_program(stage, oit_glsl::binning_project_frag_glsl(), defines,
+                                          parameters)),
+        accumulate_(stage.screen_program(oit_glsl::binning_accumulate_frag_glsl(), defines)),
+        passes_(stage, {{"bins of optical depth", GL_R32UI, parameters.integer("bins")}},
+                clamped_geometry_program(stage, oit_glsl::binning_weight_frag_glsl(), defines,
+                                         parameters),
+                stage.screen_program(oit_glsl::binning_composite_frag_glsl(), defines)) {}
+
   void project() const {
-    bins_.clear(0);
-    bins_.bind_image(0);
+    passes_.coefficients(0).clear(0);
+    passes_.coefficients(0).bind_image(0);
     stage_.begin_pass(no_targets_, {Blend::replace});
     stage_.draw_geometry(project_);
     finish_stores();
@@ -55,9 +46,9 @@ class Binning final : public OitMethod {
   void finish_stores() const { stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT); }
 
   const Stage& stage_;
-  Texture bins_, sums_;
-  Framebuffer no_targets_, sum_target_;
-  Program project_, accumulate_, weight_, composite_;
+  Framebuffer no_targets_;
+  Program project_, accumulate_;
+  OpticalDepthPasses passes_;
 };
 
 constexpr ParameterSpec parameters[] = {
@@ -73,18 +64,9 @@ constexpr ParameterSpec parameters[] = {
      .default_value = "linear",
      .choices = "constant|linear",
      .help = "how the optical depth is read within a bin"},
-    {.name = "normalize",
-     .kind = ParameterSpec::Kind::flag,
-     .default_value = "on",
-     .choices = "on|off",
-     .help = "on: Eq. 19; off: Eq. 15, whose colours may leave their convex hull"},
-    {.name = "clamp",
-     .kind = ParameterSpec::Kind::real,
-     .default_value = "0.9999",
-     .min = 0,
-     .max = 0.999999,
-     .unit = "1",
-     .help = "largest opacity; Eq. 13 divides by 1 - alpha"}};
+    normalize_parameter,
+    clamp_parameter,
+};
 
 }  // namespace
 

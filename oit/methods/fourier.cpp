@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "oit/oit_renderer.h"
+#include "oit/optical_depth_passes.h"
 #include "oit_glsl.h"
 
 namespace pellucid {
@@ -25,39 +25,25 @@ class Fourier final : public OitMethod {
   Fourier(Stage& stage, const Parameters& parameters)
       : stage_(stage),
         bands_(parameters.integer("bands")),
-        coefficients_(stage.target("Fourier coefficients", coefficient_format(parameters),
-                                   target_count(bands_))),
-        sums_(stage.target("weighted sums of colour", GL_RGBA32F)),
-        sum_target_(stage.gl(), {{sums_}}),
-        weight_(geometry_program(oit_glsl::fourier_weight_frag_glsl(), parameters)),
-        composite_(stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
-                                        {{"NORMALIZE", parameters.flag("normalize")}})) {
+        passes_(stage,
+                {{"Fourier coefficients", coefficient_format(parameters), target_count(bands_)}},
+                geometry_program(oit_glsl::fourier_weight_frag_glsl(), parameters),
+                stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
+                                     {{"NORMALIZE", parameters.flag("normalize")}})) {
     if (parameters.integer("subset") > 1)
       subset_ = stage.geometry().every(parameters.integer("subset"));
     for (int first = 0; first < target_count(bands_); first += targets_per_pass)
-      passes_.push_back(band_pass(first, parameters));
+      band_passes_.push_back(band_pass(first, parameters));
   }
 
   void draw(Frame& frame) override {
     frame.step("project", [&] {
-      for (const BandPass& pass : passes_) {
-        pass.targets.clear_all(0);
-        stage_.begin_pass(pass.targets, {Blend::add});
+      for (const BandPass& pass : band_passes_) {
+        passes_.begin_sum(pass.targets);
         subset_ ? stage_.draw_geometry(pass.program, *subset_) : stage_.draw_geometry(pass.program);
       }
     });
-    frame.step("weight", [&] {
-      sum_target_.clear_all(0);
-      coefficients_.bind_image(0);
-      stage_.begin_pass(sum_target_, {Blend::add});
-      stage_.draw_geometry(weight_);
-    });
-    frame.step("composite", [&] {
-      coefficients_.bind(0);
-      sums_.bind(1);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
-    });
+    passes_.weight_and_composite(frame);
   }
 
  private:
@@ -67,7 +53,7 @@ class Fourier final : public OitMethod {
 
   BandPass band_pass(int first, const Parameters& parameters) const {
     const int targets = std::min(targets_per_pass, target_count(bands_) - first);
-    return {{stage_.gl(), {{coefficients_, targets, first}}},
+    return {{stage_.gl(), {{passes_.coefficients(0), targets, first}}},
             geometry_program(oit_glsl::fourier_project_frag_glsl(), parameters,
                              {{"FIRST_BAND", 2 * first}, {"TARGETS", targets}})};
   }
@@ -78,19 +64,16 @@ class Fourier final : public OitMethod {
     defines.emplace_back("PRECISION", parameters.integer("precision"));
     defines.emplace_back("MIDDLE", parameters.text("at") == "middle");
     defines.emplace_back("SUBSET", parameters.integer("subset"));
-    Program program = stage_.geometry_program(fragment, std::move(defines));
-    program.set("clamp_alpha", float(parameters.real("clamp")));
+    Program program = clamped_geometry_program(stage_, fragment, std::move(defines), parameters);
     program.set("margin", float(parameters.real("margin")));
     return program;
   }
 
   const Stage& stage_;
   int bands_;
-  Texture coefficients_, sums_;
+  OpticalDepthPasses passes_;
   std::optional<Triangles> subset_;
-  Framebuffer sum_target_;
-  Program weight_, composite_;
-  std::vector<BandPass> passes_;
+  std::vector<BandPass> band_passes_;
 };
 
 constexpr ParameterSpec parameters[] = {
@@ -102,18 +85,8 @@ constexpr ParameterSpec parameters[] = {
      .unit = "bands",
      .help =
          "frequencies of the series (m in the paper); beyond 15 each 16 more take another pass"},
-    {.name = "normalize",
-     .kind = ParameterSpec::Kind::flag,
-     .default_value = "on",
-     .choices = "on|off",
-     .help = "on: Eq. 19; off: Eq. 15, whose colours may leave their convex hull"},
-    {.name = "clamp",
-     .kind = ParameterSpec::Kind::real,
-     .default_value = "0.9999",
-     .min = 0,
-     .max = 0.999999,
-     .unit = "1",
-     .help = "largest opacity; Eq. 13 divides by 1 - alpha"},
+    normalize_parameter,
+    clamp_parameter,
     {.name = "at",
      .kind = ParameterSpec::Kind::choice,
      .default_value = "behind",

@@ -1,65 +1,63 @@
 #include "oit/methods/moment.h"
 
-#include "oit/oit_renderer.h"
+#include "oit/optical_depth_passes.h"
 #include "oit_glsl.h"
 
 namespace pellucid {
 namespace {
 
+bool six_moments(const Parameters& parameters) { return parameters.text("moments") == "6"; }
+
+std::vector<OpticalDepthPasses::Target> moments(const Parameters& parameters) {
+  std::vector<OpticalDepthPasses::Target> targets = {{"optical depth", GL_R32F},
+                                                     {"moments 1 to 4", GL_RGBA32F}};
+  if (six_moments(parameters)) targets.push_back({"moments 5 and 6", GL_RG32F});
+  return targets;
+}
+
+// The paper's choice for 32-bit moments, if not set.
+double bias(const Parameters& parameters) {
+  if (parameters.is_set("bias")) return parameters.real("bias");
+  return six_moments(parameters) ? 5e-6 : 5e-7;
+}
+
 class Moment final : public OitMethod {
  public:
   Moment(Stage& stage, const Parameters& parameters)
       : stage_(stage),
-        total_(stage.target("optical depth", GL_R32F)),
-        moments_(stage.target("moments 1 to 4", GL_RGBA32F)),
-        sums_(stage.target("weighted sums of colour", GL_RGBA32F)),
-        sum_target_(stage.gl(), {{sums_}}) {
-    const bool six = parameters.text("moments") == "6";
-    if (six) {
-      more_ = stage.target("moments 5 and 6", GL_RG32F);
-      moment_targets_ = {stage.gl(), {{total_}, {moments_}, {more_}}};
-    } else {
-      moment_targets_ = {stage.gl(), {{total_}, {moments_}}};
-    }
-    const Defines defines = {{"MOMENTS", six ? 6 : 4}};
-    project_ = stage.geometry_program(oit_glsl::moment_project_frag_glsl(), defines);
-    weight_ = stage.geometry_program(oit_glsl::moment_weight_frag_glsl(), defines);
-    composite_ = stage.screen_program(oit_glsl::moment_composite_frag_glsl());
-    for (const Program* program : {&project_, &weight_})
-      program->set("clamp_alpha", float(parameters.real("clamp")));
-    weight_.set("overestimation", float(parameters.real("overestimation")));
-    // The paper's choice for 32-bit moments.
-    const double bias = parameters.is_set("bias") ? parameters.real("bias") : six ? 5e-6 : 5e-7;
-    weight_.set("bias", float(bias));
-  }
+        project_(geometry_program(oit_glsl::moment_project_frag_glsl(), parameters)),
+        passes_(stage, moments(parameters),
+                geometry_program(oit_glsl::moment_weight_frag_glsl(), parameters),
+                stage.screen_program(oit_glsl::moment_composite_frag_glsl())),
+        moment_targets_(targets(parameters)) {}
 
   void draw(Frame& frame) override {
     frame.step("project", [&] {
-      moment_targets_.clear_all(0);
-      stage_.begin_pass(moment_targets_, {Blend::add});
+      passes_.begin_sum(moment_targets_);
       stage_.draw_geometry(project_);
     });
-    frame.step("weight", [&] {
-      total_.bind_image(0);
-      moments_.bind_image(1);
-      if (more_.id()) more_.bind_image(2);
-      sum_target_.clear_all(0);
-      stage_.begin_pass(sum_target_, {Blend::add});
-      stage_.draw_geometry(weight_);
-    });
-    frame.step("composite", [&] {
-      total_.bind(0);
-      sums_.bind(1);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
-    });
+    passes_.weight_and_composite(frame);
   }
 
  private:
+  Program geometry_program(std::string_view fragment, const Parameters& parameters) const {
+    Program program = clamped_geometry_program(
+        stage_, fragment, {{"MOMENTS", parameters.integer("moments")}}, parameters);
+    program.set("overestimation", float(parameters.real("overestimation")));
+    program.set("bias", float(bias(parameters)));
+    return program;
+  }
+
+  Framebuffer targets(const Parameters& parameters) const {
+    const auto target = [&](int i) { return Framebuffer::Attachment{passes_.coefficients(i)}; };
+    if (six_moments(parameters)) return {stage_.gl(), {target(0), target(1), target(2)}};
+    return {stage_.gl(), {target(0), target(1)}};
+  }
+
   const Stage& stage_;
-  Texture total_, moments_, more_, sums_;
-  Framebuffer moment_targets_, sum_target_;
-  Program project_, weight_, composite_;
+  Program project_;
+  OpticalDepthPasses passes_;
+  Framebuffer moment_targets_;
 };
 
 constexpr ParameterSpec parameters[] = {
