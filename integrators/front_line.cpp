@@ -67,6 +67,15 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   return !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, middle);
 }
 
+/// Seeds that all but coincide have led to places that do not: the surface stretches, and a ribbon
+/// is no better for its narrow seeds.
+bool FrontLine::is_stretched(const Place& a, const Place& b) const {
+  constexpr double stretched = 100;
+  const SurfaceOptions& options = run_.options();
+  return glm::distance(at(a.particle).head.flow.x, at(b.particle).head.flow.x) >
+         stretched * options.rip * options.extent;
+}
+
 /// When the front has a particle between the two. One that stands still is where it is at any time,
 /// also at the other one's.
 double FrontLine::time_between(const Place& a, const Place& b) const {
@@ -85,14 +94,15 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   }
   if (both) shadow = shadow_between(a, b, std::move(shadow));
   const bool narrow = b.s - a.s <= run_.options().rip;
-  if (both && is_fine(a, b, shadow.get()) && (!split || narrow)) {
+  // Neighbours that part, or of which one is missing, lie on either side of an edge of the surface.
+  const bool at_edge = !both || are_parting(at(a.particle).head, at(b.particle).head);
+  const bool fine =
+      both && (is_fine(a, b, shadow.get()) || (narrow && !at_edge && !is_stretched(a, b)));
+  if (fine && (!split || narrow)) {
     edges_.push_back({a.particle, b.particle, std::move(shadow)});
     return;
   }
-  // Neighbours that are only far apart are on a surface that stretches, and get company; those that
-  // part, or of which one is missing, lie on either side of an edge of the surface.
-  const bool at_edge = narrow && (!both || are_parting(at(a.particle).head, at(b.particle).head));
-  const bool torn = at_edge || b.s - a.s <= closest_seeds;
+  const bool torn = (narrow && at_edge) || b.s - a.s <= closest_seeds;
   if (both && torn) run_.tear(a.s, b.s);
   if (torn || (!shadow && !run_.may_spawn())) return run_.drop(std::move(shadow), EndReason::torn);
   const Place middle = place(0.5 * (a.s + b.s), time_between(a, b), std::move(shadow));

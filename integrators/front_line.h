@@ -53,6 +53,7 @@ class FrontLine {
   Shadow shadow_between(const Place& a, const Place& b, Shadow known);
   bool is_fine(const Place& a, const Place& b, Trajectory* shadow);
   double time_between(const Place& a, const Place& b) const;
+  bool is_stretched(const Place& a, const Place& b) const;
   void span(const Place& a, const Place& b, Shadow shadow, bool split);
   void link_edges();
   double seed_after(int left, int right) const;
