@@ -1,4 +1,3 @@
 # Each order-independent method against the bare passes that it cannot do without.
-add_executable(oit_bench ${CMAKE_SOURCE_DIR}/benchmarks/oit_bench.cpp)
-set_target_properties(oit_bench PROPERTIES EXCLUDE_FROM_ALL TRUE)
-target_link_libraries(oit_bench PRIVATE pellucid_oit benchmark::benchmark)
+add_executable(bench_oit EXCLUDE_FROM_ALL oit_bench.cpp)
+target_link_libraries(bench_oit PRIVATE pellucid_oit benchmark::benchmark)
