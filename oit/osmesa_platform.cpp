@@ -3,12 +3,6 @@
 #include "oit/gl_platform.h"
 #include "oit/shared_library.h"
 
-#ifdef __SANITIZE_ADDRESS__
-// OSMesa 22.3 never frees the default framebuffer of a context that is destroyed.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
-#endif
-
 namespace pellucid {
 namespace {
 
