@@ -1,13 +1,13 @@
 #include "groundtruth/view_frame.h"
 
-#include "scene/unit_frame.h"
+#include "scene/unit_scale.h"
 
 namespace pellucid {
 
 ViewFrame::ViewFrame(const Scene& scene)
     : camera_(camera_frame(scene.camera)),
       projection_(scene.camera.projection),
-      scale_(unit_frame(scene).scale),
+      scale_(unit_scale(scene.bounds())),
       pixel_(2 * half_height(scene.camera) / scene.height),
       center_x_(0.5 * scene.width),
       center_y_(0.5 * scene.height) {

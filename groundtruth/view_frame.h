@@ -12,7 +12,7 @@ struct PictureRay {
 };
 
 /// View coordinates in which crossings are decided: x right, y up, z the view depth, the eye at the
-/// origin, in units (world lengths times a power of two, see UnitFrame). Vertices are rounded to
+/// origin, in units (world lengths times a power of two, see unit_scale). Vertices are rounded to
 /// them once, so that triangles that share a vertex still share it.
 class ViewFrame {
  public:

@@ -40,7 +40,6 @@ void JsonNode::refuse(std::string_view accepted) const {
 bool JsonNode::is_string() const { return value_->is_string(); }
 bool JsonNode::is_object() const { return value_->is_object(); }
 bool JsonNode::is_array() const { return value_->is_array(); }
-bool JsonNode::is_number() const { return value_->is_number(); }
 
 void JsonNode::accept_keys(std::initializer_list<std::string_view> known) const {
   if (!value_->is_object()) refuse("an object with the keys " + join(known));

@@ -22,7 +22,6 @@ class JsonNode {
   bool is_string() const;
   bool is_object() const;
   bool is_array() const;
-  bool is_number() const;
 
   /// Refuses keys that are not among `known`, the nearest names first.
   void accept_keys(std::initializer_list<std::string_view> known) const;

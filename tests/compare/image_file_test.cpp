@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/output_file.h"
 #include "tests/compare/metric_pairs.h"
-#include "tests/compare/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/output_file.h"
-#include "tests/compare/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid::testing {
 

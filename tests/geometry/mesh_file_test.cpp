@@ -1,13 +1,13 @@
 #include "geometry/mesh_file.h"
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
 
 #include <fstream>
 #include <limits>
 
 #include "core/error.h"
 #include "core/output_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid {
 namespace {
@@ -15,19 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "pellucid-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  fs::path operator/(std::string_view name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
+using testing::TemporaryFolder;
 
 /// Two triangles with every attribute, at coordinates that float would round.
 TriangleMesh sample_mesh() {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "scene/unit_frame.h"
+#include "scene/unit_scale.h"
 #include "scene/view_depth.h"
 #include "tests/support/scenes.h"
 
@@ -97,18 +97,20 @@ TEST(UnitViewDepth, StartsAtTheEyeWhenTheSceneReachesBehindIt) {
   EXPECT_THROW(depth_range(scene), InputError);
 }
 
-TEST(UnitUnitFrame, ScalesByPowersOfTwoIntoTheUnitBox) {
-  for (const double size : {1e-10, 0.3, 1.0, 7.0, 1e10}) {
-    Scene scene;
-    scene.objects = {{"", rectangle(100, 100 + size, 0, size / 2, 3, Rgba(1))}};
-    const UnitFrame frame = unit_frame(scene);
+TEST(UnitUnitScale, IsThePowerOfTwoThatFitsTheUnitBox) {
+  for (const double size : {1e-10, 0.3, 1.0, 2.0, 7.0, 1e10}) {
+    Box3 box;
+    box.extend({100, 0, 3});
+    box.extend({100 + size, size / 2, 3});
+    const double scale = unit_scale(box);
     int exponent = 0;
-    EXPECT_EQ(std::frexp(frame.scale, &exponent), 0.5);
-    const Vec3 corner = frame.from_world(scene.objects[0].mesh.positions[2]);
-    EXPECT_GT(corner.x, 0.4999);
+    EXPECT_EQ(std::frexp(scale, &exponent), 0.5);
     // A coordinate near 100 is known to 1.4e-14, which at size 1e-10 is a part of 1.4e-4.
-    EXPECT_LE(corner.x, 1.001);
+    EXPECT_GT(scale * size / 2, 0.5 * (1 - 1e-3));
+    EXPECT_LE(scale * size / 2, 1 + 1e-3);
   }
+  EXPECT_EQ(unit_scale(Box3{}), 1);
+  EXPECT_EQ(unit_scale(Box3{Vec3(5), Vec3(5)}), 1);
 }
 
 }  // namespace
