@@ -76,7 +76,7 @@ class BareTraversal {
         device_(rtcNewDevice(nullptr)),
         scene_(rtcNewScene(device_)) {
     if (robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    for (const SceneObject& object : from.objects) attach(object.mesh);
+    for (const SceneObject& object : from.objects) attach(object.mesh());
     rtcCommitScene(scene_);
   }
   ~BareTraversal() {

@@ -21,10 +21,13 @@ std::string ending(const fs::path& path) {
   return text;
 }
 
-[[noreturn]] void unknown_ending(const fs::path& path) {
-  throw InputError(fmt::format("{}: unknown kind of mesh file '{}'; accepted: .ply, .obj, .vtp",
-                               path.string(), path.extension().string()));
+[[noreturn]] void unknown_ending(const fs::path& path, std::string_view kind,
+                                 std::string_view accepted) {
+  throw InputError(fmt::format("{}: unknown kind of {} file '{}'; accepted: {}", path.string(),
+                               kind, path.extension().string(), accepted));
 }
+
+constexpr std::string_view mesh_endings = ".ply, .obj, .vtp";
 
 bool has_all(const VertexAttributes& attributes, std::initializer_list<const char*> names) {
   return std::all_of(names.begin(), names.end(),
@@ -40,52 +43,56 @@ void check_unit_interval(const std::string& file, std::string_view name, std::si
 
 }  // namespace
 
-void take_attributes(VertexAttributes attributes, TriangleMesh& mesh) {
-  const std::size_t count = mesh.positions.size();
+void take_attributes(VertexAttributes attributes, Vertices& vertices) {
+  const std::size_t count = vertices.positions.size();
   const auto take = [&](const char* name) {
     auto node = attributes.extract(name);
     return node.empty() ? std::vector<double>(count, 1.0) : std::move(node.mapped());
   };
   if (has_all(attributes, {"red", "green", "blue"}) || has_all(attributes, {"alpha"})) {
     const auto red = take("red"), green = take("green"), blue = take("blue"), alpha = take("alpha");
-    mesh.colors.resize(count);
+    vertices.colors.resize(count);
     for (std::size_t i = 0; i < count; ++i)
-      mesh.colors[i] = Rgba(red[i], green[i], blue[i], alpha[i]);
+      vertices.colors[i] = Rgba(red[i], green[i], blue[i], alpha[i]);
   }
   if (has_all(attributes, {"nx", "ny", "nz"})) {
     const auto x = take("nx"), y = take("ny"), z = take("nz");
-    mesh.normals.resize(count);
+    vertices.normals.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 n(x[i], y[i], z[i]);
       const double length = glm::length(n);
-      mesh.normals[i] = length > 0 ? n / length : n;
+      vertices.normals[i] = length > 0 ? n / length : n;
     }
   }
   if (has_all(attributes, {"importance"})) {
     const auto g = take("importance");
-    mesh.importance.assign(g.begin(), g.end());
+    vertices.importance.assign(g.begin(), g.end());
   }
-  mesh.scalars = std::move(attributes);
+  vertices.scalars = std::move(attributes);
+}
+
+void check_vertices(const std::string& file, const Vertices& vertices) {
+  for (std::size_t i = 0; i < vertices.positions.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(vertices.positions[i][axis]))
+        throw InputError(fmt::format("{}: vertex {}: {} is {}; accepted: finite numbers", file, i,
+                                     "xyz"[axis], vertices.positions[i][axis]));
+  static constexpr std::string_view channel[] = {"red", "green", "blue", "alpha"};
+  for (std::size_t i = 0; i < vertices.colors.size(); ++i)
+    for (int c = 0; c < 4; ++c) check_unit_interval(file, channel[c], i, vertices.colors[i][c]);
+  for (std::size_t i = 0; i < vertices.importance.size(); ++i)
+    check_unit_interval(file, "importance", i, vertices.importance[i]);
 }
 
 void check_mesh(const std::string& file, const TriangleMesh& mesh) {
+  check_vertices(file, mesh);
   const std::size_t count = mesh.positions.size();
-  for (std::size_t i = 0; i < count; ++i)
-    for (int axis = 0; axis < 3; ++axis)
-      if (!std::isfinite(mesh.positions[i][axis]))
-        throw InputError(fmt::format("{}: vertex {}: {} is {}; accepted: finite numbers", file, i,
-                                     "xyz"[axis], mesh.positions[i][axis]));
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for (const std::uint32_t index : mesh.triangles[i])
       if (index >= count)
         throw InputError(
             fmt::format("{}: triangle {}: vertex index {}, but the file has {} vertices", file, i,
                         index, count));
-  static constexpr std::string_view channel[] = {"red", "green", "blue", "alpha"};
-  for (std::size_t i = 0; i < mesh.colors.size(); ++i)
-    for (int c = 0; c < 4; ++c) check_unit_interval(file, channel[c], i, mesh.colors[i][c]);
-  for (std::size_t i = 0; i < mesh.importance.size(); ++i)
-    check_unit_interval(file, "importance", i, mesh.importance[i]);
   if (mesh.triangles.empty()) throw InputError(file + ": the file holds no triangles");
 }
 
@@ -93,10 +100,32 @@ TriangleMesh read_mesh(const fs::path& path) {
   const std::string kind = ending(path);
   TriangleMesh mesh = kind == ".ply"   ? read_ply(path)
                       : kind == ".obj" ? read_obj(path)
-                      : kind == ".vtp" ? read_vtp(path)
-                                       : (unknown_ending(path), TriangleMesh{});
+                      : kind == ".vtp"
+                          ? read_vtp(path)
+                          : (unknown_ending(path, "mesh", mesh_endings), TriangleMesh{});
   check_mesh(path.string(), mesh);
   return mesh;
+}
+
+LineSet read_lines(const fs::path& path) {
+  const std::string kind = ending(path);
+  LineSet lines = kind == ".ply"   ? read_ply_lines(path)
+                  : kind == ".obj" ? read_obj_lines(path)
+                  : kind == ".vtp" ? read_vtp_lines(path)
+                                   : (unknown_ending(path, "line", mesh_endings), LineSet{});
+  check_vertices(path.string(), lines);
+  if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
+  return lines;
+}
+
+PointSet read_points(const fs::path& path) {
+  const std::string kind = ending(path);
+  PointSet points = kind == ".ply"   ? read_ply_points(path)
+                    : kind == ".vtp" ? read_vtp_points(path)
+                                     : (unknown_ending(path, "point", ".ply, .vtp"), PointSet{});
+  check_vertices(path.string(), points);
+  if (points.positions.empty()) throw InputError(path.string() + ": the file holds no points");
+  return points;
 }
 
 void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
@@ -104,7 +133,7 @@ void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
   if (kind == ".ply") return write_text(path, encode_ply(mesh));
   if (kind == ".obj") return write_text(path, encode_obj(mesh));
   if (kind == ".vtp") return write_vtp(path, mesh);
-  unknown_ending(path);
+  unknown_ending(path, "mesh", mesh_endings);
 }
 
 void write_lines(const fs::path& path, const LineSet& lines) {
@@ -112,7 +141,7 @@ void write_lines(const fs::path& path, const LineSet& lines) {
   if (kind == ".ply") return write_text(path, encode_ply(lines));
   if (kind == ".obj") return write_text(path, encode_obj(lines));
   if (kind == ".vtp") return write_vtp(path, lines);
-  unknown_ending(path);
+  unknown_ending(path, "line", mesh_endings);
 }
 
 }  // namespace pellucid

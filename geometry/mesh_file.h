@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "geometry/line_set.h"
+#include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
 
 namespace pellucid {
@@ -14,6 +15,14 @@ namespace pellucid {
 /// triangles, or that holds a position that is not finite, an index out of range, or an opacity,
 /// colour or importance outside [0, 1].
 TriangleMesh read_mesh(const std::filesystem::path& path);
+
+/// Reads polylines from .ply (consecutive vertices of equal `line` are joined; without that
+/// attribute all of them), .obj (`l`) or .vtp. Attributes and refusals as for read_mesh(); lines of
+/// fewer than two points are kept.
+LineSet read_lines(const std::filesystem::path& path);
+
+/// Reads the points of a .ply or .vtp file; what joins them there is left out.
+PointSet read_points(const std::filesystem::path& path);
 
 /// Writes .ply (binary, double positions, float attributes), .obj (positions, normals, triangles)
 /// or .vtp. All scalars are kept by PLY and VTP. Throws InputError for another ending.

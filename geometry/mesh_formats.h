@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "geometry/line_set.h"
+#include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
 
 namespace pellucid {
@@ -13,6 +14,13 @@ namespace pellucid {
 TriangleMesh read_ply(const std::filesystem::path& path);
 TriangleMesh read_obj(const std::filesystem::path& path);
 TriangleMesh read_vtp(const std::filesystem::path& path);
+
+LineSet read_ply_lines(const std::filesystem::path& path);
+LineSet read_obj_lines(const std::filesystem::path& path);
+LineSet read_vtp_lines(const std::filesystem::path& path);
+
+PointSet read_ply_points(const std::filesystem::path& path);
+PointSet read_vtp_points(const std::filesystem::path& path);
 
 std::string encode_ply(const TriangleMesh& mesh);
 std::string encode_obj(const TriangleMesh& mesh);
@@ -22,11 +30,12 @@ void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh);
 void write_vtp(const std::filesystem::path& path, const LineSet& lines);
 
 /// Vertex attributes by name, as a file holds them; `take_attributes` moves those with a meaning
-/// (red green blue alpha importance nx ny nz) to where TriangleMesh keeps them.
+/// (red green blue alpha importance nx ny nz) to where Vertices keep them.
 using VertexAttributes = std::map<std::string, std::vector<double>>;
-void take_attributes(VertexAttributes attributes, TriangleMesh& mesh);
+void take_attributes(VertexAttributes attributes, Vertices& vertices);
 
-/// Throws InputError "FILE: …" for what read_mesh() promises to refuse.
+/// Throw InputError "FILE: …" for what read_mesh() promises to refuse.
+void check_vertices(const std::string& file, const Vertices& vertices);
 void check_mesh(const std::string& file, const TriangleMesh& mesh);
 
 }  // namespace pellucid

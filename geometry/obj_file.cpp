@@ -35,6 +35,7 @@ struct ObjReader {
   std::string file;
   std::size_t line = 0;
   TriangleMesh mesh;
+  std::vector<std::vector<std::uint32_t>> lines;
   std::vector<Vec3> normals;        // as listed
   std::vector<Vec3> vertex_normal;  // per position, the last one that a face named
   bool has_color = false;
@@ -98,6 +99,13 @@ struct ObjReader {
     }
   }
 
+  void polyline(Words& words) {
+    lines.emplace_back();
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+      lines.back().push_back(
+          index(word.substr(0, word.find('/')), mesh.positions.size(), "vertex"));
+  }
+
   void read(std::string_view text) {
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
@@ -108,6 +116,7 @@ struct ObjReader {
       if (keyword == "v") vertex(words);
       if (keyword == "vn") normals.push_back(vector(words));
       if (keyword == "f") face(words);
+      if (keyword == "l") polyline(words);
     }
   }
 };
@@ -115,12 +124,26 @@ struct ObjReader {
 }  // namespace
 
 TriangleMesh read_obj(const std::filesystem::path& path) {
-  ObjReader reader{path.string(), 0, {}, {}, {}, false};
+  ObjReader reader{path.string(), 0, {}, {}, {}, {}, false};
   reader.read(read_text(path));
   if (!reader.has_color) reader.mesh.colors.clear();
   if (reader.vertex_normal.size() == reader.mesh.positions.size())
     reader.mesh.normals = std::move(reader.vertex_normal);
   return std::move(reader.mesh);
+}
+
+LineSet read_obj_lines(const std::filesystem::path& path) {
+  ObjReader reader{path.string(), 0, {}, {}, {}, {}, false};
+  reader.read(read_text(path));
+  LineSet lines;
+  for (const auto& polyline : reader.lines) {
+    for (const std::uint32_t v : polyline) {
+      lines.positions.push_back(reader.mesh.positions[v]);
+      if (reader.has_color) lines.colors.push_back(reader.mesh.colors[v]);
+    }
+    lines.offsets.push_back(lines.positions.size());
+  }
+  return lines;
 }
 
 std::string encode_obj(const TriangleMesh& mesh) {

@@ -43,7 +43,7 @@ void skip(ply::Reader& reader, const ply::Element& element) {
     for (const ply::Property& property : element.properties) skip(reader, property);
 }
 
-void read_vertices(ply::Reader& reader, const ply::Element& element, TriangleMesh& mesh,
+void read_vertices(ply::Reader& reader, const ply::Element& element, Vertices& vertices,
                    VertexAttributes& attributes) {
   std::vector<std::vector<double>*> columns;
   for (const ply::Property& property : element.properties) {
@@ -63,9 +63,9 @@ void read_vertices(ply::Reader& reader, const ply::Element& element, TriangleMes
       throw InputError(
           fmt::format("{}: element 'vertex' has no property '{}'", reader.where(), axis));
   const auto x = attributes.extract("x"), y = attributes.extract("y"), z = attributes.extract("z");
-  mesh.positions.resize(element.count);
+  vertices.positions.resize(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i)
-    mesh.positions[i] = {x.mapped()[i], y.mapped()[i], z.mapped()[i]};
+    vertices.positions[i] = {x.mapped()[i], y.mapped()[i], z.mapped()[i]};
 }
 
 std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face,
@@ -103,6 +103,24 @@ void read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& 
     }
 }
 
+/// Fills the vertices' positions, and the faces of `mesh` unless that is null.
+VertexAttributes read_elements(const std::filesystem::path& path, Vertices& vertices,
+                               TriangleMesh* mesh) {
+  const std::string content = read_text(path);
+  ply::Reader reader(path.string(), content);
+  VertexAttributes attributes;
+  for (const ply::Element& element : reader.read_header().elements) {
+    check_count(reader, element);
+    if (element.name == "vertex")
+      read_vertices(reader, element, vertices, attributes);
+    else if (element.name == "face" && mesh)
+      read_faces(reader, element, *mesh);
+    else
+      skip(reader, element);
+  }
+  return attributes;
+}
+
 template <class T>
 void append(std::string& out, T value) {
   char bytes[sizeof value];
@@ -113,21 +131,27 @@ void append(std::string& out, T value) {
 }  // namespace
 
 TriangleMesh read_ply(const std::filesystem::path& path) {
-  const std::string content = read_text(path);
-  ply::Reader reader(path.string(), content);
   TriangleMesh mesh;
-  VertexAttributes attributes;
-  for (const ply::Element& element : reader.read_header().elements) {
-    check_count(reader, element);
-    if (element.name == "vertex")
-      read_vertices(reader, element, mesh, attributes);
-    else if (element.name == "face")
-      read_faces(reader, element, mesh);
-    else
-      skip(reader, element);
-  }
-  take_attributes(std::move(attributes), mesh);
+  take_attributes(read_elements(path, mesh, &mesh), mesh);
   return mesh;
+}
+
+LineSet read_ply_lines(const std::filesystem::path& path) {
+  LineSet lines;
+  VertexAttributes attributes = read_elements(path, lines, nullptr);
+  const std::size_t count = lines.positions.size();
+  if (const auto line = attributes.extract("line"))
+    for (std::size_t i = 1; i < count; ++i)
+      if (line.mapped()[i] != line.mapped()[i - 1]) lines.offsets.push_back(i);
+  lines.offsets.push_back(count);
+  take_attributes(std::move(attributes), lines);
+  return lines;
+}
+
+PointSet read_ply_points(const std::filesystem::path& path) {
+  PointSet points;
+  take_attributes(read_elements(path, points, nullptr), points);
+  return points;
 }
 
 std::string encode_ply(const TriangleMesh& mesh) {

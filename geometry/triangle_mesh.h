@@ -2,29 +2,15 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <string>
 #include <vector>
 
-#include "core/vec.h"
+#include "geometry/vertices.h"
 
 namespace pellucid {
 
-/// A triangle soup with shared vertices, as it is drawn. Per-vertex arrays are empty or as long as
-/// `positions`; values are interpolated linearly over each triangle.
-struct TriangleMesh {
-  std::vector<Vec3> positions;  // world
-  std::vector<Vec3> normals;    // unit length, world; either side
-  std::vector<Rgba> colors;     // straight (not premultiplied) colour, opacity in alpha, in [0, 1]
-  std::vector<float> importance;                       // g in [0, 1]
-  std::map<std::string, std::vector<double>> scalars;  // by name: s, t, time, speed, …
+/// A triangle soup with shared vertices, as it is drawn.
+struct TriangleMesh : Vertices {
   std::vector<std::array<std::uint32_t, 3>> triangles;
-
-  Box3 bounds() const {
-    Box3 box;
-    for (const Vec3& x : positions) box.extend(x);
-    return box;
-  }
 };
 
 }  // namespace pellucid

@@ -12,6 +12,8 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <numeric>
+
 #include "core/error.h"
 #include "core/output_file.h"
 #include "fields/vtk_messages.h"
@@ -32,17 +34,19 @@ vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& path) {
   return reader->GetOutput();
 }
 
-void take_column(vtkDataArray& array, const std::string& name, int component, double scale,
-                 VertexAttributes& attributes) {
+using PointIds = std::vector<vtkIdType>;
+
+void take_column(vtkDataArray& array, const PointIds& points, const std::string& name,
+                 int component, double scale, VertexAttributes& attributes) {
   std::vector<double>& column = attributes[name];
-  column.resize(array.GetNumberOfTuples());
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
-    column[i] = array.GetComponent(i, component) / scale;
+  column.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    column[i] = array.GetComponent(points[i], component) / scale;
 }
 
 /// Scalars keep their name; a 3- or 4-component array that is named like a colour is one; other
 /// vectors give NAME_x, NAME_y, NAME_z.
-void take_array(vtkDataArray& array, VertexAttributes& attributes) {
+void take_array(vtkDataArray& array, const PointIds& points, VertexAttributes& attributes) {
   const std::string name = array.GetName() ? array.GetName() : "unnamed";
   const int components = array.GetNumberOfComponents();
   const double scale = array.GetDataType() == VTK_UNSIGNED_CHAR ? 255 : 1;
@@ -51,9 +55,50 @@ void take_array(vtkDataArray& array, VertexAttributes& attributes) {
   const bool is_color = components >= 3 && components <= 4 &&
                         (name == "RGB" || name == "RGBA" || name == "Colors" || name == "color");
   const bool is_channel = name == "red" || name == "green" || name == "blue" || name == "alpha";
-  if (components == 1) return take_column(array, name, 0, is_channel ? scale : 1, attributes);
+  if (components == 1)
+    return take_column(array, points, name, 0, is_channel ? scale : 1, attributes);
   for (int c = 0; c < std::min(components, 4); ++c)
-    take_column(array, is_color ? rgba[c] : name + axes[c], c, is_color ? scale : 1, attributes);
+    take_column(array, points, is_color ? rgba[c] : name + axes[c], c, is_color ? scale : 1,
+                attributes);
+}
+
+/// The points' attributes, in the order of `points`.
+VertexAttributes attributes_of(vtkPolyData& data, const PointIds& points) {
+  VertexAttributes attributes;
+  vtkPointData& arrays = *data.GetPointData();
+  for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
+    if (vtkDataArray* array = arrays.GetArray(k); array && array != arrays.GetNormals())
+      take_array(*array, points, attributes);
+  if (vtkDataArray* normals = arrays.GetNormals())
+    for (int c = 0; c < 3; ++c)
+      take_column(*normals, points, std::string("n") + "xyz"[c], c, 1, attributes);
+  return attributes;
+}
+
+PointIds every_point(vtkPolyData& data) {
+  PointIds points(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  std::iota(points.begin(), points.end(), vtkIdType(0));
+  return points;
+}
+
+/// The points of all polylines one after another; `offsets` is where each line ends.
+PointIds joined_points(vtkCellArray* cells, std::vector<std::uint64_t>& offsets) {
+  PointIds points;
+  const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCurrentCell(count, ids);
+    points.insert(points.end(), ids, ids + count);
+    offsets.push_back(points.size());
+  }
+  return points;
+}
+
+void take_positions(vtkPolyData& data, Vertices& vertices) {
+  vertices.positions.resize(static_cast<std::size_t>(data.GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
+    data.GetPoint(i, &vertices.positions[static_cast<std::size_t>(i)].x);
 }
 
 void add_fans(vtkCellArray* cells, TriangleMesh& mesh) {
@@ -129,20 +174,29 @@ void save(const std::filesystem::path& path, vtkPolyData& data) {
 TriangleMesh read_vtp(const std::filesystem::path& path) {
   const auto data = load(path);
   TriangleMesh mesh;
-  mesh.positions.resize(data->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) data->GetPoint(i, &mesh.positions[i].x);
+  take_positions(*data, mesh);
   add_fans(data->GetPolys(), mesh);
   add_strips(data->GetStrips(), mesh);
-  VertexAttributes attributes;
-  for (int k = 0; k < data->GetPointData()->GetNumberOfArrays(); ++k)
-    if (vtkDataArray* array = data->GetPointData()->GetArray(k);
-        array && array != data->GetPointData()->GetNormals())
-      take_array(*array, attributes);
-  if (vtkDataArray* normals = data->GetPointData()->GetNormals())
-    for (int c = 0; c < 3; ++c)
-      take_column(*normals, std::string("n") + "xyz"[c], c, 1, attributes);
-  take_attributes(std::move(attributes), mesh);
+  take_attributes(attributes_of(*data, every_point(*data)), mesh);
   return mesh;
+}
+
+LineSet read_vtp_lines(const std::filesystem::path& path) {
+  const auto data = load(path);
+  LineSet lines;
+  const PointIds points = joined_points(data->GetLines(), lines.offsets);
+  lines.positions.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) data->GetPoint(points[i], &lines.positions[i].x);
+  take_attributes(attributes_of(*data, points), lines);
+  return lines;
+}
+
+PointSet read_vtp_points(const std::filesystem::path& path) {
+  const auto data = load(path);
+  PointSet points;
+  take_positions(*data, points);
+  take_attributes(attributes_of(*data, every_point(*data)), points);
+  return points;
 }
 
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh) {
@@ -168,7 +222,9 @@ void write_vtp(const std::filesystem::path& path, const LineSet& lines) {
   data->SetPoints(to_points(lines.positions));
   vtkNew<vtkCellArray> cells;
   for (std::size_t line = 0; line < lines.line_count(); ++line) {
-    cells->InsertNextCell(static_cast<int>(lines.offsets[line + 1] - lines.offsets[line]));
+    const std::uint64_t points = lines.offsets[line + 1] - lines.offsets[line];
+    if (points < 2) continue;  // VTK's writer crashes over a line without a segment
+    cells->InsertNextCell(static_cast<int>(points));
     for (std::uint64_t i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i)
       cells->InsertCellPoint(static_cast<vtkIdType>(i));
   }

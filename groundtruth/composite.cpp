@@ -17,7 +17,7 @@ double headlight(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t
 }  // namespace
 
 Fragment shade(const Scene& scene, const Crossing& crossing, const Vec3& ray_direction) {
-  const TriangleMesh& mesh = scene.objects[crossing.object].mesh;
+  const TriangleMesh& mesh = scene.objects[crossing.object].mesh();
   const auto& t = mesh.triangles[crossing.triangle];
   // Rounding may leave the first weight an ulp below 0, and the colour outside its hull.
   const Vec3 w(std::max(0.0, 1 - crossing.u - crossing.v), crossing.u, crossing.v);

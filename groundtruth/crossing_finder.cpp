@@ -128,7 +128,7 @@ struct CrossingFinder::State {
   State(const Scene& from, Precision precision_)
       : frame(from), precision(precision_), center(frame.from_world(from.bounds().center())) {
     objects.reserve(from.objects.size());
-    for (const SceneObject& object : from.objects) add(object.mesh);
+    for (const SceneObject& object : from.objects) add(object.mesh());
     build();
   }
 

@@ -59,7 +59,7 @@ class Raytracer : public Renderer {
 
   std::vector<std::string> explain() const override {
     std::vector<std::string> lines{
-        fmt::format("hierarchy over {} triangles; no GL context", scene_.triangle_count()),
+        fmt::format("hierarchy over {}; no GL context", describe_primitives(scene_)),
         "one sample at each pixel's centre"};
     lines.push_back(scene_.lighting == Lighting::none ? "no normals: the scene is not lit"
                                                       : "normals: the scene is lit by a headlight");

@@ -38,7 +38,7 @@ void Geometry::upload(const Scene& scene) {
   std::vector<std::uint32_t> indices;
   for (const SceneObject& object : scene.objects) {
     const auto base = std::uint32_t(vertices.size());
-    const TriangleMesh& mesh = object.mesh;
+    const TriangleMesh& mesh = object.mesh();
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const Vec3 x = mesh.positions[i] - frame.eye;
       vertices.push_back(

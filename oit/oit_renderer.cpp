@@ -83,8 +83,7 @@ CountImage OitRenderer::count_layers() const {
 std::vector<std::string> OitRenderer::explain() const {
   std::vector<std::string> lines = {
       fmt::format("context: {}", stage_.context().driver()),
-      fmt::format("geometry: {} triangles of {} objects", stage_.geometry().triangle_count(),
-                  scene_.objects.size()),
+      fmt::format("geometry: {} of {} objects", describe_primitives(scene_), scene_.objects.size()),
       describe_lighting(scene_), "antialiasing: left out, one sample at the pixel's centre"};
   for (std::string& line : method_->explain()) lines.push_back(std::move(line));
   for (const NamedBytes& part : stage_.ledger().parts())

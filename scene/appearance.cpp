@@ -12,19 +12,12 @@ namespace {
 
 const Vec3 default_color(0.8);
 
-const std::vector<double>& find_scalar(const TriangleMesh& mesh, const std::string& name) {
-  const auto found = mesh.scalars.find(name);
-  if (found != mesh.scalars.end()) return found->second;
+const std::vector<double>& find_scalar(const Vertices& vertices, const std::string& name) {
+  const auto found = vertices.scalars.find(name);
+  if (found != vertices.scalars.end()) return found->second;
   std::vector<std::string_view> known;
-  for (const auto& [scalar, values] : mesh.scalars) known.push_back(scalar);
+  for (const auto& [scalar, values] : vertices.scalars) known.push_back(scalar);
   throw InputError(unknown_name("scalar", name, known));
-}
-
-Vec2 finite_range(const std::vector<double>& values) {
-  Vec2 range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
-  for (const double value : values)
-    if (std::isfinite(value)) range = {std::min(range.x, value), std::max(range.y, value)};
-  return range;
 }
 
 /// 0 at range.x, 1 at range.y; a range of one single value maps to 0.
@@ -34,29 +27,38 @@ double fraction_of(double value, const Vec2& range) {
 
 void set_rgb(Rgba& color, const Vec3& rgb) { color = Rgba(Vec3(rgb), color.a); }
 
-void color_by_scalar(const ScalarColor& by, TriangleMesh& mesh) {
-  const std::vector<double>& values = find_scalar(mesh, by.scalar);
+void color_by_scalar(const ScalarColor& by, Vertices& vertices) {
+  const std::vector<double>& values = find_scalar(vertices, by.scalar);
   const ColormapRow& map = find_colormap(by.map);
   const Vec2 range = by.range.value_or(finite_range(values));
   for (std::size_t i = 0; i < values.size(); ++i)
-    set_rgb(mesh.colors[i], map(fraction_of(values[i], range)));
+    set_rgb(vertices.colors[i], map(fraction_of(values[i], range)));
 }
 
 }  // namespace
 
-void apply_appearance(const Appearance& appearance, TriangleMesh& mesh) {
-  if (mesh.colors.empty()) mesh.colors.assign(mesh.positions.size(), Rgba(default_color, 1));
+Vec2 finite_range(const std::vector<double>& values) {
+  Vec2 range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+  for (const double value : values)
+    if (std::isfinite(value)) range = {std::min(range.x, value), std::max(range.y, value)};
+  return range;
+}
+
+void apply_appearance(const Appearance& appearance, Vertices& vertices) {
+  if (vertices.colors.empty())
+    vertices.colors.assign(vertices.positions.size(), Rgba(default_color, 1));
   if (const auto* rgb = std::get_if<Vec3>(&appearance.color))
-    for (Rgba& color : mesh.colors) set_rgb(color, *rgb);
-  if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) color_by_scalar(*by, mesh);
+    for (Rgba& color : vertices.colors) set_rgb(color, *rgb);
+  if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) color_by_scalar(*by, vertices);
   if (appearance.opacity)
-    for (Rgba& color : mesh.colors) color.a = static_cast<float>(*appearance.opacity);
+    for (Rgba& color : vertices.colors) color.a = static_cast<float>(*appearance.opacity);
   if (appearance.importance) {
-    const std::vector<double>& values = find_scalar(mesh, *appearance.importance);
+    const std::vector<double>& values = find_scalar(vertices, *appearance.importance);
     const Vec2 range = finite_range(values);
-    mesh.importance.resize(values.size());
+    vertices.importance.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
-      mesh.importance[i] = static_cast<float>(std::clamp(fraction_of(values[i], range), 0.0, 1.0));
+      vertices.importance[i] =
+          static_cast<float>(std::clamp(fraction_of(values[i], range), 0.0, 1.0));
   }
 }
 

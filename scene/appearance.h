@@ -17,7 +17,7 @@ struct ScalarColor {
   std::optional<Vec2> range;
 };
 
-/// How an object is drawn. What is not set stays as the mesh has it.
+/// How an object is drawn. What is not set stays as the vertices have it.
 struct Appearance {
   std::variant<std::monostate, Vec3, ScalarColor> color;
   std::optional<double> opacity;  // in [0, 1]
@@ -26,8 +26,11 @@ struct Appearance {
 };
 
 /// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar
-/// that the mesh does not have, with those it has.
-void apply_appearance(const Appearance& appearance, TriangleMesh& mesh);
+/// that the vertices do not have, with those they have.
+void apply_appearance(const Appearance& appearance, Vertices& vertices);
+
+/// Smallest and largest finite value; (inf, -inf) when there is none.
+Vec2 finite_range(const std::vector<double>& values);
 
 /// Fills `normals` with the area-weighted mean of the facets' normals around each vertex, unless
 /// the mesh has normals already. Vertices of no facet with an area get +z.

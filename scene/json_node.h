@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
 #include "core/vec.h"
 
 namespace pellucid {
@@ -49,6 +50,16 @@ class JsonNode {
   std::string place_;
   const nlohmann::json* value_;
 };
+
+/// Runs `make` and puts the node's place in front of what it complains about.
+template <class Make>
+auto at_place(const JsonNode& node, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    node.fail(error.what());
+  }
+}
 
 /// Reads and parses a file. Throws InputError with line and column.
 nlohmann::json read_json(const std::filesystem::path& path);

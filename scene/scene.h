@@ -1,10 +1,19 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
+#include "fields/field.h"
+#include "geometry/line_set.h"
+#include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
+#include "integrators/seed_curve.h"
+#include "scene/appearance.h"
 #include "scene/camera.h"
 
 namespace pellucid {
@@ -14,36 +23,72 @@ enum class Lighting {
   headlight  // times |n · v|, two-sided diffuse with the light at the eye
 };
 
-/// One thing of the scene, ready to be drawn: colours are always filled in, normals where the scene
-/// is lit.
+/// Polylines of a width. A ribbon faces the eye at every point (see ribbon.h) and is lit as the
+/// tube that it stands for: at the fraction c of the half width, |n · v| = √(1 - c²) |m · v| with m
+/// the part of v that is perpendicular to the line, normalized.
+struct LineObject {
+  enum class Profile { ribbon, tube };
+
+  LineSet set;
+  double radius = 0;  // world; half a ribbon's width
+  Profile profile = Profile::ribbon;
+};
+
+/// Points of a size. A disc is parallel to the picture, so that all of it has its centre's view
+/// depth and its picture is round; it is lit as the sphere that it stands for: at the fraction c of
+/// the radius, |n · v| = √(1 - c²).
+struct PointObject {
+  enum class Profile { disc, sphere };
+
+  PointSet set;
+  double radius = 0;  // world
+  Profile profile = Profile::disc;
+};
+
+/// What a surface was integrated from, for methods that draw lines of their own on it.
+struct FlowSource {
+  std::shared_ptr<const VectorField> field;
+  SeedCurve seed;
+  double duration = 0;
+  double start_time = 0;
+  bool path = false;
+  Appearance appearance;  // of the surface, its colour's range filled in
+};
+
+/// One thing of the scene, ready to be drawn: colours are always filled in, normals of a mesh where
+/// the scene is lit.
 struct SceneObject {
   std::string name;  // where it comes from, for messages and the report
-  TriangleMesh mesh;
+  std::variant<TriangleMesh, LineObject, PointObject> shape;
+  bool opaque = false;  // hides what lies behind it, whatever its alpha; context of the others
+  std::optional<FlowSource> source = std::nullopt;
+
+  const Vertices& vertices() const;
+  Vertices& vertices() { return const_cast<Vertices&>(std::as_const(*this).vertices()); }
+  /// The object has to be a mesh.
+  const TriangleMesh& mesh() const { return std::get<TriangleMesh>(shape); }
+  TriangleMesh& mesh() { return std::get<TriangleMesh>(shape); }
+  /// Of all that is drawn, widths included.
+  Box3 bounds() const;
 };
 
 /// What is drawn and how. Objects are ordered: crossings at equal depth are ordered by object, then
-/// by triangle.
+/// by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h); segment; point.
 struct Scene {
   std::string name;
   int width = 1000;
   int height = 1000;
+  int samples = 1;  // per pixel and axis, see pixel_samples.h
   Camera camera;
   Vec3 background{1, 1, 1};
   Lighting lighting = Lighting::none;
   std::vector<SceneObject> objects;
   std::map<std::string, std::string> provenance;  // how the objects were made
 
-  Box3 bounds() const {
-    Box3 box;
-    for (const SceneObject& object : objects)
-      for (const Vec3& x : object.mesh.positions) box.extend(x);
-    return box;
-  }
-  std::size_t triangle_count() const {
-    std::size_t count = 0;
-    for (const SceneObject& object : objects) count += object.mesh.triangles.size();
-    return count;
-  }
+  Box3 bounds() const;
 };
+
+/// What the objects consist of: "384000 triangles, 12 lines of 6000 segments".
+std::string describe_primitives(const Scene& scene);
 
 }  // namespace pellucid

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "core/error.h"
+#include "scene/ribbon.h"
 
 namespace pellucid {
 namespace {
@@ -19,13 +21,53 @@ struct DepthBounds {
   }
 };
 
+class BoundsOfShape {
+ public:
+  BoundsOfShape(const Camera& camera, DepthBounds& bounds)
+      : frame_(camera_frame(camera)), projection_(camera.projection), bounds_(bounds) {}
+
+  void operator()(const TriangleMesh& mesh) { extend(mesh, 0); }
+  void operator()(const PointObject& points) {
+    extend(points.set, points.profile == PointObject::Profile::sphere ? points.radius : 0);
+  }
+  void operator()(const LineObject& lines) {
+    lines.profile == LineObject::Profile::tube ? extend(lines.set, lines.radius)
+                                               : extend_ribbons(lines);
+  }
+
+ private:
+  void extend(const Vertices& vertices, double radius) {
+    for (const Vec3& x : vertices.positions) {
+      const double z = view_depth(frame_, x);
+      bounds_.extend(z - radius);
+      bounds_.extend(z + radius);
+    }
+  }
+
+  void extend_ribbons(const LineObject& lines) {
+    const std::span<const Vec3> points(lines.set.positions);
+    for (std::size_t k = 0; k < lines.set.line_count(); ++k) {
+      const auto line =
+          points.subspan(lines.set.offsets[k], lines.set.offsets[k + 1] - lines.set.offsets[k]);
+      ribbon_half_widths(line, lines.radius, frame_, projection_, half_widths_);
+      for (std::size_t i = 0; i < line.size(); ++i)
+        for (const Vec3& corner : {line[i] - half_widths_[i], line[i] + half_widths_[i]})
+          bounds_.extend(view_depth(frame_, corner));
+    }
+  }
+
+  CameraFrame frame_;
+  Projection projection_;
+  DepthBounds& bounds_;
+  std::vector<Vec3> half_widths_;
+};
+
 }  // namespace
 
 DepthRange depth_range(const Scene& scene) {
-  const CameraFrame frame = camera_frame(scene.camera);
   DepthBounds bounds;
-  for (const SceneObject& object : scene.objects)
-    for (const Vec3& x : object.mesh.positions) bounds.extend(view_depth(frame, x));
+  BoundsOfShape extend(scene.camera, bounds);
+  for (const SceneObject& object : scene.objects) std::visit(extend, object.shape);
   if (!(bounds.max > 0))
     throw InputError(
         "camera: nothing of the scene is in front of it; accepted: an eye and a target "

@@ -176,7 +176,7 @@ TEST(UnitMeshEnding, UnknownOnesAreRefusedWithTheKnown) {
   EXPECT_THAT(refusal("missing.vtp"), HasSubstr("missing.vtp: cannot read"));
 }
 
-TEST(UnitLineFile, EveryFormatIsWritten) {
+TEST(UnitLineFile, EveryFormatIsWrittenAndRead) {
   const TemporaryFolder folder;
   LineSet lines;
   lines.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {5, 5, 5}, {6, 6, 6}};
@@ -185,9 +185,26 @@ TEST(UnitLineFile, EveryFormatIsWritten) {
   for (const char* ending : {".ply", ".obj", ".vtp"}) {
     const fs::path path = folder / (std::string("lines") + ending);
     write_lines(path, lines);
-    EXPECT_GT(fs::file_size(path), 50u);
+    const LineSet read = read_lines(path);
+    EXPECT_EQ(read.positions, lines.positions) << ending;
+    EXPECT_EQ(read.offsets, lines.offsets) << ending;
+    if (ending != std::string_view(".obj")) {
+      EXPECT_EQ(read.scalars, lines.scalars) << ending;
+      EXPECT_EQ(read_points(path).positions, lines.positions) << ending;
+    }
   }
   EXPECT_THAT(read_text(folder / "lines.obj"), HasSubstr("l 1 2 3\nl 4 5\n"));
+}
+
+TEST(UnitLineFile, AFileWithoutLinesIsRefused) {
+  const TemporaryFolder folder;
+  LineSet dots;
+  dots.positions = {{0, 0, 0}, {1, 0, 0}};
+  dots.offsets = {0, 1, 2};
+  for (const char* name : {"dots.vtp", "dots.ply", "dots.obj"}) {
+    write_lines(folder / name, dots);
+    EXPECT_THROW(read_lines(folder / name), InputError) << name;
+  }
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class PropertyClosedMesh : public ::testing::TestWithParam<Projection> {
 TEST_P(PropertyClosedMesh, RaysThroughVerticesAndEdgesCrossTwiceOrNever) {
   const Scene world = scene();
   const CrossingFinder finder(world, Precision::exact);
-  const TriangleMesh& mesh = world.objects[0].mesh;
+  const TriangleMesh& mesh = world.objects[0].mesh();
   std::vector<Crossing> crossings;
   std::uint64_t twice = 0, rays = 0;
   const auto aim = [&](const Vec3& target) {

@@ -51,7 +51,7 @@ Triangles brute_force(const Scene& scene, const ViewFrame& frame, const PictureR
   Triangles found;
   const Kernel::Ray_3 line = exact_ray(ray);
   for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
-    const TriangleMesh& mesh = scene.objects[o].mesh;
+    const TriangleMesh& mesh = scene.objects[o].mesh();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto corner = [&](int k) {
         return frame.from_world(mesh.positions[mesh.triangles[t][k]]);
@@ -90,7 +90,7 @@ std::vector<PictureRay> rays_of(const Scene& scene) {
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) rays.push_back(frame.ray(x + 0.5, y + 0.5));
   for (const SceneObject& object : scene.objects) {
-    const TriangleMesh& mesh = object.mesh;
+    const TriangleMesh& mesh = object.mesh();
     for (const Vec3& vertex : mesh.positions) rays.push_back(ray_at(scene, vertex));
     for (const auto& triangle : mesh.triangles)
       rays.push_back(

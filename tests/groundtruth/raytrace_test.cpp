@@ -146,7 +146,7 @@ TEST(PropertyRaytrace, SamePictureForAnyPrimitiveOrder) {
   scene.objects = {{"", random_triangles(300, 2)}};
   const Image picture = trace(scene).image;
   std::mt19937 random(3);
-  auto& triangles = scene.objects[0].mesh.triangles;
+  auto& triangles = scene.objects[0].mesh().triangles;
   std::shuffle(triangles.begin(), triangles.end(), random);
   EXPECT_EQ(trace(scene).image.pixels, picture.pixels);
 }
@@ -160,7 +160,7 @@ TEST(PropertyRaytrace, ScaleAndShiftChangeNothing) {
   const std::pair<double, double> cases[] = {{1e10, 0}, {1e-10, 0}, {1, 1e7}, {1e10, 1e17}};
   for (const auto& [scale, shift] : cases) {
     Scene moved = scene;
-    for (Vec3& x : moved.objects[0].mesh.positions) x = x * scale + shift;
+    for (Vec3& x : moved.objects[0].mesh().positions) x = x * scale + shift;
     moved.camera.eye = scene.camera.eye * scale + shift;
     moved.camera.target = scene.camera.target * scale + shift;
     const Image other = trace(moved).image;

@@ -53,7 +53,7 @@ TEST(UnitMethods, LinkedListsOfManyLengthsSideBySide) {
   for (int column = 0; column < 8; ++column)
     for (int i = 0; i < counts[column]; ++i) {
       SceneObject strip = sheet(1 - i / 4000.0, layers[std::size_t(i)]);
-      for (Vec3& x : strip.mesh.positions) x.x = column - (x.x < 0 ? 4 : 3);
+      for (Vec3& x : strip.mesh().positions) x.x = column - (x.x < 0 ? 4 : 3);
       scene.objects.push_back(std::move(strip));
     }
   std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(4));
@@ -260,7 +260,7 @@ TEST(UnitMethods, FourierOfASubsetIsThatOfAllWhenTrianglesRepeat) {
   const auto layers = random_layers(6, 0.5f, 9);
   Scene scene = stack(4, 4, layers);
   for (SceneObject& object : scene.objects) {
-    auto& t = object.mesh.triangles;
+    auto& t = object.mesh().triangles;
     t = {t[0], t[0], t[1], t[1]};
   }
   const Image all = render(method("fourier"), scene).image;

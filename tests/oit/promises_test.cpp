@@ -19,12 +19,13 @@ Scene triangle_cloud(int width, int height, int count, unsigned seed) {
   for (int i = 0; i < count; ++i) {
     SceneObject object;
     for (int corner = 0; corner < 3; ++corner) {
-      object.mesh.positions.emplace_back(1.5 * unit(random), 1.5 * unit(random), 4 * unit(random));
-      object.mesh.normals.push_back(glm::normalize(Vec3(unit(random), unit(random), 1.5)));
-      object.mesh.colors.emplace_back(0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random),
-                                      0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random));
+      object.mesh().positions.emplace_back(1.5 * unit(random), 1.5 * unit(random),
+                                           4 * unit(random));
+      object.mesh().normals.push_back(glm::normalize(Vec3(unit(random), unit(random), 1.5)));
+      object.mesh().colors.emplace_back(0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random),
+                                        0.5 + 0.5 * unit(random), 0.5 + 0.5 * unit(random));
     }
-    object.mesh.triangles = {{0, 1, 2}};
+    object.mesh().triangles = {{0, 1, 2}};
     scene.objects.push_back(std::move(object));
   }
   return scene;
@@ -88,7 +89,7 @@ TEST(PropertyMethods, FixedMemoryDependsOnThePictureAlone) {
 TEST(PropertyMethods, NothingVisibleIsTheBackground) {
   Scene scene = empty_scene(4, 3);
   scene.objects = {sheet(0, {1, 1, 1, 1})};
-  for (Vec3& x : scene.objects[0].mesh.positions) x.x += 100;
+  for (Vec3& x : scene.objects[0].mesh().positions) x.x += 100;
   const glm::dvec4 expected(scene.background, 0);
   for (const MethodRow& row : oit_methods())
     EXPECT_LE(max_difference(render(row, scene).image, expected), 1e-7) << row.name;
@@ -97,7 +98,7 @@ TEST(PropertyMethods, NothingVisibleIsTheBackground) {
 TEST(PropertyMethods, OpacityZeroIsTheBackground) {
   Scene scene = triangle_cloud(16, 16, 40, 9);
   for (SceneObject& object : scene.objects)
-    for (Rgba& color : object.mesh.colors) color.a = 0;
+    for (Rgba& color : object.mesh().colors) color.a = 0;
   const glm::dvec4 expected(scene.background, 0);
   for (const MethodRow& row : oit_methods())
     EXPECT_LE(max_difference(render(row, scene).image, expected), 1e-7) << row.name;
@@ -107,7 +108,7 @@ TEST(PropertyMethods, PicturesAreFinite) {
   for (const float alpha : {1e-8f, 0.9999f, 1 - 1e-7f, 1.0f}) {
     Scene scene = triangle_cloud(16, 9, 200, 10);
     for (SceneObject& object : scene.objects)
-      for (Rgba& color : object.mesh.colors) color.a = alpha;
+      for (Rgba& color : object.mesh().colors) color.a = alpha;
     for (const MethodRow& row : oit_methods())
       EXPECT_TRUE(finite(render(row, scene).image)) << row.name << " alpha " << alpha;
   }
@@ -161,7 +162,7 @@ TEST(PropertyMethods, HeadlightIsTheCosineOfTheNormal) {
        {std::pair(Vec3(0, 0, -1), 1.0), {Vec3(std::sqrt(0.75), 0, 0.5), 0.5}}) {
     Scene scene = stack(3, 3, {{0.8f, 0.6f, 0.4f, 0.5f}});
     scene.lighting = Lighting::headlight;
-    for (Vec3& n : scene.objects[0].mesh.normals) n = normal;
+    for (Vec3& n : scene.objects[0].mesh().normals) n = normal;
     const Vec3 color = 0.5 * cosine * Vec3(0.8, 0.6, 0.4) + 0.5 * scene.background;
     for (const MethodRow& row : oit_methods())
       EXPECT_LE(max_difference(render(row, scene).image, glm::dvec4(color, 0.5)), 1e-5) << row.name;
@@ -172,7 +173,7 @@ TEST(PropertyMethods, HeadlightIsTheCosineOfTheNormal) {
 TEST(PropertyMethods, WhatLiesBehindTheEyeIsClipped) {
   Scene scene = stack(8, 8, {{1, 1, 1, 0.5f}});
   scene.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}};
-  auto& positions = scene.objects[0].mesh.positions;
+  auto& positions = scene.objects[0].mesh().positions;
   positions = {Vec3(-1e4, -1, 1e4), Vec3(1e4, -1, 1e4), Vec3(1e4, -1, -1e4), Vec3(-1e4, -1, -1e4)};
   for (const MethodRow& row : oit_methods()) {
     const Image image = render(row, scene).image;
@@ -191,7 +192,7 @@ TEST(PropertyMethods, ScaleAndPlaceOfTheSceneChangeNothing) {
     move(moved.camera.eye);
     move(moved.camera.target);
     for (SceneObject& object : moved.objects)
-      for (Vec3& x : object.mesh.positions) move(x);
+      for (Vec3& x : object.mesh().positions) move(x);
     for (const MethodRow& row : oit_methods()) {
       if (row.name == "stochastic") continue;  // its random numbers are a hash of the depth
       // Coordinates of 1e7 keep 2e-9 of the scene: a vertex may cross a pixel's centre.

@@ -36,11 +36,11 @@ inline SceneObject sheet(double z, const Rgba& color) {
   SceneObject object;
   object.name = "sheet";
   for (const Vec2 corner : {Vec2(-50, -50), Vec2(50, -50), Vec2(50, 50), Vec2(-50, 50)}) {
-    object.mesh.positions.emplace_back(corner.x, corner.y, z);
-    object.mesh.normals.emplace_back(0, 0, 1);
-    object.mesh.colors.push_back(color);
+    object.mesh().positions.emplace_back(corner.x, corner.y, z);
+    object.mesh().normals.emplace_back(0, 0, 1);
+    object.mesh().colors.push_back(color);
   }
-  object.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  object.mesh().triangles = {{0, 1, 2}, {0, 2, 3}};
   return object;
 }
 

@@ -93,7 +93,7 @@ TEST(UnitViewDepth, StartsAtTheEyeWhenTheSceneReachesBehindIt) {
   EXPECT_NEAR(depth_range(scene).near, 0, 1.01e-5);
   scene.camera.target = {0, 0, 1};
   scene.objects.resize(1);
-  scene.objects[0].mesh = full_layer(-1, Rgba(1));
+  scene.objects[0].mesh() = full_layer(-1, Rgba(1));
   EXPECT_THROW(depth_range(scene), InputError);
 }
 

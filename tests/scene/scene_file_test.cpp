@@ -59,7 +59,7 @@ TEST_F(UnitSceneFile, AMeshIsUsedAsItStands) {
   EXPECT_EQ(scene.name, "scene");
   EXPECT_EQ(scene.width, 1000);
   ASSERT_EQ(scene.objects.size(), 1u);
-  EXPECT_EQ(scene.objects[0].mesh.colors[0], Rgba(0.25, 0.5, 0.75, 0.125));
+  EXPECT_EQ(scene.objects[0].mesh().colors[0], Rgba(0.25, 0.5, 0.75, 0.125));
 }
 
 TEST_F(UnitSceneFile, EveryKeyIsRead) {
@@ -75,32 +75,79 @@ TEST_F(UnitSceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.camera.height, 7);
   EXPECT_EQ(scene.camera.up, Vec3(1, 0, 0));
   EXPECT_EQ(scene.objects[0].name, "front");
-  EXPECT_EQ(scene.objects[0].mesh.colors[3], Rgba(1, 0, 0.5, 0.5));
-  EXPECT_EQ(scene.objects[0].mesh.importance, (std::vector<float>{0, 0.25f, 0.5f, 1}));
+  EXPECT_EQ(scene.objects[0].mesh().colors[3], Rgba(1, 0, 0.5, 0.5));
+  EXPECT_EQ(scene.objects[0].mesh().importance, (std::vector<float>{0, 0.25f, 0.5f, 1}));
 }
 
 TEST_F(UnitSceneFile, ColourByScalarRunsThroughTheMap) {
   const Scene scene = with(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "magma"}})");
-  const auto& colors = scene.objects[0].mesh.colors;
+  const auto& colors = scene.objects[0].mesh().colors;
   const ColormapRow& magma = find_colormap("magma");
   for (const auto& [vertex, x] : {std::pair(0, 0.0), std::pair(1, 0.25), std::pair(3, 1.0)})
     EXPECT_EQ(colors[vertex], Rgba(magma(x), 0.125));
   const Scene ranged =
       with(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "magma", "range": [2, 4]}})");
-  EXPECT_EQ(ranged.objects[0].mesh.colors[2], Rgba(magma(0), 0.125));
+  EXPECT_EQ(ranged.objects[0].mesh().colors[2], Rgba(magma(0), 0.125));
 }
 
 TEST_F(UnitSceneFile, ASurfaceIsIntegrated) {
   const Scene scene = with(
       R"({"surface": {"field": "formula:u=1,v=0,w=0", "integrator": "hultquist:threshold=0.1",
           "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 2}, "opacity": 0.4})");
-  const TriangleMesh& mesh = scene.objects[0].mesh;
+  const TriangleMesh& mesh = scene.objects[0].mesh();
   // Uniform flow sweeps the rectangle [0, 2] × [0, 1].
   const Box3 box = mesh.bounds();
   EXPECT_LE(glm::length(box.min - Vec3(0)), 1e-9);
   EXPECT_LE(glm::length(box.max - Vec3(2, 1, 0)), 1e-9);
   EXPECT_EQ(mesh.colors[0].a, 0.4f);
   EXPECT_FALSE(scene.provenance.empty());
+}
+
+TEST_F(UnitSceneFile, LinesAndPointsHaveAWidthAndAProfile) {
+  LineSet lines;
+  lines.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+  lines.offsets = {0, 3};
+  lines.scalars["speed"] = {0, 1, 2};
+  write_lines(folder_ / "lines.vtp", lines);
+  const Scene scene = with(
+      R"({"lines": "lines.vtp", "radius": 0.1, "profile": "tube", "color": {"by": "speed"}, "opacity": 0.5},
+         {"points": "sheet.ply", "radius": 0.25, "opaque": true},
+         {"lines": {"field": "formula:u=1,v=0,w=0", "integrator": "stream-lines:particles=5",
+                    "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 2}, "radius": 0.01})",
+      R"("samples": 2)");
+  EXPECT_EQ(scene.samples, 2);
+  const auto& tube = std::get<LineObject>(scene.objects[0].shape);
+  EXPECT_EQ(tube.profile, LineObject::Profile::tube);
+  EXPECT_EQ(tube.radius, 0.1);
+  EXPECT_EQ(tube.set.colors[2], Rgba(find_colormap("viridis")(1), 0.5));
+  const auto& discs = std::get<PointObject>(scene.objects[1].shape);
+  EXPECT_EQ(discs.profile, PointObject::Profile::disc);
+  EXPECT_EQ(discs.set.positions.size(), 4u);
+  EXPECT_TRUE(scene.objects[1].opaque);
+  EXPECT_EQ(std::get<LineObject>(scene.objects[2].shape).set.line_count(), 5u);
+}
+
+TEST_F(UnitSceneFile, WidthsAreRefusedWhereTheyMeanNothing) {
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "radius": 1})"),
+              HasSubstr("objects[0].radius: only lines and points have one"));
+  EXPECT_THAT(refusal(R"({"points": "sheet.ply", "radius": 0})"),
+              HasSubstr("accepted: a positive length"));
+  EXPECT_THAT(refusal(R"({"points": "sheet.ply", "radius": 1, "profile": "tube"})"),
+              HasSubstr("disc"));
+  EXPECT_THAT(refusal(R"({"lines": "sheet.obj", "radius": 1})"), HasSubstr("sheet.obj"));
+}
+
+TEST_F(UnitSceneFile, ASurfaceKeepsWhatItWasMadeFrom) {
+  const Scene scene = with(
+      R"({"surface": {"field": "rotation", "integrator": "hultquist:threshold=0.2",
+          "seed": {"from": [1, 0, 0], "to": [2, 0, 0]}, "duration": 2, "start_time": 3},
+          "color": {"by": "t"}})");
+  const FlowSource& source = scene.objects[0].source.value();
+  EXPECT_EQ(source.duration, 2);
+  EXPECT_EQ(source.start_time, 3);
+  EXPECT_EQ(source.seed.point_at(0.5), Vec3(1.5, 0, 0));
+  const auto& color = std::get<ScalarColor>(source.appearance.color);
+  EXPECT_NEAR(glm::length(color.range.value() - Vec2(0, 2)), 0, 1e-9);
 }
 
 TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
@@ -111,7 +158,7 @@ TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
   EXPECT_THAT(refusal(R"({"mesh": "none.ply"})"),
               AllOf(HasSubstr("objects[0].mesh"), HasSubstr("none.ply")));
   EXPECT_THAT(refusal(R"({"color": [1, 0, 0]})"),
-              HasSubstr("exactly one of the keys mesh, surface"));
+              HasSubstr("exactly one of the keys mesh, surface, lines, points"));
   EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": {"by": "sped"}})"),
               HasSubstr("unknown scalar 'sped'; known: speed"));
   EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "virids"}})"),

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "geometry/vertices.h"
+
+namespace pellucid {
+
+/// Points that nothing joins.
+struct PointSet : Vertices {};
+
+}  // namespace pellucid

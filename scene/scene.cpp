@@ -1,0 +1,63 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace pellucid {
+namespace {
+
+double radius_of(const SceneObject& object) {
+  if (const auto* lines = std::get_if<LineObject>(&object.shape)) return lines->radius;
+  if (const auto* points = std::get_if<PointObject>(&object.shape)) return points->radius;
+  return 0;
+}
+
+struct PrimitiveCounts {
+  std::size_t triangles = 0, lines = 0, segments = 0, points = 0;
+
+  void operator()(const TriangleMesh& mesh) { triangles += mesh.triangles.size(); }
+  void operator()(const LineObject& object) {
+    lines += object.set.line_count();
+    segments += object.set.segment_count();
+  }
+  void operator()(const PointObject& object) { points += object.set.positions.size(); }
+};
+
+const Vertices& vertices_of(const TriangleMesh& mesh) { return mesh; }
+const Vertices& vertices_of(const LineObject& object) { return object.set; }
+const Vertices& vertices_of(const PointObject& object) { return object.set; }
+
+}  // namespace
+
+const Vertices& SceneObject::vertices() const {
+  return std::visit([](const auto& s) -> const Vertices& { return vertices_of(s); }, shape);
+}
+
+Box3 SceneObject::bounds() const {
+  Box3 box = vertices().bounds();
+  const double radius = radius_of(*this);
+  return {box.min - radius, box.max + radius};
+}
+
+Box3 Scene::bounds() const {
+  Box3 box;
+  for (const SceneObject& object : objects) {
+    const Box3 part = object.bounds();
+    box.min = glm::min(box.min, part.min);
+    box.max = glm::max(box.max, part.max);
+  }
+  return box;
+}
+
+std::string describe_primitives(const Scene& scene) {
+  PrimitiveCounts counts;
+  for (const SceneObject& object : scene.objects) std::visit(std::ref(counts), object.shape);
+  std::vector<std::string> parts;
+  if (counts.triangles) parts.push_back(fmt::format("{} triangles", counts.triangles));
+  if (counts.lines)
+    parts.push_back(fmt::format("{} lines of {} segments", counts.lines, counts.segments));
+  if (counts.points) parts.push_back(fmt::format("{} points", counts.points));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace pellucid
