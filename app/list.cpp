@@ -34,6 +34,7 @@ nlohmann::ordered_json list_methods() {
                     {"citation", row.citation},
                     {"equations", row.equations},
                     {"bytes per pixel", row.bytes_per_pixel},
+                    {"sweep", row.sweep},
                     {"exact", row.promises.exact},
                     {"order-independent", row.promises.order_independent},
                     {"order spread", row.promises.order_spread},

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compare/sweep.h"
 #include "core/error.h"
 #include "core/names.h"
 #include "scene/json_node.h"
@@ -36,18 +37,6 @@ std::vector<std::string> option_values(const JsonNode& node) {
   return values;
 }
 
-/// Every combination of `sets` with a value for `key`: a sweep's Cartesian product.
-std::vector<RawOptions> sweep(const std::vector<RawOptions>& sets, const std::string& key,
-                              const std::vector<std::string>& values) {
-  std::vector<RawOptions> combined;
-  for (const RawOptions& set : sets)
-    for (const std::string& value : values) {
-      combined.push_back(set);
-      combined.back()[key] = value;
-    }
-  return combined;
-}
-
 MethodCall make_call(const JsonNode& node, std::string_view name, const RawOptions& options,
                      std::span<const MethodRow> table) {
   try {
@@ -72,7 +61,7 @@ std::vector<MethodCall> calls_of_object(const JsonNode& node, std::span<const Me
   std::vector<RawOptions> sets(1);
   for (const auto& item : node.value().items()) {
     if (item.key() == "method") continue;
-    sets = sweep(sets, item.key(), option_values(node[item.key()]));
+    sets = crossed(sets, item.key(), option_values(node[item.key()]));
     if (sets.size() > max_calls) node.fail(fmt::format("more than {} combinations", max_calls));
   }
   std::vector<MethodCall> calls;
@@ -83,9 +72,12 @@ std::vector<MethodCall> calls_of_object(const JsonNode& node, std::span<const Me
 }
 
 std::vector<MethodCall> read_calls(const JsonNode& node, std::span<const MethodRow> table) {
+  if (node.is_string() && node.string() == "*") return every_method(table);
   if (node.is_string()) return calls_of_text(node, table);
   if (node.is_object()) return calls_of_object(node, table);
-  node.fail("accepted: \"NAME[:key=value,…]\" or {\"method\": NAME, key: value or [values], …}");
+  node.fail(
+      "accepted: \"NAME[:key=value,…]\", \"*\" for every method in all its settings, or "
+      "{\"method\": NAME, key: value or [values], …}");
 }
 
 MethodCall read_reference(const JsonNode& node, std::span<const MethodRow> table) {

@@ -41,9 +41,9 @@ struct Study {
 };
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
-/// "NAME[:key=value,…]" or {"method": NAME, key: value or [values], …}; scenes are relative to the
-/// file. Throws InputError that names file, key and accepted values, also for scenes that are not
-/// there.
+/// "NAME[:key=value,…]", {"method": NAME, key: value or [values], …}, or "*": every method in all
+/// the settings of its row; scenes are relative to the file. Throws InputError that names file, key
+/// and accepted values, also for scenes that are not there.
 Study load_study(const std::filesystem::path& file, std::span<const MethodRow> methods);
 
 /// A scene's name in cells, tables and paths: its file's stem.

@@ -84,6 +84,9 @@ struct MethodRow {
   std::span<const ParameterSpec> parameters;
   Promises promises;
   std::string_view bytes_per_pixel;  // formula, for people
+  /// The settings between which a user picks by cost and error, all combinations of these values:
+  /// "bands=1|2|5,precision=32|16". Empty: the defaults alone.
+  std::string_view sweep = {};
   std::unique_ptr<Renderer> (*make)(const Scene&, const Parameters&, const RenderContext&);
 };
 

@@ -83,6 +83,7 @@ const MethodRow& binning_method() {
       // tau makes that n roundings of tau.
       .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "4 bins + 16",
+      .sweep = "bins=3|11|50|200",
       .make = make_oit<Binning>};
   return row;
 }

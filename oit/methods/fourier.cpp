@@ -130,6 +130,7 @@ const MethodRow& fourier_method() {
       // tau makes that n roundings of tau.
       .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "precision / 2 ceil((2 bands + 1) / 4) + 16",
+      .sweep = "bands=1|2|3|5|8|10|15",
       .make = make_oit<Fourier>};
   return row;
 }

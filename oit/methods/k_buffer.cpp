@@ -75,6 +75,7 @@ const MethodRow& k_buffer_method() {
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "20 layers + 20",
+      .sweep = "layers=2|4|8|16",
       .make = make_oit<KBuffer>};
   return row;
 }

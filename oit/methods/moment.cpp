@@ -102,6 +102,7 @@ const MethodRow& moment_method() {
       // The reconstruction amplifies roundings of the moments by up to 1 / bias.
       .promises = {.order_spread = 0.05, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "36 (4 moments) or 44 (6)",
+      .sweep = "moments=4|6",
       .make = make_oit<Moment>};
   return row;
 }

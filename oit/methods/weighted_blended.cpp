@@ -64,6 +64,7 @@ const MethodRow& weighted_blended_method() {
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "20",
+      .sweep = "weight=7|8|9|10",
       .make = make_oit<WeightedBlended>};
   return row;
 }

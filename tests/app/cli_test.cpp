@@ -130,9 +130,18 @@ TEST_F(UnitCommandLine, ListsEveryTableAsJsonToo) {
   }
 }
 
+TEST_F(UnitCommandLine, TunesWithinABoundAndSaysWhenNothingIs) {
+  const std::string tune = "tune " + scene().string() + " --quiet --repeats 1 ";
+  const Outcome outcome = run(tune + "--max-rmse 1e-4");  // one layer: most methods are exact
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("pellucid render"));
+  EXPECT_THAT(refusal(tune + "--max-rmse 1e-4 --max-bytes 1", 1), HasSubstr("no method"));
+  EXPECT_THAT(refusal(tune), HasSubstr("accepted: --max-rmse"));
+}
+
 TEST_F(UnitCommandLine, HelpAndVersionExitWithZero) {
   for (const char* arguments : {"--help", "--version", "render --help", "study --help",
-                                "compare --help", "trace --help", "list --help"})
+                                "compare --help", "trace --help", "tune --help", "list --help"})
     EXPECT_EQ(run(arguments).exit_code, 0) << arguments;
 }
 

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "compare/methods.h"
+#include "compare/sweep.h"
+#include "compare/tune.h"
+#include "core/error.h"
+#include "core/names.h"
+
+namespace pellucid {
+namespace {
+
+struct TuneArguments {
+  std::filesystem::path scene;
+  ErrorBound bound;
+  std::string cost = "seconds";
+  int repeats = 3;
+};
+
+/// Every method but the reference, which has no error to bound.
+TuneRequest request_of(const TuneArguments& arguments, const GlobalOptions& globals) {
+  const MethodRow& reference = methods().front();
+  return {.scene = arguments.scene,
+          .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
+          .candidates = every_method(methods().subspan(1)),
+          .bound = arguments.bound,
+          .cost = arguments.cost == "bytes" ? Cost::bytes : Cost::seconds,
+          .repeats = arguments.repeats,
+          .context = {.gl = globals.gl},
+          .progress = console_progress(globals),
+          .on_row = {}};
+}
+
+std::string call_text(const ResultRow& row) {
+  return row.parameters.empty() ? row.method : row.method + ":" + row.parameters;
+}
+
+void print_table(const TuneOutcome& outcome) {
+  fmt::print("{:28} {:>10} {:>9} {:>10} {:>8}\n", "", "ms", "MB", "RMSE", "SSIM");
+  for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
+    const ResultRow& row = outcome.rows[i];
+    if (!row.error.empty()) {
+      fmt::print("{:28} failed: {}\n", call_text(row), row.error);
+      continue;
+    }
+    const Metrics& m = row.metrics.linear;
+    fmt::print("{:28} {:10.1f} {:9.1f} {:10.3e} {:>8}  {}\n", call_text(row),
+               1e3 * row.seconds.median, 1e-6 * double(row.total_bytes()), m.rmse,
+               m.ssim ? fmt::format("{:.4f}", *m.ssim) : "none",
+               outcome.within_bound[i] ? "within the bound" : "");
+  }
+}
+
+nlohmann::ordered_json to_json(const TuneOutcome& outcome) {
+  nlohmann::ordered_json json;
+  const ResultRow* best = outcome.best();
+  json["cheapest"] = best ? nlohmann::ordered_json(call_text(*best)) : nlohmann::ordered_json();
+  json["rows"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
+    nlohmann::ordered_json row = to_json(outcome.rows[i]);
+    row["within_bound"] = bool(outcome.within_bound[i]);
+    json["rows"].push_back(std::move(row));
+  }
+  return json;
+}
+
+void run(const TuneArguments& arguments, const GlobalOptions& globals) {
+  const TuneOutcome outcome = tune(request_of(arguments, globals));
+  const ResultRow* best = outcome.best();
+  if (globals.json) {
+    std::cout << to_json(outcome).dump(2) << '\n';
+  } else {
+    print_table(outcome);
+    if (best)
+      fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {} -o picture.exr\n",
+                 arguments.cost, call_text(*best), arguments.scene.string(), call_text(*best));
+  }
+  std::cout.flush();
+  if (!best) throw WorkError("no method is within the bound");
+}
+
+}  // namespace
+
+void add_tune_command(CLI::App& app, GlobalOptions& globals) {
+  CLI::App* command =
+      app.add_subcommand("tune", "Find the cheapest method within an error bound for a scene");
+  const auto arguments = std::make_shared<TuneArguments>();
+  command->add_option("SCENE", arguments->scene, "Scene file")->required();
+  command->add_option("--max-rmse", arguments->bound.max_rmse, "Largest RMSE against raytrace");
+  command->add_option("--min-ssim", arguments->bound.min_ssim, "Smallest SSIM against raytrace");
+  command->add_option("--max-bytes", arguments->bound.max_bytes,
+                      "Largest memory beyond the scene and the picture, bytes");
+  command->add_option("--cost", arguments->cost, "What cheap means: seconds or bytes")
+      ->check(CLI::IsMember({"seconds", "bytes"}))
+      ->capture_default_str();
+  command->add_option("--repeats", arguments->repeats, "Timed pictures of each; the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->footer("Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
+  add_gl_option(*command, globals);
+  add_global_options(*command, globals);
+  command->callback([arguments, &globals] { run(*arguments, globals); });
+}
+
+}  // namespace pellucid
