@@ -35,7 +35,8 @@ function stepsSpec(rows, width, colors) {
   };
   const stack = { type: "stack", groupby: ["method"], field: "ms", as: ["from", "to"] };
   return {
-    width, height: 250, autosize: { type: "fit", contains: "padding" },
+    // 250 as its neighbours, unless the labels of many methods need more.
+    width, height: Math.max(250, 110 + 15 * rows.length), autosize: { type: "fit", contains: "padding" },
     config: plotConfig(colors),
     data: [{ name: "steps", values: stepValues(rows), transform: [stack] }],
     scales: [

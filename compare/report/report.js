@@ -48,9 +48,8 @@ function sceneSection(scene) {
               make("div", { class: "cards" }, cards), plots);
 }
 
-function navigation() {
-  const scenes = data.scenes.map((scene) => [`scene-${scene.name}`, scene.name]);
-  const links = [...scenes, ["table", "All numbers"], ["provenance", "Provenance"]];
+function navigation(sections) {
+  const links = sections.map((section) => [section.id, section.querySelector("h2").textContent]);
   const keys = ["click a picture, or ", make("kbd", {}, "F"), " for all: flip to the reference"];
   return make("div", {}, links.map(([id, text]) => make("a", { href: `#${id}` }, text)),
               make("span", { class: "keys" }, keys));
@@ -67,8 +66,11 @@ function redraw() {
 }
 
 document.getElementById("head").append(...headSection());
-document.getElementById("nav").append(navigation());
-const sections = [...data.scenes.map(sceneSection), tableSection(data.rows), provenanceSection(data)];
+const sections = [
+  ...data.scenes.map(sceneSection), overviewSection(data.rows, data.scenes), choicesSection(data.rows, data.scenes),
+  tableSection(data.rows), provenanceSection(data),
+].filter(Boolean);
+document.getElementById("nav").append(navigation(sections));
 document.getElementById("main").append(...sections);
 redraw();
 
