@@ -79,7 +79,8 @@ class Raytracer : public Renderer {
       for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
         const PictureRay ray = finder_.frame().ray(x + 0.5, y + 0.5);
         finder_.find(ray, crossings);
-        const Composite pixel = composite(scene_, crossings, finder_.frame().world_direction(ray));
+        const Composite pixel =
+            composite(finder_, crossings, scene_.background, finder_.frame().world_direction(ray));
         result.image.at(x, y) = Rgba(pixel.color, 1 - pixel.transmittance);
         if (!result.layers.pixels.empty())
           result.layers.at(x, y) = static_cast<std::uint32_t>(crossings.size());

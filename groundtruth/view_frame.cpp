@@ -14,8 +14,9 @@ ViewFrame::ViewFrame(const Scene& scene)
   if (projection_ == Projection::orthographic) pixel_ *= scale_;
 }
 
-Vec3 ViewFrame::from_world(const Vec3& x) const {
-  const Vec3 d = x - camera_.eye;
+Vec3 ViewFrame::from_world(const Vec3& x) const { return vector_from_world(x - camera_.eye); }
+
+Vec3 ViewFrame::vector_from_world(const Vec3& d) const {
   return scale_ *
          Vec3(glm::dot(camera_.right, d), glm::dot(camera_.up, d), glm::dot(camera_.forward, d));
 }

@@ -19,6 +19,9 @@ class ViewFrame {
   explicit ViewFrame(const Scene& scene);
 
   Vec3 from_world(const Vec3& x) const;
+  /// Of a difference of positions.
+  Vec3 vector_from_world(const Vec3& d) const;
+  double units_per_length() const { return scale_; }
 
   /// px runs right, py down, in pixels from the picture's top left corner.
   PictureRay ray(double px, double py) const;

@@ -3,16 +3,12 @@
 #include <algorithm>
 
 namespace pellucid {
-namespace {
 
-/// Of points that may be equal: then of those next to them.
-Vec3 direction_at(std::span<const Vec3> points, std::size_t i) {
+Vec3 line_direction(std::span<const Vec3> points, std::size_t i) {
   const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, points.size() - 1);
   const Vec3 across = points[after] - points[before];
   return across != Vec3(0) ? across : points[after] - points[i];
 }
-
-}  // namespace
 
 void ribbon_half_widths(std::span<const Vec3> points, double radius, const CameraFrame& frame,
                         Projection projection, std::vector<Vec3>& half_widths) {
@@ -22,7 +18,7 @@ void ribbon_half_widths(std::span<const Vec3> points, double radius, const Camer
   half_widths.reserve(points.size());
   Vec3 previous = radius * frame.right;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 t = direction_at(points, i);
+    const Vec3 t = line_direction(points, i);
     const Vec3 v = projection == Projection::perspective ? points[i] - frame.eye : frame.forward;
     const Vec3 across = glm::cross(t, v);
     const double length = glm::length(across);

@@ -10,9 +10,13 @@
 
 namespace pellucid {
 
+/// The line's direction at point i, of any length: central difference, one-sided at the ends and
+/// where the points next to i are equal.
+Vec3 line_direction(std::span<const Vec3> points, std::size_t i);
+
 /// A line as a strip that faces the eye: at point i it reaches from x_i - w_i to x_i + w_i with
 ///   w = radius · (t × v) / |t × v|,
-/// t the line's direction at the point (central difference; one-sided at the ends), v the direction
+/// t the line_direction at the point, v the direction
 /// from the eye to the point (perspective) or the viewing axis (orthographic). w_i is turned to the
 /// side of w_(i-1), so that the strip does not cross itself where the line turns away from the eye.
 /// Neighbouring segments share their corners: the strip has no gap at a joint.

@@ -25,7 +25,8 @@ enum class Lighting {
 
 /// Polylines of a width. A ribbon faces the eye at every point (see ribbon.h) and is lit as the
 /// tube that it stands for: at the fraction c of the half width, |n · v| = √(1 - c²) |m · v| with m
-/// the part of v that is perpendicular to the line, normalized.
+/// the part of v that is perpendicular to the line, normalized. The line's direction is that of
+/// line_direction at its points, normalized, and interpolated linearly between them.
 struct LineObject {
   enum class Profile { ribbon, tube };
 

@@ -69,7 +69,7 @@ Triangles by_finder(const CrossingFinder& finder, const PictureRay& ray) {
   std::vector<Crossing> crossings;
   finder.find(ray, crossings);
   Triangles found;
-  for (const Crossing& crossing : crossings) found.insert({crossing.object, crossing.triangle});
+  for (const Crossing& crossing : crossings) found.insert({crossing.object, crossing.primitive});
   EXPECT_EQ(found.size(), crossings.size()) << "a triangle is crossed twice";
   return found;
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace pellucid {
+
+/// Where a ray crosses a primitive in front of the eye.
+struct Crossing {
+  double depth;             // view depth, units (see ViewFrame)
+  double u, v;              // where on the primitive: a matter of its kind of geometry
+  std::uint32_t object;     // index in Scene::objects
+  std::uint32_t primitive;  // see Scene
+
+  /// Front to back; equal depths by object, then primitive.
+  friend bool operator<(const Crossing& p, const Crossing& q) {
+    if (p.depth != q.depth) return p.depth < q.depth;
+    if (p.object != q.object) return p.object < q.object;
+    if (p.primitive != q.primitive) return p.primitive < q.primitive;
+    return p.v < q.v;  // a solid is entered (v < 0) before it is left
+  }
+};
+
+/// A crossing's colour (lit, not premultiplied) and opacity.
+struct Fragment {
+  Vec3 color;
+  double opacity;
+};
+
+}  // namespace pellucid

@@ -1,0 +1,61 @@
+#pragma once
+// What the finder of crossings asks of a kind of geometry. A new kind is a class of this interface
+// in files of its own and a line in crossing_geometry.cpp.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "groundtruth/crossing.h"
+#include "groundtruth/exact_sign.h"
+#include "groundtruth/view_frame.h"
+#include "scene/scene.h"
+
+namespace pellucid {
+
+/// A ray as geometry meets it, in view coordinates.
+struct SceneRay {
+  PictureRay picture;
+  CrossingTest test;  // decides crossings with flat triangles
+  Vec3 start;         // the eye, or the picture's point at depth 0
+  Vec3 direction;     // unit length; its z turns lengths along the ray into depths
+};
+
+/// One object of a scene, cut into primitives that Embree keeps in its hierarchy of boxes. What the
+/// hierarchy calls a primitive may be several of the scene's, and need not be crossed where its box
+/// is. Thread-safe once it is made. All coordinates are view coordinates (see ViewFrame).
+class CrossingGeometry {
+ public:
+  virtual ~CrossingGeometry() = default;
+
+  virtual std::uint32_t box_count() const = 0;
+  /// Everything that box `k` holds lies within; an empty box is never visited.
+  virtual Box3 box(std::uint32_t k) const = 0;
+  /// Appends every crossing of the ray with what box `k` holds, in any order, those behind the eye
+  /// (depth ≤ 0) included or not.
+  virtual void cross(std::uint32_t k, const SceneRay& ray,
+                     std::vector<Crossing>& crossings) const = 0;
+
+  /// Interpolates colour and opacity in double and lights the colour as the scene asks;
+  /// `world_direction` is the ray's, of any length.
+  virtual Fragment shade(const Crossing& crossing, const Vec3& world_direction) const = 0;
+  /// g at the crossing; 0 where the object has no importance.
+  virtual double importance(const Crossing& crossing) const = 0;
+
+  /// Size of the largest coordinate of a vertex that CrossingTest is asked about.
+  virtual double largest_coordinate() const = 0;
+  virtual std::uint64_t bytes() const = 0;
+};
+
+/// What the geometries of a scene have in common. Has to outlive them.
+struct GeometryContext {
+  const ViewFrame& frame;
+  const Camera& camera;
+  Lighting lighting;
+};
+
+/// `index`: of the object in Scene::objects. The object has to outlive the geometry.
+std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,
+                                                const GeometryContext& context);
+
+}  // namespace pellucid

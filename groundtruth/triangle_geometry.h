@@ -1,0 +1,42 @@
+#pragma once
+
+#include "groundtruth/crossing_geometry.h"
+
+namespace pellucid {
+
+/// Where the ray crosses the flat triangle (a, b, c): appends the crossing, u and v the weights of
+/// b and c.
+void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t object,
+                    std::uint32_t primitive, const SceneRay& ray, std::vector<Crossing>& crossings);
+
+/// The largest coordinate's size.
+double size_of(const Vec3& x);
+
+/// A mesh; Crossing::u and v are the weights of the triangle's second and third vertex. Keeps its
+/// vertices in view coordinates, where triangles that share one share its rounding.
+class TriangleGeometry final : public CrossingGeometry {
+ public:
+  TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index, const GeometryContext& context);
+
+  std::uint32_t box_count() const override;
+  Box3 box(std::uint32_t k) const override;
+  void cross(std::uint32_t k, const SceneRay& ray, std::vector<Crossing>& crossings) const override;
+  Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
+  double importance(const Crossing& crossing) const override;
+  double largest_coordinate() const override { return largest_; }
+  std::uint64_t bytes() const override;
+
+ private:
+  Box3 box_of(std::uint32_t first, std::uint32_t last) const;
+  void group_triangles();
+
+  const TriangleMesh& mesh_;
+  std::uint32_t index_;
+  bool lit_;
+  double largest_ = 0;
+  std::vector<Vec3> positions_;
+  /// Box k holds the triangles groups_[k] … groups_[k + 1] - 1.
+  std::vector<std::uint32_t> groups_;
+};
+
+}  // namespace pellucid
