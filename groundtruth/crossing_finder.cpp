@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "groundtruth/crossing_geometry.h"
+#include "groundtruth/solid_union.h"
 
 namespace pellucid {
 namespace {
@@ -59,6 +60,17 @@ void test_box(const RTCOccludedFunctionNArguments* args) {
   attachment.geometry->cross(args->primID, *context.ray, *context.crossings);
 }
 
+/// Leaves of the crossings with unions those with their surfaces.
+void unite(const std::vector<Attachment>& attachments, std::vector<Crossing>& crossings) {
+  std::vector<PartCrossing> parts;
+  std::erase_if(crossings, [&](const Crossing& crossing) {
+    const CrossingGeometry& geometry = *attachments[crossing.object].geometry;
+    if (geometry.is_union()) parts.push_back({geometry.solid(crossing), crossing});
+    return geometry.is_union();
+  });
+  append_union(parts, crossings);
+}
+
 void throw_embree_error(void*, RTCError code, const char* text) {
   throw WorkError(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
 }
@@ -73,7 +85,8 @@ bool count_memory(void* counter, ssize_t bytes, bool) {
 struct CrossingFinder::State {
   ViewFrame frame;
   Precision precision;
-  Vec3 center;                          // of the scene, view coordinates
+  Vec3 center;  // of the scene, view coordinates
+  bool any_union = false;
   double largest = 0;                   // coordinate
   std::vector<Attachment> attachments;  // as Scene::objects
   std::atomic<std::int64_t> embree_bytes = 0;
@@ -88,6 +101,7 @@ struct CrossingFinder::State {
       const auto index = static_cast<std::uint32_t>(attachments.size());
       attachments.push_back({make_geometry(object, index, context), &center});
       largest = std::max(largest, attachments.back().geometry->largest_coordinate());
+      any_union |= attachments.back().geometry->is_union();
     }
     build();
   }
@@ -151,6 +165,7 @@ void CrossingFinder::find(const PictureRay& ray, std::vector<Crossing>& crossing
   traversal.tfar = float(end - begin);
   traversal.mask = ~0u;
   rtcOccluded1(state_->scene, &context.embree, &traversal);
+  if (state_->any_union) unite(state_->attachments, crossings);
   std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
   std::sort(crossings.begin(), crossings.end());
 }

@@ -1,8 +1,13 @@
 #include "groundtruth/crossing_geometry.h"
 
+#include <fmt/format.h>
+
 #include "core/error.h"
+#include "groundtruth/disc_geometry.h"
 #include "groundtruth/ribbon_geometry.h"
+#include "groundtruth/sphere_geometry.h"
 #include "groundtruth/triangle_geometry.h"
+#include "groundtruth/tube_geometry.h"
 
 namespace pellucid {
 namespace {
@@ -16,15 +21,21 @@ struct Maker {
   }
   std::unique_ptr<CrossingGeometry> operator()(const LineObject& lines) const {
     if (lines.profile == LineObject::Profile::tube)
-      throw InputError("raytrace: tubes; accepted: meshes and ribbons");
+      return std::make_unique<TubeGeometry>(lines, index, context);
     return std::make_unique<RibbonGeometry>(lines, index, context);
   }
-  std::unique_ptr<CrossingGeometry> operator()(const PointObject&) const {
-    throw InputError("raytrace: points; accepted: meshes and ribbons");
+  std::unique_ptr<CrossingGeometry> operator()(const PointObject& points) const {
+    if (points.profile == PointObject::Profile::sphere)
+      return std::make_unique<SphereGeometry>(points, index, context);
+    return std::make_unique<DiscGeometry>(points, index, context);
   }
 };
 
 }  // namespace
+
+void check_count(std::size_t count, const char* what) {
+  if (count >> 32) throw InputError(fmt::format("{} {}; accepted: fewer than 2^32", count, what));
+}
 
 std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,
                                                 const GeometryContext& context) {

@@ -36,6 +36,12 @@ class CrossingGeometry {
   virtual void cross(std::uint32_t k, const SceneRay& ray,
                      std::vector<Crossing>& crossings) const = 0;
 
+  /// True when what the boxes hold are parts of solids, and only the surface of each solid counts:
+  /// crossings within another part of the same solid are not the scene's (see solid_union.h).
+  virtual bool is_union() const { return false; }
+  /// Of a union: the solid that the crossing's part belongs to.
+  virtual std::uint32_t solid(const Crossing&) const { return 0; }
+
   /// Interpolates colour and opacity in double and lights the colour as the scene asks;
   /// `world_direction` is the ray's, of any length.
   virtual Fragment shade(const Crossing& crossing, const Vec3& world_direction) const = 0;
@@ -53,6 +59,9 @@ struct GeometryContext {
   const Camera& camera;
   Lighting lighting;
 };
+
+/// Throws InputError when Crossing cannot count so many `what`: 2^32 or more.
+void check_count(std::size_t count, const char* what);
 
 /// `index`: of the object in Scene::objects. The object has to outlive the geometry.
 std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,

@@ -113,4 +113,21 @@ bool CrossingTest::crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c
   return s0.sign != 0 && s0.sign == s1.sign && s1.sign == s2.sign;
 }
 
+bool CrossingTest::crosses_disc(const Vec3& center, double radius, double& squared_distance) const {
+  const Plane2 p = shear<double>(ray_, center);
+  squared_distance = p.x * p.x + p.y * p.y;
+  const double e = squared_distance - radius * radius;
+  // As in rounding_bound: each square is off by 5 h m², their sum by 2 h m² more, the radius's
+  // square by h m² and the difference by 2 h m²: 15 h m² and terms in h², within twice the bound.
+  if (std::abs(e) > 2 * bound_) return e < 0;
+  int sign = sign_of(e);
+  if (precision_ == Precision::exact) {
+    const Plane2 q = shear<Exact>(ray_, center);
+    sign = sign_of(q.x * q.x + q.y * q.y - Exact(radius) * Exact(radius));
+  }
+  // On the rim: p.x is positive where the centre lies to the right. Rounding does not change its
+  // sign where it is not 0, and straight above and below the centre the rim is left either way.
+  return sign != 0 ? sign < 0 : p.x > 0;
+}
+
 }  // namespace pellucid

@@ -33,6 +33,12 @@ class CrossingTest {
   /// triangles around an edge or vertex that continue each other.
   bool crosses(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const;
 
+  /// True when the ray's line crosses the disc around `center` that is parallel to the picture, and
+  /// then `squared_distance`, from ray to centre in the disc's plane. A ray that meets the rim
+  /// crosses where it moves inwards when it moves to the right: on the left half. Radius and
+  /// coordinates are at most `largest`, the centre lies in front of the eye.
+  bool crosses_disc(const Vec3& center, double radius, double& squared_distance) const;
+
  private:
   bool crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const;
 

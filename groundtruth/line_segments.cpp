@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 
 #include "core/error.h"
@@ -25,6 +26,12 @@ LineSegments::LineSegments(const LineSet& set) : set_(set) {
   for (std::size_t k = 0; k < set.line_count(); ++k)
     for (std::uint64_t i = set.offsets[k]; i + 1 < set.offsets[k + 1]; ++i)
       first_points_.push_back(static_cast<std::uint32_t>(i));
+}
+
+std::uint32_t LineSegments::line(std::uint32_t segment) const {
+  const auto next =
+      std::upper_bound(set_.offsets.begin(), set_.offsets.end(), first_points_[segment]);
+  return static_cast<std::uint32_t>(next - set_.offsets.begin() - 1);
 }
 
 Vec3 LineSegments::direction(std::uint32_t segment, double along) const {

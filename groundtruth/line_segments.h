@@ -17,6 +17,8 @@ class LineSegments {
   std::uint32_t count() const { return static_cast<std::uint32_t>(first_points_.size()); }
   /// The segment joins this point and the next.
   std::uint32_t first_point(std::uint32_t segment) const { return first_points_[segment]; }
+  /// The line that the segment belongs to.
+  std::uint32_t line(std::uint32_t segment) const;
   /// `along`: 0 at the segment's first point, 1 at its second.
   VertexBlend<2> blend(std::uint32_t segment, double along) const {
     return {{first_points_[segment], first_points_[segment] + 1}, {1 - along, along}};

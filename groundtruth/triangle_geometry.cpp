@@ -47,6 +47,7 @@ double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), s
 TriangleGeometry::TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index,
                                    const GeometryContext& context)
     : mesh_(mesh), index_(index), lit_(context.lighting != Lighting::none) {
+  check_count(mesh.triangles.size(), "triangles");
   positions_.reserve(mesh.positions.size());
   for (const Vec3& x : mesh.positions) {
     positions_.push_back(context.frame.from_world(x));

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "geometry/vertices.h"
@@ -29,5 +27,8 @@ struct VertexBlend {
     return g;
   }
 };
+
+/// Of a point that is a primitive of its own.
+inline VertexBlend<1> point_blend(const Crossing& crossing) { return {{crossing.primitive}, {1}}; }
 
 }  // namespace pellucid

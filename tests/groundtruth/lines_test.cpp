@@ -108,5 +108,95 @@ TEST(PropertyRibbon, RaysThroughCornersAndMiddlesOfAJointCrossOnce) {
   EXPECT_EQ(total, 60u * 16u);  // the rims, too, run through pixel centres: the top-left rule
 }
 
+TEST(UnitTube, StraightTubeIsACylinderWithRoundEnds) {
+  // Along x from -0.5 to 0.5, radius 0.25, over three segments: half chords √(r² - q²) with q the
+  // distance from the axis, or from an end.
+  Scene scene = orthographic_scene(64, 64);
+  scene.lighting = Lighting::headlight;
+  const double radius = 0.25;
+  scene.objects = {{"", line({{-0.5, 0, 0}, {-0.25, 0, 0}, {0, 0, 0}, {0.5, 0, 0}}, radius,
+                             LineObject::Profile::tube)}};
+  const CrossingFinder finder(scene, Precision::exact);
+  const double unit = finder.frame().units_per_length();
+  std::vector<Crossing> crossings;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const PictureRay ray = finder.frame().ray(x + 0.5, y + 0.5);
+      finder.find(ray, crossings);
+      const double px = (x + 0.5) / 32 - 1, py = 1 - (y + 0.5) / 32;
+      const double q = std::hypot(std::max(0.0, std::abs(px) - 0.5), py);
+      ASSERT_EQ(crossings.size(), q < radius ? 2u : 0u) << x << " " << y;
+      if (crossings.empty()) continue;
+      const double half = std::sqrt(radius * radius - q * q);
+      EXPECT_NEAR(crossings[0].depth, (5 - half) * unit, 1e-15 * 5 / half);
+      EXPECT_NEAR(crossings[1].depth, (5 + half) * unit, 1e-15 * 5 / half);
+      const double at = std::clamp(px, -0.5, 0.5);
+      const double red = at < 0 ? 4 * (at + 0.5) / 3 : 2.0 / 3 + 2 * at / 3;
+      const Fragment fragment = finder.shade(crossings[0], finder.frame().world_direction(ray));
+      EXPECT_NEAR(fragment.color.r, red * half / radius, 1e-7);  // colours are float
+    }
+}
+
+TEST(UnitTube, AlongTheRayItIsAChordFromEndToEnd) {
+  Scene scene = orthographic_scene(1, 1);
+  scene.objects = {
+      {"", line({{0, 0, 1}, {0, 0, 0.5}, {0, 0, -1}}, 0.25, LineObject::Profile::tube)}};
+  const CrossingFinder finder(scene, Precision::exact);
+  std::vector<Crossing> crossings;
+  finder.find(finder.frame().ray(0.5, 0.5), crossings);
+  ASSERT_EQ(crossings.size(), 2u);
+  EXPECT_NEAR(crossings[0].depth / finder.frame().units_per_length(), 3.75, 1e-14);
+  EXPECT_NEAR(crossings[1].depth / finder.frame().units_per_length(), 6.25, 1e-14);
+}
+
+/// By brute force: is x within the tube of the line?
+bool within(const std::vector<Vec3>& points, double radius, const Vec3& x) {
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec3 along = points[i + 1] - points[i], to = x - points[i];
+    const double s = std::clamp(glm::dot(to, along) / glm::dot(along, along), 0.0, 1.0);
+    if (glm::length(to - s * along) < radius) return true;
+  }
+  return false;
+}
+
+TEST(AgreementTube, EntersAndLeavesTheSolidByTurns) {
+  // A thick knot that meets itself: between crossings the ray is inside or outside by turns, and
+  // marching along it agrees.
+  Scene scene;
+  scene.width = scene.height = 40;
+  scene.camera.fov = 40;
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 60; ++i) {
+    const double a = 2 * std::numbers::pi * i / 60;
+    points.emplace_back((1 + 0.3 * std::cos(3 * a)) * std::cos(2 * a),
+                        (1 + 0.3 * std::cos(3 * a)) * std::sin(2 * a), 0.3 * std::sin(3 * a));
+  }
+  const double radius = 0.22;
+  scene.objects = {{"", line(points, radius, LineObject::Profile::tube)}};
+  const CrossingFinder finder(scene, Precision::exact);
+  std::vector<Crossing> crossings;
+  std::size_t deepest = 0;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const PictureRay ray = finder.frame().ray(x + 0.5, y + 0.5);
+      finder.find(ray, crossings);
+      ASSERT_EQ(crossings.size() % 2, 0u);
+      deepest = std::max(deepest, crossings.size());
+      const Vec3 direction = finder.frame().world_direction(ray);  // one unit of depth long
+      std::size_t passed = 0;
+      for (double depth = 3; depth < 7; depth += 0.01) {
+        const double units = depth * finder.frame().units_per_length();
+        while (passed < crossings.size() && crossings[passed].depth < units) {
+          ASSERT_EQ(std::signbit(crossings[passed].v), passed % 2 == 0);
+          ++passed;
+        }
+        ASSERT_EQ(within(points, radius, scene.camera.eye + depth * direction), passed % 2 == 1)
+            << x << " " << y << " " << depth;
+      }
+      ASSERT_EQ(passed, crossings.size());
+    }
+  EXPECT_GE(deepest, 4u);
+}
+
 }  // namespace
 }  // namespace pellucid
