@@ -18,11 +18,13 @@ constexpr double nearest = 1e-6;
 
 }  // namespace
 
-Geometry::Geometry(const Gl& gl, const Scene& scene)
+Geometry::Geometry(const Gl& gl, const Scene& scene) : Geometry(gl, scene, depth_range(scene)) {}
+
+Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
     : gl_(gl),
       lit_(scene.lighting == Lighting::headlight),
       projection_(scene.camera.projection),
-      range_(depth_range(scene)),
+      range_(range),
       array_(gl) {
   const double half = half_height(scene.camera);
   view_unit_ = projection_ == Projection::perspective ? range_.far : half;

@@ -22,6 +22,8 @@ struct Triangles {
 class Geometry {
  public:
   Geometry(const Gl& gl, const Scene& scene);
+  /// `range` is that of the whole picture, where `scene` is a part of it.
+  Geometry(const Gl& gl, const Scene& scene, const DepthRange& range);
 
   /// Defines that the geometry shaders need: LIT, ORTHOGRAPHIC.
   Defines defines() const;

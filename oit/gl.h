@@ -30,6 +30,7 @@
   X(CreateBuffers, CREATEBUFFERS) X(DeleteBuffers, DELETEBUFFERS)                               \
   X(NamedBufferStorage, NAMEDBUFFERSTORAGE) X(GetNamedBufferSubData, GETNAMEDBUFFERSUBDATA)     \
   X(ClearNamedBufferData, CLEARNAMEDBUFFERDATA) X(BindBufferBase, BINDBUFFERBASE)               \
+  X(CopyNamedBufferSubData, COPYNAMEDBUFFERSUBDATA)                                             \
   X(CreateTextures, CREATETEXTURES) X(DeleteTextures, DELETETEXTURES)                           \
   X(TextureStorage2D, TEXTURESTORAGE2D) X(TextureStorage3D, TEXTURESTORAGE3D)                   \
   X(TextureBuffer, TEXTUREBUFFER) X(TextureParameteri, TEXTUREPARAMETERI)                       \

@@ -21,6 +21,11 @@ class Ledger {
     else
       parts_.push_back({std::string(name), bytes});
   }
+  std::uint64_t total() const {
+    std::uint64_t sum = 0;
+    for (const NamedBytes& part : parts_) sum += part.bytes;
+    return sum;
+  }
   const std::vector<NamedBytes>& parts() const { return parts_; }
 
  private:

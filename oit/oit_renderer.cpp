@@ -48,18 +48,18 @@ class OitRenderer final : public Renderer {
 
 Rendering OitRenderer::render(const RenderRequest& request) {
   stage_.make_current();
-  Frame frame(stage_, picture_target_);
+  Frame frame(stage_, picture_, picture_target_);
   method_->draw(frame);
   Rendering rendering;
   rendering.stats = frame.stats();
   rendering.stats.bytes = stage_.ledger().parts();
-  rendering.image = Image(stage_.width(), stage_.height());
-  auto& pixels = rendering.image.pixels;
-  picture_.read(GL_RGBA, GL_FLOAT, pixels.size() * sizeof pixels[0], pixels.data());
+  rendering.image = frame.read_picture();
   if (!request.layers) return rendering;
-  rendering.layers = count_layers();
+  const std::optional<CountImage> of_method = method_->count_layers();
+  rendering.layers = of_method ? *of_method : count_layers();
   const auto& counts = rendering.layers.pixels;
-  rendering.stats.fragments = std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+  if (!of_method)
+    rendering.stats.fragments = std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
   rendering.stats.max_layers = *std::max_element(counts.begin(), counts.end());
   return rendering;
 }
@@ -92,6 +92,13 @@ std::vector<std::string> OitRenderer::explain() const {
 }
 
 }  // namespace
+
+Image Frame::read_picture() const {
+  Image image(stage_.width(), stage_.height());
+  texture_.read(GL_RGBA, GL_FLOAT, image.pixels.size() * sizeof image.pixels[0],
+                image.pixels.data());
+  return image;
+}
 
 void Frame::finish(std::string_view name, const Stopwatch& watch) {
   stage_.gl().Finish();

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/stopwatch.h"
 #include "oit/stage.h"
@@ -12,11 +13,14 @@ namespace pellucid {
 /// One picture being made.
 class Frame {
  public:
-  Frame(const Stage& stage, const Framebuffer& picture) : stage_(stage), picture_(picture) {}
+  /// `picture` is what `target` draws into.
+  Frame(const Stage& stage, const Texture& picture, const Framebuffer& target)
+      : stage_(stage), texture_(picture), picture_(target) {}
 
   /// The final picture, RGBA: the method's last pass writes colour over the background and
   /// A = 1 - transmittance into it.
   const Framebuffer& picture() const { return picture_; }
+  Image read_picture() const;
   RenderStats& stats() { return stats_; }
 
   /// Runs one step and times it until OpenGL has finished it. Steps of one name are summed.
@@ -31,6 +35,7 @@ class Frame {
   void finish(std::string_view name, const Stopwatch& watch);
 
   const Stage& stage_;
+  const Texture& texture_;
   const Framebuffer& picture_;
   RenderStats stats_;
 };
@@ -40,6 +45,9 @@ class OitMethod {
  public:
   virtual ~OitMethod() = default;
   virtual void draw(Frame& frame) = 0;
+  /// The layers per pixel that the last picture was made of, where the method makes layers of its
+  /// own; otherwise they are the geometry's crossings.
+  virtual std::optional<CountImage> count_layers() { return std::nullopt; }
   /// What the method modelled for this scene; a line each.
   virtual std::vector<std::string> explain() const { return {}; }
 };

@@ -19,6 +19,8 @@ constexpr SharedFile shared_files[] = {
     {"fragment.glsl", oit_glsl::fragment_glsl},
     {"composite.glsl", oit_glsl::composite_glsl},
     {"fragment_list.glsl", oit_glsl::fragment_list_glsl},
+    {"layer_tree.glsl", oit_glsl::layer_tree_glsl},
+    {"layer_nodes.glsl", oit_glsl::layer_nodes_glsl},
     {"list_sort.glsl", oit_glsl::list_sort_glsl},
     {"peel_key.glsl", oit_glsl::peel_key_glsl},
     {"front_to_back.glsl", oit_glsl::front_to_back_glsl},

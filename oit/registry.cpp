@@ -9,6 +9,7 @@
 #include "oit/methods/linked_list.h"
 #include "oit/methods/moment.h"
 #include "oit/methods/stochastic.h"
+#include "oit/methods/tree.h"
 #include "oit/methods/weighted_average.h"
 #include "oit/methods/weighted_blended.h"
 #include "oit/methods/weighted_sum.h"
@@ -16,11 +17,17 @@
 namespace pellucid {
 
 std::span<const MethodRow> oit_methods() {
-  static const std::array rows = {linked_list_method(),      depth_peeling_method(),
-                                  weighted_sum_method(),     weighted_average_method(),
-                                  weighted_blended_method(), binning_method(),
-                                  fourier_method(),          moment_method(),
-                                  k_buffer_method(),         stochastic_method()};
+  static const std::array rows = {linked_list_method(),
+                                  depth_peeling_method(),
+                                  weighted_sum_method(),
+                                  weighted_average_method(),
+                                  weighted_blended_method(),
+                                  binning_method(),
+                                  fourier_method(),
+                                  moment_method(),
+                                  k_buffer_method(),
+                                  stochastic_method(),
+                                  tree_method()};
   return rows;
 }
 

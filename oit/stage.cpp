@@ -30,7 +30,8 @@ void check_size(const Gl& gl, int width, int height) {
 }  // namespace
 
 Stage::Stage(const Scene& scene, const RenderContext& context)
-    : context_(context.gl),
+    : scene_(scene),
+      context_(context.gl),
       width_(scene.width),
       height_(scene.height),
       background_(scene.background),
@@ -70,9 +71,9 @@ void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> b
   }
 }
 
-void Stage::draw_geometry(const Program& program) const {
+void Stage::draw_geometry(const Program& program, const Geometry& geometry) const {
   program.use();
-  geometry_.draw();
+  geometry.draw();
 }
 
 void Stage::draw_geometry(const Program& program, const Triangles& triangles) const {

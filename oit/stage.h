@@ -19,11 +19,13 @@ enum class Blend {
 /// makes its programs and targets from it.
 class Stage {
  public:
+  /// The scene has to outlive it.
   Stage(const Scene& scene, const RenderContext& context);
 
   void make_current() const { context_.make_current(); }
   const GlContext& context() const { return context_; }
   const Gl& gl() const { return context_.gl(); }
+  const Scene& scene() const { return scene_; }
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint64_t pixel_count() const { return std::uint64_t(width_) * height_; }
@@ -41,11 +43,13 @@ class Stage {
 
   /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow.
   void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
-  void draw_geometry(const Program& program) const;
+  void draw_geometry(const Program& program) const { draw_geometry(program, geometry_); }
+  void draw_geometry(const Program& program, const Geometry& geometry) const;
   void draw_geometry(const Program& program, const Triangles& triangles) const;
   void draw_screen(const Program& program) const;
 
  private:
+  const Scene& scene_;
   GlContext context_;
   int width_, height_;
   glm::vec3 background_;

@@ -25,14 +25,25 @@ struct NamedBytes {
   std::uint64_t bytes = 0;
 };
 
+/// Where a progressive method stands after one of its frames; sums are from the first frame on.
+struct FrameStats {
+  double seconds = 0;
+  std::uint64_t lines = 0;      // of this frame
+  std::uint64_t fragments = 0;  // sum
+  std::uint64_t layers = 0;     // of all pixels
+  std::uint64_t bytes = 0;
+  double change = 0;  // of the picture by this frame: root mean square over RGB
+};
+
 /// What a frame took. Bytes are those a method allocates beyond the scene's own geometry and the
 /// final picture, counted at the allocation.
 struct RenderStats {
   std::vector<StepTime> steps;
   std::vector<NamedBytes> bytes;
-  std::uint64_t fragments = 0;   // crossings seen
-  std::uint64_t dropped = 0;     // crossings that did not reach the picture
-  std::uint32_t max_layers = 0;  // crossings in one pixel
+  std::uint64_t fragments = 0;     // crossings seen
+  std::uint64_t dropped = 0;       // crossings that did not reach the picture
+  std::uint32_t max_layers = 0;    // crossings in one pixel
+  std::vector<FrameStats> frames;  // of a progressive method
 
   double seconds() const;
   std::uint64_t total_bytes() const;

@@ -5,17 +5,12 @@
 #include <optional>
 
 #include "core/error.h"
+#include "oit/fragment_pool.h"
 #include "oit/oit_renderer.h"
 #include "oit_glsl.h"
 
 namespace pellucid {
 namespace {
-
-/// Places for the nodes of all lists, in texture buffers: a storage block ends at 128 MiB.
-struct NodePool {
-  std::uint64_t nodes = 0;  // without node 0, which ends a list
-  BufferTexture links, colors;
-};
 
 // Layers that are sorted in registers: RUN of list_sort.glsl.
 constexpr int most_layers_in_registers = 16;
@@ -36,18 +31,6 @@ struct LongListPrograms {
   }
   Program sort, merge, blend;
 };
-
-NodePool make_pool(const Gl& gl, std::uint64_t nodes) {
-  GLint most = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (nodes >= std::uint64_t(most))
-    throw WorkError(
-        fmt::format("linked-list: the picture has {} fragments, but the driver's "
-                    "largest texture buffer holds {}; draw a smaller picture",
-                    nodes, most));
-  const std::uint64_t n = nodes + 1;
-  return {nodes, {gl, GL_RGBA32UI, 16 * n}, {gl, GL_RGBA32F, 16 * n}};
-}
 
 class LinkedList final : public OitMethod {
  public:
@@ -92,16 +75,15 @@ class LinkedList final : public OitMethod {
   void reserve(std::uint64_t fragments) {
     if (fragments == pool_.nodes && pool_.links.bytes() > 0) return;
     pool_ = {};  // the old pool is gone before the new one is there
-    pool_ = make_pool(stage_.gl(), fragments);
-    stage_.record("list nodes", pool_.links.bytes() + pool_.colors.bytes());
+    pool_ = make_fragment_pool(stage_.gl(), "linked-list", fragments);
+    stage_.record("list nodes", pool_.bytes());
   }
 
   void build() const {
     heads_.clear(0);
     node_count_.clear(0);
     heads_.bind_image(0);
-    pool_.links.bind_image(1);
-    pool_.colors.bind_image(2);
+    pool_.bind();
     node_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
     stage_.begin_pass(no_targets_, {Blend::replace});
     stage_.draw_geometry(build_);
@@ -146,7 +128,7 @@ class LinkedList final : public OitMethod {
   Stage& stage_;
   Texture heads_;
   Buffer node_count_, longest_;
-  NodePool pool_;
+  FragmentPool pool_;
   Framebuffer no_targets_;
   SampleQuery query_;
   Program count_, build_, resolve_;

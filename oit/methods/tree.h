@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// The progressive per-pixel tree (Tian and Guenther, "Progressive Rendering of Transparent
+/// Integral Surfaces", additional material, section 1, Algorithms 1 and 2). Lines of the surface
+/// are integrated frame by frame, rasterized into lists, and merged into the layers of a tree that
+/// every pixel keeps: a fragment within ε of a layer is averaged into it, another one becomes a
+/// layer of its own. The layers are composited from front to back.
+///
+/// Depth is d, so that ε does not depend on the scene's unit. Beyond the paper: lines are strips in
+/// the surface's tangent plane (surface_strips.h); the tree is balanced and linked from front to
+/// back (layer_tree.glsl). Colours are averaged after lighting; the means of uv and normals are
+/// left out, nothing here would read them. Objects without a FlowSource have no lines: their
+/// triangles are inserted once, each fragment a layer that nothing is merged with.
+///
+/// Accuracy: exact for objects without a FlowSource; for the others no bound, see the study
+/// tree-epsilon.
+const MethodRow& tree_method();
+
+}  // namespace pellucid
