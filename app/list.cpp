@@ -11,6 +11,7 @@
 #include "fields/catalogue.h"
 #include "integrators/integrate_lines.h"
 #include "integrators/integrate_surface.h"
+#include "scene/dataset.h"
 
 namespace pellucid {
 namespace {
@@ -71,6 +72,16 @@ nlohmann::ordered_json list_fields() {
   return rows;
 }
 
+nlohmann::ordered_json list_datasets() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const DatasetRow& row : datasets())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
 nlohmann::ordered_json list_metrics() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const MetricRow& row : metrics())
@@ -94,11 +105,9 @@ struct Listing {
   nlohmann::ordered_json (*make)();
 };
 
-constexpr Listing listings[] = {{"methods", list_methods},
-                                {"integrators", list_integrators},
-                                {"fields", list_fields},
-                                {"metrics", list_metrics},
-                                {"studies", list_all_studies}};
+constexpr Listing listings[] = {{"methods", list_methods}, {"integrators", list_integrators},
+                                {"fields", list_fields},   {"datasets", list_datasets},
+                                {"metrics", list_metrics}, {"studies", list_all_studies}};
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";

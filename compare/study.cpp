@@ -57,7 +57,21 @@ std::vector<MethodCall> calls_of_text(const JsonNode& node, std::span<const Meth
   return {make_call(node, parsed.name, parsed.options, table)};
 }
 
+/// {"method": "*", "except": [NAME, …]}
+std::vector<MethodCall> calls_but(const JsonNode& node, std::span<const MethodRow> table) {
+  node.accept_keys({"method", "except"});
+  std::set<std::string_view> except;
+  for (const JsonNode& element : node["except"].elements())
+    except.insert(at_place(element, [&]() -> std::string_view {
+      return find_row("method", element.string(), table).name;
+    }));
+  std::vector<MethodCall> calls = every_method(table);
+  std::erase_if(calls, [&](const MethodCall& call) { return except.contains(call.row->name); });
+  return calls;
+}
+
 std::vector<MethodCall> calls_of_object(const JsonNode& node, std::span<const MethodRow> table) {
+  if (node["method"].string() == "*") return calls_but(node, table);
   std::vector<RawOptions> sets(1);
   for (const auto& item : node.value().items()) {
     if (item.key() == "method") continue;

@@ -10,6 +10,7 @@
 #include "geometry/mesh_file.h"
 #include "integrators/integrate_lines.h"
 #include "integrators/integrate_surface.h"
+#include "scene/dataset.h"
 
 namespace pellucid {
 namespace {
@@ -70,11 +71,11 @@ class ObjectReader {
   SceneObject read() {
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
-    node_.accept_keys({"name", "mesh", "surface", "lines", "points", "color", "opacity",
+    node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "color", "opacity",
                        "importance", "opaque", "radius", "profile"});
     if (std::count_if(kinds.begin(), kinds.end(),
                       [&](const Kind& k) { return node_.has(k.key); }) != 1)
-      node_.fail("accepted: exactly one of the keys mesh, surface, lines, points");
+      node_.fail("accepted: exactly one of the keys mesh, surface, lines, points, dataset");
     object_.name = node_.has("name") ? node_["name"].string() : node_.place();
     if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
     (this->*kind->read)(node_[kind->key]);
@@ -87,23 +88,37 @@ class ObjectReader {
     std::string_view key;
     void (ObjectReader::*read)(const JsonNode&);
   };
-  static const std::array<Kind, 4> kinds;
+  static const std::array<Kind, 5> kinds;
 
-  /// What is true of meshes and not of `key`.
-  void refuse_width() const {
+  // What is drawn of what was read, with the width that its kind has.
+
+  void draw(TriangleMesh mesh) {
     for (const char* key : {"radius", "profile"})
       if (node_.has(key)) node_[key].fail("only lines and points have one");
-  }
-
-  void read_mesh_file(const JsonNode& node) {
-    refuse_width();
-    TriangleMesh mesh = at_place(node, [&] { return read_mesh(path_of(node)); });
-    note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()));
     object_.shape = std::move(mesh);
   }
 
+  void draw(LineSet set) {
+    if (set.segment_count() == 0) node_.fail("nothing to draw: it has no segment");
+    const bool tube = node_.has("profile") && node_["profile"].one_of({"ribbon", "tube"}) == "tube";
+    object_.shape = LineObject{std::move(set), read_radius(node_),
+                               tube ? LineObject::Profile::tube : LineObject::Profile::ribbon};
+  }
+
+  void draw(PointSet set) {
+    const bool sphere =
+        node_.has("profile") && node_["profile"].one_of({"disc", "sphere"}) == "sphere";
+    object_.shape = PointObject{std::move(set), read_radius(node_),
+                                sphere ? PointObject::Profile::sphere : PointObject::Profile::disc};
+  }
+
+  void read_mesh_file(const JsonNode& node) {
+    TriangleMesh mesh = at_place(node, [&] { return read_mesh(path_of(node)); });
+    note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()));
+    draw(std::move(mesh));
+  }
+
   void integrate(const JsonNode& node) {
-    refuse_width();
     node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
     const std::string integrator = node["integrator"].string();
     const FlowSource source = read_flow(node);
@@ -114,7 +129,7 @@ class ObjectReader {
     if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
     note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
                      surface.stats.particles, surface.mesh.triangles.size()));
-    object_.shape = std::move(surface.mesh);
+    draw(std::move(surface.mesh));
     object_.source = source;
   }
 
@@ -130,13 +145,7 @@ class ObjectReader {
   }
 
   void read_line_object(const JsonNode& node) {
-    LineObject lines;
-    lines.radius = read_radius(node_);
-    if (node_.has("profile") && node_["profile"].one_of({"ribbon", "tube"}) == "tube")
-      lines.profile = LineObject::Profile::tube;
-    lines.set = node.is_object() ? integrated_lines(node) : line_file(node);
-    if (lines.set.segment_count() == 0) node.fail("nothing to draw: it has no segment");
-    object_.shape = std::move(lines);
+    draw(node.is_object() ? integrated_lines(node) : line_file(node));
   }
 
   LineSet line_file(const JsonNode& node) {
@@ -162,13 +171,15 @@ class ObjectReader {
   }
 
   void read_point_object(const JsonNode& node) {
-    PointObject points;
-    points.radius = read_radius(node_);
-    if (node_.has("profile") && node_["profile"].one_of({"disc", "sphere"}) == "sphere")
-      points.profile = PointObject::Profile::sphere;
-    points.set = at_place(node, [&] { return read_points(path_of(node)); });
-    note(fmt::format("{}, {} points", file_name(node), points.set.positions.size()));
-    object_.shape = std::move(points);
+    PointSet points = at_place(node, [&] { return read_points(path_of(node)); });
+    note(fmt::format("{}, {} points", file_name(node), points.positions.size()));
+    draw(std::move(points));
+  }
+
+  void read_dataset(const JsonNode& node) {
+    Dataset data = at_place(node, [&] { return make_dataset(node.string(), context_.progress); });
+    note("data set " + node.string());
+    std::visit([&](auto& set) { draw(std::move(set)); }, data);
   }
 
   void apply() {
@@ -191,11 +202,12 @@ class ObjectReader {
   SceneObject object_;
 };
 
-const std::array<ObjectReader::Kind, 4> ObjectReader::kinds{
+const std::array<ObjectReader::Kind, 5> ObjectReader::kinds{
     {{"mesh", &ObjectReader::read_mesh_file},
      {"surface", &ObjectReader::integrate},
      {"lines", &ObjectReader::read_line_object},
-     {"points", &ObjectReader::read_point_object}}};
+     {"points", &ObjectReader::read_point_object},
+     {"dataset", &ObjectReader::read_dataset}}};
 
 }  // namespace
 

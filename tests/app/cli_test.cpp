@@ -121,7 +121,7 @@ TEST_F(UnitCommandLine, AFullDiskIsAFailureOfTheWork) {
 }
 
 TEST_F(UnitCommandLine, ListsEveryTableAsJsonToo) {
-  for (const char* what : {"methods", "integrators", "fields", "metrics", "studies"}) {
+  for (const char* what : {"methods", "integrators", "fields", "datasets", "metrics", "studies"}) {
     const Outcome text = run(std::string("list ") + what);
     EXPECT_EQ(text.exit_code, 0) << text.err;
     EXPECT_GT(text.out.size(), 50u) << what;

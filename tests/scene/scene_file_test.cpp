@@ -158,7 +158,7 @@ TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
   EXPECT_THAT(refusal(R"({"mesh": "none.ply"})"),
               AllOf(HasSubstr("objects[0].mesh"), HasSubstr("none.ply")));
   EXPECT_THAT(refusal(R"({"color": [1, 0, 0]})"),
-              HasSubstr("exactly one of the keys mesh, surface, lines, points"));
+              HasSubstr("exactly one of the keys mesh, surface, lines, points, dataset"));
   EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": {"by": "sped"}})"),
               HasSubstr("unknown scalar 'sped'; known: speed"));
   EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "virids"}})"),

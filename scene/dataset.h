@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/parameters.h"
+#include "core/progress.h"
+#include "geometry/line_set.h"
+#include "geometry/point_set.h"
+#include "geometry/triangle_mesh.h"
+
+namespace pellucid {
+
+using Dataset = std::variant<TriangleMesh, LineSet, PointSet>;
+
+/// One row of the table of data sets that are generated: stand-ins for data that were never
+/// published, and scenes whose answer is known. The same parameters give the same data to the last
+/// bit, for any number of threads.
+struct DatasetRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view citation;  // or how it is derived
+  std::span<const ParameterSpec> parameters;
+  Dataset (*make)(const Parameters&, const Progress&);
+};
+
+std::span<const DatasetRow> datasets();
+
+/// `dataset` is "NAME[:key=value,…]". Throws InputError for an unknown name, key or value.
+Dataset make_dataset(std::string_view dataset, const Progress& progress = {});
+
+}  // namespace pellucid
