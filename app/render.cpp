@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/probe.h"
 #include "compare/image_file.h"
 #include "compare/methods.h"
 #include "core/machine.h"
@@ -15,7 +16,8 @@ namespace pellucid {
 namespace {
 
 struct RenderOptions {
-  std::string scene, method, output, stats, layers;
+  std::string scene, method, output, stats, layers, probe_output;
+  std::vector<int> probe;  // x, y, x, y, …
   bool explain = false;
 };
 
@@ -48,6 +50,8 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   const Parameters parameters(row.name, row.parameters, named.options);
   const Progress progress = console_progress(globals);
   const Scene scene = load_scene(options.scene, progress);
+  if (!options.probe.empty())
+    write_text(options.probe_output, probe_json(scene, options.probe).dump(2) + '\n');
   const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
   if (options.explain)
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
@@ -78,6 +82,14 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
       ->required();
   command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
   command->add_option("--layers", options->layers, "Write the number of crossings per pixel");
+  CLI::Option* probe = command->add_option(
+      "--probe", options->probe, "Pixel X,Y whose crossings are wanted; may be given again");
+  probe->delimiter(',')->type_size(2);
+  CLI::Option* probe_output =
+      command->add_option("--probe-out", options->probe_output,
+                          "Write the exact crossings and sums along the probes' rays as JSON");
+  probe->needs(probe_output);
+  probe_output->needs(probe);
   command->add_flag("--explain", options->explain, "Print what was modelled and left out, and why");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);

@@ -29,6 +29,7 @@ constexpr double behind_eye = 1e-3;
 /// Embree's handle on a geometry.
 struct Attachment {
   std::unique_ptr<CrossingGeometry> geometry;
+  bool opaque;
   const Vec3* center;  // of the scene: Embree's origin, so that its floats are as fine as can be
 };
 
@@ -99,7 +100,7 @@ struct CrossingFinder::State {
     attachments.reserve(from.objects.size());
     for (const SceneObject& object : from.objects) {
       const auto index = static_cast<std::uint32_t>(attachments.size());
-      attachments.push_back({make_geometry(object, index, context), &center});
+      attachments.push_back({make_geometry(object, index, context), object.opaque, &center});
       largest = std::max(largest, attachments.back().geometry->largest_coordinate());
       any_union |= attachments.back().geometry->is_union();
     }
@@ -168,10 +169,16 @@ void CrossingFinder::find(const PictureRay& ray, std::vector<Crossing>& crossing
   if (state_->any_union) unite(state_->attachments, crossings);
   std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
   std::sort(crossings.begin(), crossings.end());
+  const auto opaque = [this](const Crossing& c) { return state_->attachments[c.object].opaque; };
+  const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);
+  if (end_of_ray != crossings.end()) crossings.erase(end_of_ray + 1, crossings.end());
 }
 
 Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {
-  return state_->attachments[crossing.object].geometry->shade(crossing, world_direction);
+  const Attachment& attachment = state_->attachments[crossing.object];
+  Fragment fragment = attachment.geometry->shade(crossing, world_direction);
+  if (attachment.opaque) fragment.opacity = 1;
+  return fragment;
 }
 
 double CrossingFinder::importance(const Crossing& crossing) const {

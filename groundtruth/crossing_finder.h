@@ -21,7 +21,8 @@ class CrossingFinder {
 
   const ViewFrame& frame() const;
 
-  /// All crossings of the ray, front to back. `crossings` is overwritten; its capacity is reused.
+  /// All crossings of the ray, front to back, up to and with the first opaque one. `crossings` is
+  /// overwritten; its capacity is reused.
   void find(const PictureRay& ray, std::vector<Crossing>& crossings) const;
 
   /// Of a crossing that `find` returned; `world_direction` is its ray's, of any length.

@@ -86,6 +86,18 @@ TEST_F(UnitCommandLine, RendersAndWritesStatistics) {
     EXPECT_THAT(read_text(folder_ / "s.json"), HasSubstr(key));
 }
 
+TEST_F(UnitCommandLine, ProbesPixels) {
+  const std::string file = (folder_ / "p.json").string();
+  const Outcome outcome =
+      run(render("raytrace") + " --probe 48,48 --probe 0,0 --probe-out " + file);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string json = read_text(file);
+  EXPECT_THAT(json, AllOf(HasSubstr("\"optical_depth\""), HasSubstr("\"importance_sum\""),
+                          HasSubstr("\"layers\": []")));
+  EXPECT_THAT(refusal(render("raytrace") + " --probe 96,0 --probe-out " + file + "2"),
+              HasSubstr("95,95"));
+}
+
 TEST_F(UnitCommandLine, UnknownNamesOfferTheNearest) {
   EXPECT_THAT(refusal(render("furier")), HasSubstr("unknown method 'furier'; known: fourier"));
   EXPECT_THAT(refusal(render("fourier:band=3")), HasSubstr("unknown key 'band'; known: bands"));

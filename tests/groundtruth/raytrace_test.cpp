@@ -98,6 +98,17 @@ TEST(UnitRaytrace, EqualDepthsAreOrderedByObject) {
   }
 }
 
+TEST(UnitRaytrace, AnOpaqueObjectHidesWhatLiesBehindItWhateverItsAlpha) {
+  const Rgba red(1, 0, 0, 0.5), green(0, 1, 0, 0.25f), blue(0, 0, 1, 0.5);
+  Scene scene = orthographic_scene(3, 3);
+  scene.objects = {
+      {"", full_layer(-1, blue)}, {"", full_layer(0, green)}, {"", full_layer(1, red)}};
+  scene.objects[1].opaque = true;
+  const Rendering rendering = trace(scene);
+  EXPECT_LE(largest_error(rendering.image, Rgba(0.5, 0.5, 0, 1)), 0);
+  EXPECT_EQ(rendering.stats.max_layers, 2u);
+}
+
 TEST(UnitRaytrace, HeadlightIsTwoSidedCosine) {
   Scene scene = orthographic_scene(3, 3);
   scene.lighting = Lighting::headlight;

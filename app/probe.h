@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace pellucid {
+
+/// The exact crossings and sums along the rays through the centres of pixels, given as x, y, x, y,
+/// …: {"depth": {near, far}, "pixels": [{x, y, color, transmittance, layers: […]}]}; a layer's keys
+/// are those of RayLayer. An optical depth that is infinite is null. Throws InputError for a pixel
+/// outside the picture.
+nlohmann::json probe_json(const Scene& scene, const std::vector<int>& pixels);
+
+}  // namespace pellucid
