@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "compare/distance_picture.h"
+#include "compare/image_file.h"
 #include "core/error.h"
 #include "core/names.h"
 #include "fields/make_field.h"
@@ -24,6 +26,7 @@ struct TraceOptions {
   double start_time = 0;
   bool path = false;
   std::uint64_t samples = 500;
+  std::string error_picture;
 };
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -99,6 +102,14 @@ void print(const TraceOptions& options, const GlobalOptions& globals,
     print_summary(options.output, json);
 }
 
+/// From above the front right corner, all of the surface in view.
+void write_error_picture(const std::string& file, const TriangleMesh& mesh,
+                         const std::vector<double>& distances) {
+  Scene view;
+  view.camera = fitted_camera(mesh.bounds());
+  write_image(file, distance_picture(view, mesh, distances).image);
+}
+
 void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
                    const VectorField& field) {
   SurfaceRequest request;
@@ -108,13 +119,17 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
   request.start_time = options.start_time;
   request.path = options.path;
   request.progress = console_progress(globals);
-  const IntegratedSurface surface = integrate_surface(options.integrator, request);
-  write_mesh(options.output, surface.mesh);
+  IntegratedSurface surface = integrate_surface(options.integrator, request);
   nlohmann::ordered_json json = to_json(surface, measure_quality(surface.mesh));
   if (options.samples > 0) {
     report(request.progress, 1, "measuring the distance to the exact surface");
-    add_error(json, measure_error(surface.mesh, request, options.samples));
+    SurfaceError error = measure_error(surface.mesh, request, options.samples);
+    add_error(json, error);
+    if (!options.error_picture.empty())
+      write_error_picture(options.error_picture, surface.mesh, error.at_vertices);
+    surface.mesh.scalars["error"] = std::move(error.at_vertices);
   }
+  write_mesh(options.output, surface.mesh);
   print(options, globals, json);
 }
 
@@ -153,6 +168,8 @@ bool draws_lines(std::string_view integrator) {
 
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
   const auto field = make_field(options.field);
+  if (!options.error_picture.empty() && (options.samples == 0 || draws_lines(options.integrator)))
+    throw InputError("--error-picture: accepted: with a surface and --samples of at least 1");
   if (draws_lines(options.integrator))
     trace_lines(options, globals, *field);
   else
@@ -177,8 +194,14 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--start-time", options->start_time, "The field's time at the seeds");
   command->add_flag("--path", options->path, "Path surface: the field's time runs along");
   command->add_option("-o,--output", options->output, "Geometry: .ply, .obj or .vtp")->required();
-  command->add_option("--samples", options->samples,
-                      "Points where the distance to the exact surface is measured; 0: none");
+  command->add_option(
+      "--samples", options->samples,
+      "Points where the distance to the exact surface is measured; 0: none. The mesh's "
+      "scalar 'error' is the largest near each vertex");
+  command->add_option(
+      "--error-picture", options->error_picture,
+      "Picture of the distance on the surface, from a millionth of its size (black) "
+      "to a hundredth");
   add_global_options(*command, globals);
   command->callback([options, &globals] { trace(*options, globals); });
 }

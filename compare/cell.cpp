@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -49,8 +50,10 @@ void add_call(const MethodCall& call, Hash& hash) {
 }
 
 /// A row whose picture has been lost is not finished.
-bool is_complete(const CellFiles& files) {
-  return fs::exists(files.picture()) && fs::exists(files.preview());
+bool is_complete(const CellFiles& files, const ResultRow& row) {
+  return fs::exists(files.picture()) && fs::exists(files.preview()) &&
+         std::all_of(row.pictures.begin(), row.pictures.end(),
+                     [&](const RowPicture& p) { return fs::exists(files.further(p.name)); });
 }
 
 }  // namespace
@@ -70,6 +73,10 @@ CellFiles::CellFiles(fs::path folder, const Cell& cell)
 
 fs::path CellFiles::image(std::string_view ending) const {
   return folder_ / "images" / scene_ / fmt::format("{}{}", slug_, ending);
+}
+
+fs::path CellFiles::further(std::string_view name) const {
+  return image(fmt::format(".{}.png", name));
 }
 
 fs::path CellFiles::row() const { return folder_ / "cells" / scene_ / (slug_ + ".json"); }
@@ -112,10 +119,10 @@ std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& c
 }
 
 std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint) {
-  if (!fs::exists(files.row()) || !is_complete(files)) return std::nullopt;
+  if (!fs::exists(files.row())) return std::nullopt;
   try {
     ResultRow row = row_from_json(json::parse(read_text(files.row())));
-    if (row.fingerprint == fingerprint && row.error.empty()) return row;
+    if (row.fingerprint == fingerprint && row.error.empty() && is_complete(files, row)) return row;
   } catch (const json::exception&) {
     // Another version's row: the cell is computed again.
   }

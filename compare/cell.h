@@ -32,6 +32,8 @@ class CellFiles {
   std::filesystem::path picture() const { return image(".exr"); }  // 32-bit float
   std::filesystem::path preview() const { return image(".png"); }
   std::filesystem::path error_map() const { return image(".error.png"); }
+  /// One of the method's further pictures.
+  std::filesystem::path further(std::string_view name) const;
   std::filesystem::path layers() const { return image(".layers.exr"); }
   /// Written last: where it is, all the others are.
   std::filesystem::path row() const;

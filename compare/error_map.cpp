@@ -8,9 +8,9 @@
 
 namespace pellucid {
 
-Vec3 ErrorScale::color(double error) {
+Vec3 logarithmic_color(double value, double min, double max) {
   static const ColormapRow& map = find_colormap("magma");
-  return map(std::log(std::max(error, min) / min) / std::log(max / min));
+  return map(std::log(std::max(value, min) / min) / std::log(max / min));
 }
 
 double pixel_error(const Rgba& a, const Rgba& b) {

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <vector>
-
 #include "core/raster.h"
 
 namespace pellucid {
+
+/// Colour of a value on a logarithmic scale from `min` to `max`; values outside have the colour of
+/// the nearer end.
+Vec3 logarithmic_color(double value, double min, double max);
 
 /// The one scale of every error map: a pixel's largest RGB difference, logarithmic from `min` (a
 /// quarter of an 8-bit step: nothing a screen could show) to `max` (white for black).
@@ -12,8 +14,7 @@ struct ErrorScale {
   static constexpr double min = 1e-3;
   static constexpr double max = 1;
 
-  /// Colour of an error; those outside have the colour of the nearer end.
-  static Vec3 color(double error);
+  static Vec3 color(double error) { return logarithmic_color(error, min, max); }
 };
 
 /// Both pictures have one size.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/measure_columns.h"
 #include "compare/tables.h"
 
 namespace pellucid {
@@ -59,26 +60,29 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-std::string csv_header() {
+std::string csv_header(std::span<const Measure> measures) {
   std::string line;
   for (const CsvColumn& column : identity_columns) line += fmt::format("{},", column.name);
   for (const CsvColumn& column : result_columns) line += fmt::format("{},", column.name);
+  for (const Measure& measure : measures) line += csv_field(measure.name) + ',';
   return line + "error\n";
 }
 
-std::string csv_line(const ResultRow& row) {
+std::string csv_line(const ResultRow& row, std::span<const Measure> measures) {
   std::string line;
   for (const CsvColumn& column : identity_columns) line += csv_field(column.text(row)) + ',';
   for (const CsvColumn& column : result_columns)
     line += (row.error.empty() ? csv_field(column.text(row)) : "") + ',';
+  for (const Measure& measure : measures) line += digits(measure_of(row, measure.name)) + ',';
   return line + csv_field(row.error) + '\n';
 }
 
 }  // namespace
 
 std::string csv_table(std::span<const ResultRow> rows) {
-  std::string text = csv_header();
-  for (const ResultRow& row : rows) text += csv_line(row);
+  const std::vector<Measure> measures = measure_columns(rows);
+  std::string text = csv_header(measures);
+  for (const ResultRow& row : rows) text += csv_line(row, measures);
   return text;
 }
 

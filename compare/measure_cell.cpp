@@ -75,17 +75,26 @@ void time_renderings(Renderer& renderer, int repeats, CellMeasurement& result) {
   result.row.bytes = runs.back().bytes;
 }
 
+void take_findings(Findings findings, CellMeasurement& result) {
+  result.row.measures = std::move(findings.measures);
+  for (MeasurePicture& picture : findings.pictures) {
+    result.row.pictures.push_back({picture.name, picture.title, picture.min, picture.max});
+    result.further.push_back(std::move(picture.image));
+  }
+}
+
 }  // namespace
 
 CellMeasurement measure_cell(const Cell& cell, const Scene& scene, int repeats,
                              const RenderContext& context) {
-  CellMeasurement result{identity_row(cell), {}, {}};
+  CellMeasurement result{identity_row(cell), {}, {}, {}};
   const Stopwatch setup;
   const auto renderer = cell.call.row->make(scene, cell.call.parameters, context);
   result.row.setup_seconds = setup.seconds();
   warm_up(*renderer, result);
   time_renderings(*renderer, repeats, result);
   describe(*renderer, scene, result.row);
+  take_findings(renderer->findings(), result);
   return result;
 }
 

@@ -8,7 +8,8 @@ namespace pellucid {
 struct CellMeasurement {
   ResultRow row;
   Image image;
-  CountImage layers;  // empty when the method does not count them
+  CountImage layers;           // empty when the method does not count them
+  std::vector<Image> further;  // of row.pictures
 };
 
 /// Makes the renderer, renders once to warm up and to count layers, then `repeats` timed times.

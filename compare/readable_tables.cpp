@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/measure_columns.h"
 #include "compare/tables.h"
 
 namespace pellucid {
@@ -91,6 +92,39 @@ std::string markdown_block(std::string_view scene, std::span<const ResultRow> ro
   return text;
 }
 
+/// The rows that a table of measures has as its columns.
+std::vector<ResultRow> measured_rows(std::span<const ResultRow> rows) {
+  std::vector<ResultRow> measured;
+  for (const ResultRow& row : rows)
+    if (!row.measures.empty()) measured.push_back(row);
+  return measured;
+}
+
+std::string measure_text(std::optional<double> value) {
+  if (!value) return "–";
+  return *value == std::floor(*value) && std::abs(*value) < 1e15 ? whole(*value)
+                                                                 : fmt::format("{:.4g}", *value);
+}
+
+/// Many numbers of few methods: a line for each number.
+std::string markdown_measures(std::span<const ResultRow> rows) {
+  const std::vector<ResultRow> measured = measured_rows(rows);
+  if (measured.empty()) return "";
+  std::string text = "\n| |", rule = "|---|";
+  for (const ResultRow& row : measured) {
+    text += fmt::format(" {} |", call_text(row));
+    rule += "---:|";
+  }
+  text += '\n' + rule + '\n';
+  for (const Measure& measure : measure_columns(measured)) {
+    text += fmt::format("| {} |", heading(measure));
+    for (const ResultRow& row : measured)
+      text += fmt::format(" {} |", measure_text(measure_of(row, measure.name)));
+    text += '\n';
+  }
+  return text;
+}
+
 std::string latex_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -132,13 +166,31 @@ std::string latex_block(std::string_view scene, std::span<const ResultRow> rows)
   return text;
 }
 
+std::string latex_measures(std::string_view scene, std::span<const ResultRow> rows) {
+  const std::vector<ResultRow> measured = measured_rows(rows);
+  if (measured.empty()) return "";
+  std::string text = fmt::format("\n\\begin{{tabular}}{{l{}}}\n\\toprule\n\\textit{{{}}}",
+                                 std::string(measured.size(), 'r'), latex_escaped(scene));
+  for (const ResultRow& row : measured) text += " & " + latex_escaped(call_text(row));
+  text += " \\\\\n\\midrule\n";
+  for (const Measure& measure : measure_columns(measured)) {
+    text += latex_escaped(heading(measure));
+    for (const ResultRow& row : measured)
+      text += " & " + latex_number(measure_text(measure_of(row, measure.name)));
+    text += " \\\\\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
 }  // namespace
 
 std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("# {}\n", study.title);
   if (!study.source.empty()) text += fmt::format("\n{}\n", study.source);
-  for (const auto& scene : study.scenes)
-    text += markdown_block(scene_name(scene), rows_of(scene_name(scene), rows));
+  for (const auto& scene : study.scenes) {
+    const std::vector<ResultRow> here = rows_of(scene_name(scene), rows);
+    text += markdown_block(scene_name(scene), here) + markdown_measures(here);
+  }
   return text;
 }
 
@@ -150,7 +202,10 @@ std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
   text += " \\\\\n";
   for (const auto& scene : study.scenes)
     text += latex_block(scene_name(scene), rows_of(scene_name(scene), rows));
-  return text + "\\bottomrule\n\\end{tabular}\n";
+  text += "\\bottomrule\n\\end{tabular}\n";
+  for (const auto& scene : study.scenes)
+    text += latex_measures(scene_name(scene), rows_of(scene_name(scene), rows));
+  return text;
 }
 
 }  // namespace pellucid

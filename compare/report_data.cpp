@@ -53,6 +53,8 @@ json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
   j["title"] = cell.call.row->title;
   if (!row.error.empty()) return j;
   j["picture"] = data_uri(files.preview());
+  for (json& picture : j["pictures"])
+    picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));
   if (!row.reference) j["error_map"] = data_uri(files.error_map());
   return j;
 }

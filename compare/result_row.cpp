@@ -1,5 +1,6 @@
 #include "compare/result_row.h"
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -73,6 +74,33 @@ CoverageCheck coverage_from(const json& j) {
   return {j.at("layers_differ"), j.at("pixels"), optional_number(j.at("rmse_equal_layers"))};
 }
 
+constexpr std::string_view better_names[] = {"lower", "higher", "neither"};
+
+json measures_json(const ResultRow& row) {
+  json list = json::array();
+  for (const Measure& m : row.measures)
+    list.push_back({{"name", m.name},
+                    {"title", m.title},
+                    {"unit", m.unit},
+                    {"value", m.value},
+                    {"better", better_names[std::size_t(m.better)]}});
+  return list;
+}
+
+Measure measure_from(const json& j) {
+  const auto better = std::find(std::begin(better_names), std::end(better_names),
+                                j.at("better").get<std::string_view>());
+  return {j.at("name"), j.at("title"), j.at("unit"), j.at("value"),
+          Measure::Better(better - std::begin(better_names))};
+}
+
+json pictures_json(const ResultRow& row) {
+  json list = json::array();
+  for (const RowPicture& p : row.pictures)
+    list.push_back({{"name", p.name}, {"title", p.title}, {"min", p.min}, {"max", p.max}});
+  return list;
+}
+
 void add_results(const ResultRow& row, json& j) {
   j["metrics"] = to_json(row.metrics);
   j["seconds"] = seconds_json(row);
@@ -81,6 +109,8 @@ void add_results(const ResultRow& row, json& j) {
   j["dropped"] = row.dropped;
   j["max_layers"] = row.max_layers;
   if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
+  j["measures"] = measures_json(row);
+  j["pictures"] = pictures_json(row);
   j["explanation"] = row.explanation;
   j["scene_provenance"] = row.scene_provenance;
 }
@@ -94,6 +124,9 @@ void results_from(const json& j, ResultRow& row) {
   row.dropped = j.at("dropped");
   row.max_layers = j.at("max_layers");
   if (j.contains("coverage")) row.coverage = coverage_from(j.at("coverage"));
+  for (const json& measure : j.at("measures")) row.measures.push_back(measure_from(measure));
+  for (const json& p : j.at("pictures"))
+    row.pictures.push_back({p.at("name"), p.at("title"), p.at("min"), p.at("max")});
   row.explanation = j.at("explanation");
   row.scene_provenance = j.at("scene_provenance");
 }

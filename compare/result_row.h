@@ -26,6 +26,12 @@ struct CoverageCheck {
   std::optional<double> rmse_elsewhere;  // over the pixels with equal numbers, if there are any
 };
 
+/// A further picture of a cell: images/SCENE/METHOD.NAME.png.
+struct RowPicture {
+  std::string name, title;
+  double min = 0, max = 1;  // ends of its logarithmic scale
+};
+
 /// What one cell of a study found out.
 struct ResultRow {
   std::string scene, method, parameters;  // parameters as given: "bands=5"
@@ -44,6 +50,8 @@ struct ResultRow {
   std::uint64_t dropped = 0;
   std::uint32_t max_layers = 0;
   std::optional<CoverageCheck> coverage;
+  std::vector<Measure> measures;  // that only some methods have
+  std::vector<RowPicture> pictures;
   std::vector<std::string> explanation;                 // what the method modelled, and why
   std::map<std::string, std::string> scene_provenance;  // how the scene was made
   std::map<std::string, std::string> machine;           // with the method's own facts: driver, …

@@ -100,6 +100,8 @@ class SceneAtHand {
 void write_pictures(const CellFiles& files, const CellMeasurement& measured) {
   write_image(files.picture(), measured.image);
   write_image(files.preview(), measured.image);
+  for (std::size_t i = 0; i < measured.further.size(); ++i)
+    write_image(files.further(measured.row.pictures[i].name), measured.further[i]);
   if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
 }
 

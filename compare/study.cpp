@@ -37,78 +37,83 @@ std::vector<std::string> option_values(const JsonNode& node) {
   return values;
 }
 
+/// What an entry of a list of calls can name, and the key of its name in an object.
+struct Catalogue {
+  std::string_view kind;
+  std::span<const MethodRow> rows;
+};
+
 MethodCall make_call(const JsonNode& node, std::string_view name, const RawOptions& options,
-                     std::span<const MethodRow> table) {
+                     const Catalogue& catalogue) {
   try {
-    const MethodRow& row = find_row("method", name, table);
+    const MethodRow& row = find_row(catalogue.kind, name, catalogue.rows);
     return {&row, Parameters(row.name, row.parameters, options)};
   } catch (const InputError& error) {
     node.fail(error.what());
   }
 }
 
-std::vector<MethodCall> calls_of_text(const JsonNode& node, std::span<const MethodRow> table) {
+std::vector<MethodCall> calls_of_text(const JsonNode& node, const Catalogue& catalogue) {
   NameAndOptions parsed;
   try {
     parsed = parse_name_and_options(node.string());
   } catch (const InputError& error) {
     node.fail(error.what());
   }
-  return {make_call(node, parsed.name, parsed.options, table)};
+  return {make_call(node, parsed.name, parsed.options, catalogue)};
 }
 
 /// {"method": "*", "except": [NAME, …]}
-std::vector<MethodCall> calls_but(const JsonNode& node, std::span<const MethodRow> table) {
-  node.accept_keys({"method", "except"});
+std::vector<MethodCall> calls_but(const JsonNode& node, const Catalogue& catalogue) {
+  node.accept_keys({catalogue.kind, "except"});
   std::set<std::string_view> except;
   for (const JsonNode& element : node["except"].elements())
     except.insert(at_place(element, [&]() -> std::string_view {
-      return find_row("method", element.string(), table).name;
+      return find_row(catalogue.kind, element.string(), catalogue.rows).name;
     }));
-  std::vector<MethodCall> calls = every_method(table);
+  std::vector<MethodCall> calls = every_method(catalogue.rows);
   std::erase_if(calls, [&](const MethodCall& call) { return except.contains(call.row->name); });
   return calls;
 }
 
-std::vector<MethodCall> calls_of_object(const JsonNode& node, std::span<const MethodRow> table) {
-  if (node["method"].string() == "*") return calls_but(node, table);
+std::vector<MethodCall> calls_of_object(const JsonNode& node, const Catalogue& catalogue) {
+  if (node[catalogue.kind].string() == "*") return calls_but(node, catalogue);
   std::vector<RawOptions> sets(1);
   for (const auto& item : node.value().items()) {
-    if (item.key() == "method") continue;
+    if (item.key() == catalogue.kind) continue;
     sets = crossed(sets, item.key(), option_values(node[item.key()]));
     if (sets.size() > max_calls) node.fail(fmt::format("more than {} combinations", max_calls));
   }
   std::vector<MethodCall> calls;
   calls.reserve(sets.size());
   for (const RawOptions& options : sets)
-    calls.push_back(make_call(node, node["method"].string(), options, table));
+    calls.push_back(make_call(node, node[catalogue.kind].string(), options, catalogue));
   return calls;
 }
 
-std::vector<MethodCall> read_calls(const JsonNode& node, std::span<const MethodRow> table) {
-  if (node.is_string() && node.string() == "*") return every_method(table);
-  if (node.is_string()) return calls_of_text(node, table);
-  if (node.is_object()) return calls_of_object(node, table);
+std::vector<MethodCall> read_calls(const JsonNode& node, const Catalogue& catalogue) {
+  if (node.is_string() && node.string() == "*") return every_method(catalogue.rows);
+  if (node.is_string()) return calls_of_text(node, catalogue);
+  if (node.is_object()) return calls_of_object(node, catalogue);
   node.fail(
-      "accepted: \"NAME[:key=value,…]\", \"*\" for every method in all its settings, or "
-      "{\"method\": NAME, key: value or [values], …}");
+      fmt::format("accepted: \"NAME[:key=value,…]\", \"*\" for every {0} in all its settings, or "
+                  "{{\"{0}\": NAME, key: value or [values], …}}",
+                  catalogue.kind));
 }
 
-MethodCall read_reference(const JsonNode& node, std::span<const MethodRow> table) {
-  std::vector<MethodCall> calls = read_calls(node, table);
+MethodCall read_reference(const JsonNode& node, const Catalogue& catalogue) {
+  std::vector<MethodCall> calls = read_calls(node, catalogue);
   if (calls.size() != 1) node.fail("a sweep; accepted: one method with one set of parameters");
   return calls.front();
 }
 
 /// Each call once; the reference, which has its own cell, not at all.
-std::vector<MethodCall> read_methods(const JsonNode& node, const MethodCall& reference,
-                                     std::span<const MethodRow> table) {
-  std::vector<MethodCall> calls;
-  std::set<std::string> seen{reference.text()};
+void add_calls(const JsonNode& node, const Catalogue& catalogue, Study& study) {
+  std::set<std::string> seen{study.reference.text()};
+  for (const MethodCall& call : study.methods) seen.insert(call.text());
   for (const JsonNode& element : node.elements())
-    for (MethodCall& call : read_calls(element, table))
-      if (seen.insert(call.text()).second) calls.push_back(std::move(call));
-  return calls;
+    for (MethodCall& call : read_calls(element, catalogue))
+      if (seen.insert(call.text()).second) study.methods.push_back(std::move(call));
 }
 
 /// A scene that is not there, or is something else, is found before hours of work.
@@ -156,19 +161,21 @@ std::map<std::string, Crop> read_crops(const JsonNode& node, const std::vector<f
   return crops;
 }
 
-Study read_study(const JsonNode& root, const fs::path& file, std::span<const MethodRow> table) {
+Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& methods,
+                 const Catalogue& integrators) {
   root["format"].one_of({"pellucid-study"});
   root["version"].integer(1, 1);
-  root.accept_keys({"format", "version", "title", "source", "scenes", "reference", "methods",
-                    "repeats", "crops"});
+  root.accept_keys({"format", "version", "title", "source", "scenes", "reference", "integrators",
+                    "methods", "repeats", "crops"});
   Study study;
   study.name = file.stem().string();
   study.file = file;
   study.title = root.has("title") ? root["title"].string() : study.name;
   if (root.has("source")) study.source = root["source"].string();
   study.scenes = read_scenes(root["scenes"], file.parent_path());
-  study.reference = read_reference(root["reference"], table);
-  study.methods = read_methods(root["methods"], study.reference, table);
+  study.reference = read_reference(root["reference"], methods);
+  if (root.has("integrators")) add_calls(root["integrators"], integrators, study);
+  if (root.has("methods") || !root.has("integrators")) add_calls(root["methods"], methods, study);
   if (root.has("repeats")) study.repeats = root["repeats"].integer(1, max_repeats);
   if (root.has("crops")) study.crops = read_crops(root["crops"], study.scenes);
   return study;
@@ -205,9 +212,11 @@ std::string MethodCall::slug() const {
 
 std::string scene_name(const fs::path& scene) { return scene.stem().string(); }
 
-Study load_study(const fs::path& file, std::span<const MethodRow> methods) {
+Study load_study(const fs::path& file, std::span<const MethodRow> methods,
+                 std::span<const MethodRow> integrators) {
   const nlohmann::json json = read_json(file);
-  return read_study(JsonNode(file.string(), json), file, methods);
+  return read_study(JsonNode(file.string(), json), file, {"method", methods},
+                    {"integrator", integrators});
 }
 
 }  // namespace pellucid

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/surface_methods.h"
 #include "scene/renderer.h"
 
 namespace pellucid {
@@ -35,16 +36,18 @@ struct Study {
   std::filesystem::path file;
   std::vector<std::filesystem::path> scenes;
   MethodCall reference;
-  std::vector<MethodCall> methods;  // sweeps expanded; the reference is not among them
+  std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
   std::map<std::string, Crop> crops;  // by scene
 };
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
 /// "NAME[:key=value,…]", {"method": NAME, key: value or [values], …}, or "*": every method in all
-/// the settings of its row; scenes are relative to the file. Throws InputError that names file, key
+/// the settings of its row. The entries of "integrators" are written alike, of the other table, and
+/// come before the methods. Scenes are relative to the file. Throws InputError that names file, key
 /// and accepted values, also for scenes that are not there.
-Study load_study(const std::filesystem::path& file, std::span<const MethodRow> methods);
+Study load_study(const std::filesystem::path& file, std::span<const MethodRow> methods,
+                 std::span<const MethodRow> integrators = surface_methods());
 
 /// A scene's name in cells, tables and paths: its file's stem.
 std::string scene_name(const std::filesystem::path& scene);

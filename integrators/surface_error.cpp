@@ -106,15 +106,66 @@ Deviation ExactSurface::deviation(Sample sample) {
           degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
 }
 
-SurfaceError summary(const std::vector<Deviation>& deviations) {
+double twice_area(const TriangleMesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const Vec3& x = mesh.positions[a];
+  return glm::length(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
+}
+
+/// Where a sample is taken, and how much of the whole it stands for.
+struct Place {
+  std::size_t triangle, place;
+  double weight;
+};
+
+/// Every place of every triangle, by its area; or, where these are more than `samples`, samples
+/// that each stand for the same area: a few long triangles across a gap matter as much as they
+/// show. Ascending in the triangle.
+std::vector<Place> sample_places(const TriangleMesh& mesh, std::uint64_t samples) {
+  const bool every = samples >= mesh.triangles.size() * places.size();
+  std::vector<double> end_areas(mesh.triangles.size());
+  double total = 0;
+  for (std::size_t i = 0; i < end_areas.size(); ++i) end_areas[i] = total += twice_area(mesh, i);
+  std::vector<Place> chosen;
+  if (every) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (std::size_t place = 0; place < places.size(); ++place)
+        chosen.push_back({i, place, twice_area(mesh, i) / (total * double(places.size()))});
+    return chosen;
+  }
+  for (std::uint64_t i = 0; i < samples; ++i) {
+    const double area = (double(i) + 0.5) / double(samples) * total;
+    const auto triangle = std::upper_bound(end_areas.begin(), end_areas.end() - 1, area);
+    chosen.push_back({std::size_t(triangle - end_areas.begin()), std::size_t(i % places.size()),
+                      1 / double(samples)});
+  }
+  return chosen;
+}
+
+std::vector<double> spread_to_vertices(const TriangleMesh& mesh, std::span<const Place> samples,
+                                       const std::vector<Deviation>& deviations) {
+  std::vector<double> values(mesh.positions.size());
+  double distance = 0;
+  for (std::size_t triangle = 0, i = 0; triangle < mesh.triangles.size(); ++triangle) {
+    if (i < samples.size() && samples[i].triangle == triangle) distance = 0;
+    for (; i < samples.size() && samples[i].triangle == triangle; ++i)
+      distance = std::max(distance, deviations[i].distance);
+    for (const std::uint32_t corner : mesh.triangles[triangle])
+      values[corner] = std::max(values[corner], distance);
+  }
+  return values;
+}
+
+SurfaceError summary(std::span<const Place> samples, const std::vector<Deviation>& deviations) {
   SurfaceError error;
   error.samples = deviations.size();
-  for (const Deviation& d : deviations) {
-    error.mean += d.distance / double(deviations.size());
-    error.rms += d.distance * d.distance / double(deviations.size());
-    error.max = std::max(error.max, d.distance);
-    error.normal_mean_degrees += d.degrees / double(deviations.size());
-    error.normal_max_degrees = std::max(error.normal_max_degrees, d.degrees);
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const auto& [distance, angle] = deviations[i];
+    error.mean += samples[i].weight * distance;
+    error.rms += samples[i].weight * distance * distance;
+    error.max = std::max(error.max, distance);
+    error.normal_mean_degrees += samples[i].weight * angle;
+    error.normal_max_degrees = std::max(error.normal_max_degrees, angle);
   }
   error.rms = std::sqrt(error.rms);
   return error;
@@ -126,18 +177,16 @@ SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& reque
                            std::uint64_t samples) {
   SurfaceOptions options = surface_options(request, Parameters("truth", surface_parameters, {}));
   options.trajectory.tolerance = 1e-13 * options.extent;
-  const std::uint64_t all = mesh.triangles.size() * places.size();
-  const std::uint64_t count = std::min(samples, all);
   ExactSurface truth(request, options);
-  std::vector<Deviation> deviations(count);
-  tbb::parallel_for(std::uint64_t(0), count, [&](std::uint64_t i) {
-    // Evenly over all places, each triangle in turn by another of its four.
-    const std::uint64_t at = std::uint64_t(double(i) / double(count) * double(all));
-    const std::size_t place = count < all ? i % places.size() : at % places.size();
+  const std::vector<Place> chosen = sample_places(mesh, samples);
+  std::vector<Deviation> deviations(chosen.size());
+  tbb::parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
     deviations[i] =
-        truth.deviation(sample_of(mesh, at / places.size(), place, request.seed.closed));
+        truth.deviation(sample_of(mesh, chosen[i].triangle, chosen[i].place, request.seed.closed));
   });
-  return summary(deviations);
+  SurfaceError error = summary(chosen, deviations);
+  error.at_vertices = spread_to_vertices(mesh, chosen, deviations);
+  return error;
 }
 
 }  // namespace pellucid

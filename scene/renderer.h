@@ -60,6 +60,32 @@ struct RenderRequest {
   Progress progress = {};
 };
 
+/// A number that only some methods have, such as the triangles of a surface: a column of a study's
+/// tables.
+struct Measure {
+  enum class Better { lower, higher, neither };
+
+  std::string name;   // of the column: "distance_max"
+  std::string title;  // for people: "Largest distance"
+  std::string unit;   // empty: a plain number
+  double value = 0;
+  Better better = Better::neither;
+};
+
+/// A further picture, of what colours a number by a logarithmic scale.
+struct MeasurePicture {
+  std::string name;         // of the file: "distance"
+  std::string title;        // for people, unit included
+  double min = 0, max = 1;  // the ends of the scale
+  Image image;
+};
+
+/// What a method knows of the picture that it made last, beside the picture.
+struct Findings {
+  std::vector<Measure> measures;
+  std::vector<MeasurePicture> pictures;
+};
+
 /// One method over one scene: made once (geometry uploaded, hierarchies built), rendered as often
 /// as a timing needs. The scene has to outlive it.
 class Renderer {
@@ -70,6 +96,8 @@ class Renderer {
   virtual std::vector<std::string> explain() const = 0;
   /// Facts for the provenance of a result: "driver", "embree", …
   virtual std::map<std::string, std::string> facts() const { return {}; }
+  /// Measured when asked for, and not timed.
+  virtual Findings findings() { return {}; }
 };
 
 /// What a method is given beside its scene.

@@ -80,7 +80,7 @@ function pictureCard(scene, row, reference, enlarge) {
   const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
   const pair = make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), beside);
   const notes = [numbers(row), coverageNote(row), droppedNote(row)];
-  card.append(views[0].frame, pair, make("figcaption", {}, caption(row, open), notes));
+  card.append(views[0].frame, pair, ...furtherPictures(scene, row), make("figcaption", {}, caption(row, open), notes));
   return { card, flip };
 }
 
@@ -94,7 +94,9 @@ function errorMap(scene, row, enlarge) {
 }
 
 /** The scale that all error maps share: it stands where the reference's own would. */
-function errorLegend({ min, max, colors }) {
+const errorLegend = (scale) => logarithmicScale(scale, "error maps: the largest error of red, green and blue");
+
+function logarithmicScale({ min, max, colors }, text) {
   const bar = make("div", { class: "bar" });
   bar.style.background = `linear-gradient(to right, ${colors.join(", ")})`;
   const decades = Math.round(Math.log10(max / min));
@@ -103,6 +105,5 @@ function errorLegend({ min, max, colors }) {
     tick.style.left = `${(100 * i) / decades}%`;
     bar.append(tick);
   }
-  const meaning = make("small", {}, "error maps: the largest error of red, green and blue");
-  return make("div", { class: "scale" }, meaning, bar);
+  return make("div", { class: "scale" }, make("small", {}, text), bar);
 }

@@ -73,6 +73,23 @@ class UnitCommandLine : public ::testing::Test {
   fs::path folder_;
 };
 
+TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
+  const fs::path mesh = folder_ / "s.ply", picture = folder_ / "s.png";
+  const std::string trace =
+      "trace --field formula:u=-y,v=x,w=0 --integrator fixed-front:particles=3,rows=10 "
+      "--seed 1,0,0:1,0,1 --duration 3 --json --quiet -o " +
+      mesh.string();
+  const Outcome outcome = run(trace + " --error-picture " + picture.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"triangles\": 40"));
+  EXPECT_THAT(read_text(mesh), HasSubstr("property double error\n"));
+  EXPECT_TRUE(fs::is_regular_file(picture));
+  fs::remove(mesh);
+  fs::remove(picture);
+  EXPECT_THAT(refusal(trace + " --samples 0 --error-picture " + picture.string()),
+              HasSubstr("--error-picture"));
+}
+
 TEST_F(UnitCommandLine, RendersAndWritesStatistics) {
   const Outcome outcome = run(render("raytrace") + " --stats " + (folder_ / "s.json").string() +
                               " --layers " + (folder_ / "layers.exr").string() + " --explain");

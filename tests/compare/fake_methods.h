@@ -87,6 +87,21 @@ inline Made make_shifted(const Scene& scene, const Parameters& p, const RenderCo
   return std::make_unique<FakeRenderer>(scene, p.real("by"));
 }
 
+/// Knows more than its picture.
+class MeasuringRenderer final : public FakeRenderer {
+ public:
+  using FakeRenderer::FakeRenderer;
+  Findings findings() override {
+    return {{{"nodes", "Nodes_made", "", 12, Measure::Better::lower},
+             {"spread", "Spread", "m", 0.12345678, Measure::Better::neither}},
+            {{"depth", "Depth [m]", 0.01, 10, Image(24, 16)}}};
+  }
+};
+
+inline Made make_measuring(const Scene& scene, const Parameters&, const RenderContext&) {
+  return std::make_unique<MeasuringRenderer>(scene, 0.25);
+}
+
 inline Made make_broken(const Scene&, const Parameters&, const RenderContext&) {
   throw WorkError("the driver lacks \"everything\", and <more>");
 }
@@ -100,6 +115,7 @@ inline std::span<const MethodRow> fake_methods() {
   static const MethodRow rows[] = {fake_row("truth", true, make_fake<0>),
                                    fake_row("shifted", false, make_shifted, shifted_parameters),
                                    fake_row("exact-shifted", true, make_fake<125>),
+                                   fake_row("measuring", false, make_measuring),
                                    fake_row("broken", false, make_broken),
                                    fake_row("not-a-number", false, make_not_a_number)};
   return rows;

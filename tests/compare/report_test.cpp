@@ -18,7 +18,8 @@ using namespace pellucid::testing;
 /// A study with a failing cell, and its report's text.
 std::string make_report(const StudyFolder& folder) {
   const Study study =
-      load_study(folder.study(R"(["shifted:by=0.5", "exact-shifted", "broken"])"), fake_methods());
+      load_study(folder.study(R"(["shifted:by=0.5", "exact-shifted", "broken", "measuring"])"),
+                 fake_methods());
   StudyOptions options;
   options.folder = folder / "results";
   run_study(study, options);
@@ -42,7 +43,9 @@ TEST(UnitReport, HoldsEveryRowAndPicture) {
   const std::string page = make_report(folder);
   const auto data = nlohmann::json::parse(
       between(page, R"(<script id="data" type="application/json">)", "</script>"));
-  EXPECT_EQ(data["rows"].size(), 8u);
+  EXPECT_EQ(data["rows"].size(), 10u);
+  EXPECT_THAT(data["rows"][4]["pictures"][0]["source"].get<std::string>(),
+              ::testing::StartsWith("data:image/png;base64,iVBOR"));
   EXPECT_EQ(data["scenes"].size(), 2u);
   EXPECT_EQ(data["study"]["title"], "T & <t>");
   EXPECT_EQ(data["rows"][1]["metrics"]["rmse"], 0.5);
@@ -84,10 +87,12 @@ TEST(SlowReport, ABrowserShowsItWithoutErrorsOrRequests) {
       (folder / "results/report.html").string() + " 2>" + log);
   ASSERT_TRUE(worked) << read_text(log);
   EXPECT_THAT(read_text(log), Not(HasSubstr("CONSOLE")));
-  EXPECT_EQ(count(dom, "<figure class=\"card\""), 8u);
+  EXPECT_EQ(count(dom, "<figure class=\"card\""), 10u);
   EXPECT_EQ(count(dom, "class=\"marks\""), 2u * 3);  // Vega's own: three plots per scene
   // The table of all numbers and the one across scenes: a head, and a row for each cell or method.
-  EXPECT_EQ(count(dom, "<tr"), 1u + 8 + 1 + 3);
+  // Two scenes' tables of measures: a head, and a row for each of two.
+  EXPECT_EQ(count(dom, "<tr"), 1u + 10 + 1 + 4 + 2 * 3);
+  EXPECT_EQ(count(dom, "class=\"further\""), 2u);
 }
 
 }  // namespace

@@ -114,6 +114,24 @@ TEST(UnitRunStudy, AFailingCellIsARowAndTheOthersGoOn) {
   EXPECT_THAT(read_text(folder / "results/table.tex"), HasSubstr("failed: the driver lacks"));
 }
 
+TEST(UnitRunStudy, WhatOnlySomeMethodsKnowIsInEveryTable) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, R"(["shifted", "measuring", "broken"])");
+  EXPECT_TRUE(fs::is_regular_file(folder / "results/images/one/measuring.depth.png"));
+  const std::string csv = read_text(folder / "results/results.csv");
+  EXPECT_THAT(csv, HasSubstr(",nodes,spread,error\n"));
+  EXPECT_THAT(csv, HasSubstr(",12,0.12345678,\n"));
+  EXPECT_THAT(csv, HasSubstr(",,,\"the driver"));
+  EXPECT_THAT(
+      read_text(folder / "results/table.md"),
+      HasSubstr("| | measuring |\n|---|---:|\n| Nodes_made | 12 |\n| Spread [m] | 0.1235 |"));
+  EXPECT_THAT(read_text(folder / "results/table.tex"),
+              HasSubstr("Nodes\\_made & 12 \\\\\nSpread [m] & 0.1235"));
+  const ResultRow& row = row_of(outcome, "one", "measuring");
+  EXPECT_EQ(to_json(row_from_json(to_json(row))), to_json(row));
+  EXPECT_TRUE(row_of(outcome, "one", "shifted").measures.empty());
+}
+
 TEST(UnitRunStudy, WithoutAReferenceItsSceneFails) {
   const StudyFolder folder;
   write_text(folder / "two.json",
@@ -147,6 +165,10 @@ TEST(UnitResume, OnlyWhatIsNewOrChangedOrLostIsComputed) {
   EXPECT_EQ(run(folder, R"(["shifted:by=0.5", "shifted:by=0.75"])", true).computed, 2u);
   fs::remove(folder / "results/images/one/shifted-by-0.5.exr");
   EXPECT_EQ(run(folder, two_methods, true).computed, 1u);
+  run(folder, R"(["measuring"])");
+  fs::remove(folder / "results/images/one/measuring.depth.png");
+  EXPECT_EQ(run(folder, R"(["measuring"])", true).computed, 1u);
+  run(folder, two_methods);
   write_text(folder / "results/cells/two/truth.json", "{\"scene\":");
   EXPECT_EQ(run(folder, two_methods, true).computed, 1u);
   write_scene(folder / "one.json", 24, 17);

@@ -125,6 +125,19 @@ TEST(UnitStudy, OtherFormatsAndVersionsAreRefused) {
   EXPECT_THROW(load_study(folder / "v2.json", fake_methods()), InputError);
 }
 
+TEST(UnitStudy, IntegratorsAreOfTheirOwnTableAndComeFirst) {
+  const Study study = load(R"(["shifted"])", R"("integrators": ["fixed-front:rows=5",
+      {"integrator": "hultquist", "threshold": [0.1, 0.2]}])");
+  EXPECT_THAT(texts(study), ElementsAre("fixed-front:rows=5", "hultquist:threshold=0.1",
+                                        "hultquist:threshold=0.2", "shifted"));
+  EXPECT_THAT(
+      error_of(R"([])", R"("integrators": ["shifted"])"),
+      AllOf(HasSubstr("integrators[0]: unknown integrator 'shifted'"), HasSubstr("hultquist")));
+  EXPECT_THAT(error_of(R"(["hultquist"])"), HasSubstr("unknown method 'hultquist'"));
+  EXPECT_THAT(error_of(R"([])", R"("integrators": [{"method": "hultquist"}])"),
+              HasSubstr("the key 'integrator' is missing"));
+}
+
 TEST(UnitStudyList, ANameIsFoundAmongTheStudiesThatComeAlong) {
   EXPECT_EQ(find_study("quickstart").filename(), "quickstart.json");
   try {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// The surface integrators as methods: a scene's integrated surface is swept again by another
+/// integrator and ray-traced, so that studies compare integrators as they compare everything else.
+/// One row for each of integrators(), with its parameters. A scene has to have exactly one object
+/// that was integrated; its other objects stay as they are.
+std::span<const MethodRow> surface_methods();
+
+}  // namespace pellucid
