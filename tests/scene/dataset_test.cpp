@@ -1,6 +1,7 @@
 #include "scene/dataset.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <set>
@@ -16,13 +17,65 @@ const Vertices& vertices(const Dataset& data) {
   return std::visit([](const auto& set) -> const Vertices& { return set; }, data);
 }
 
-TEST(PropertyDataset, EveryRowMakesTheSameDataTwice) {
+/// "NAME", or "NAME:count=N" where there is such a parameter.
+std::string small(const DatasetRow& row, int count, const std::string& more = {}) {
+  const auto has_count = [](const ParameterSpec& spec) { return spec.name == "count"; };
+  if (std::ranges::none_of(row.parameters, has_count)) return std::string(row.name);
+  return std::string(row.name) + ":count=" + std::to_string(count) + more;
+}
+
+// One thread and many: a data set is a function of its parameters alone.
+TEST(PropertyDataset, EveryRowMakesTheSameDataForAnyNumberOfThreads) {
   for (const DatasetRow& row : datasets()) {
-    const Dataset once = make_dataset(row.name), again = make_dataset(row.name);
-    EXPECT_FALSE(vertices(once).positions.empty()) << row.name;
-    EXPECT_TRUE(vertices(once).positions == vertices(again).positions) << row.name;
+    const std::string name = small(row, 3);
+    const Dataset many = make_dataset(name);
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const Dataset one = make_dataset(name);
+    EXPECT_FALSE(vertices(many).positions.empty()) << row.name;
+    EXPECT_TRUE(vertices(many).positions == vertices(one).positions) << row.name;
+    EXPECT_TRUE(vertices(many).importance == vertices(one).importance) << row.name;
     EXPECT_NE(row.citation, "") << row.name;
   }
+}
+
+TEST(PropertyDataset, AnotherSeedMakesOtherData) {
+  for (const DatasetRow& row : datasets()) {
+    if (small(row, 3) == row.name) continue;
+    const Dataset one = make_dataset(small(row, 3)), two = make_dataset(small(row, 3, ",seed=2"));
+    EXPECT_FALSE(vertices(one).positions == vertices(two).positions) << row.name;
+  }
+}
+
+// What is important is a small part of it, and some of it is wholly so.
+TEST(PropertyDataset, StandInsHaveImportanceInTheUnitInterval) {
+  for (const DatasetRow& row : datasets()) {
+    const bool surfaces = row.name == "tornado" || row.name == "delta-wing";
+    if (small(row, 3) == row.name) continue;
+    const Dataset data = make_dataset(small(row, surfaces ? 2 : 400));
+    const std::vector<float>& g = vertices(data).importance;
+    ASSERT_EQ(g.size(), vertices(data).positions.size()) << row.name;
+    double sum = 0;
+    for (const float x : g) {
+      ASSERT_TRUE(x >= 0 && x <= 1) << row.name;
+      sum += x;
+    }
+    EXPECT_EQ(*std::ranges::max_element(g), 1) << row.name;
+    EXPECT_LT(sum / double(g.size()), 0.5) << row.name;
+  }
+}
+
+TEST(UnitDataset, PointsAreAsManyAsAsked) {
+  for (const char* name : {"dark-sky", "ctbl", "viscous-fingers"})
+    EXPECT_EQ(vertices(make_dataset(std::string(name) + ":count=1234")).positions.size(), 1234u);
+}
+
+// The winds move on spheres: a line's radius is that of its seed up to the integrator's error.
+TEST(UnitDataset, WindsStayOnTheirSphere) {
+  const auto lines = std::get<LineSet>(make_dataset("ecmwf:count=20"));
+  for (std::size_t k = 0; k < lines.line_count(); ++k)
+    for (std::size_t i = lines.offsets[k]; i < lines.offsets[k + 1]; ++i)
+      EXPECT_NEAR(glm::length(lines.positions[i]), glm::length(lines.positions[lines.offsets[k]]),
+                  1e-3);
 }
 
 TEST(UnitDataset, UnknownNamesAndValuesAreRefused) {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "scene/dataset.h"
+
+namespace pellucid {
+
+/// Fibre tracks of a brain: in place of the diffusion data of Baeza Rojo et al. 2019, Fig. 1.
+const DatasetRow& dt_mri_dataset();
+
+}  // namespace pellucid

@@ -1,0 +1,158 @@
+#include "scene/datasets/flow_lines.h"
+
+#include "fields/make_field.h"
+#include "integrators/integrate_lines.h"
+#include "scene/datasets/flow_quantity.h"
+#include "scene/datasets/stand_in.h"
+
+namespace pellucid {
+namespace {
+
+/// A data set of this family: data.
+struct FlowLines {
+  std::string_view field;
+  std::string_view integrator;
+  double duration;
+  FlowQuantity quantity;
+  std::string_view scalar;  // what the quantity is called
+  ImportantShares shares;
+  Vec3 (*seed)(const IndexedRandom&);
+};
+
+// A planet's winds on spheres, free of divergence: v = x × ∇ψ with jets towards the east in both
+// hemispheres, ψ_z = 4z²(1 - z²) - 0.2 + 2bzh, and planetary waves of number five,
+// ψ = b z² h(x, y) with h = Re (x + iy)^5.
+constexpr std::string_view winds =
+    "formula:u=y*(4*z^2*(1-z^2)-0.2+0.7*z*(x^5-10*x^3*y^2+5*x*y^4))"
+    "-0.35*z^3*(20*x*y^3-20*x^3*y),"
+    "v=0.35*z^3*(5*x^4-30*x^2*y^2+5*y^4)"
+    "-x*(4*z^2*(1-z^2)-0.2+0.7*z*(x^5-10*x^3*y^2+5*x*y^4)),"
+    "w=0.35*z^2*(x*(20*x*y^3-20*x^3*y)-y*(5*x^4-30*x^2*y^2+5*y^4))";
+
+Vec3 on_shell(const IndexedRandom& random, double z_from, double phi_width) {
+  const double z = random.uniform(0, z_from, 1), r = std::sqrt(1 - z * z);
+  const double phi = random.uniform(1, -phi_width, phi_width);
+  return random.uniform(2, 0.95, 1) * Vec3(r * std::cos(phi), r * std::sin(phi), z);
+}
+
+// Seeds around the atoms, where the field's critical points are, and around the molecule.
+constexpr FlowLines benzene{"benzene",
+                            "stream-lines:turn=8,accuracy=1e-5,length=5,max-steps=120",
+                            1e3,
+                            FlowQuantity::nearness,
+                            "nearness",
+                            {.none = 0.6, .full = 0.97},
+                            [](const IndexedRandom& random) {
+                              return random.in_box(0, {Vec3(-3.5, -3.5, -2), Vec3(3.5, 3.5, 2)});
+                            }};
+constexpr FlowLines bfs{"step",
+                        "stream-lines:turn=6,accuracy=1e-5",
+                        6,
+                        FlowQuantity::vorticity,
+                        "vorticity",
+                        {.none = 0.7, .full = 0.97},
+                        [](const IndexedRandom& random) {
+                          return random.in_box(0, {Vec3(0.05, -0.98, 0.05), Vec3(11, 1.5, 5.95)});
+                        }};
+constexpr FlowLines trefoil{"trefoil",
+                            "stream-lines:turn=6,accuracy=1e-5,length=12",
+                            1e3,
+                            FlowQuantity::speed,
+                            "strength",
+                            {.none = 0.5, .full = 0.85},
+                            [](const IndexedRandom& random) {
+                              return random.in_box(0, {Vec3(-3, -3, -1.6), Vec3(3, 3, 1.6)});
+                            }};
+constexpr FlowLines helicopter{
+    "rotor-wake",
+    "stream-lines:turn=6,accuracy=1e-5,length=5",
+    60,
+    FlowQuantity::vorticity,
+    "vorticity",
+    {.none = 0.6, .full = 0.95},
+    [](const IndexedRandom& random) {
+      return random.in_box(0, {Vec3(-1.4, -1.4, -1.5), Vec3(1.4, 1.4, 0.3)});
+    }};
+constexpr FlowLines ecmwf{
+    winds,
+    "stream-lines:turn=4,accuracy=1e-5",
+    3,
+    FlowQuantity::speed,
+    "wind",
+    {.none = 0.6, .full = 0.97},
+    [](const IndexedRandom& random) { return on_shell(random, -1, std::numbers::pi); }};
+constexpr FlowLines icon{winds,
+                         "stream-lines:turn=4,accuracy=1e-5",
+                         0.8,
+                         FlowQuantity::speed,
+                         "wind",
+                         {.none = 0.75, .full = 0.98},
+                         [](const IndexedRandom& random) { return on_shell(random, 0.2, 0.9); }};
+
+template <const FlowLines& set>
+Dataset make(const Parameters& values, const Progress& progress) {
+  const auto field = make_field(set.field);
+  LineRequest request{.field = field.get(),
+                      .seeds = make_elements(count_of(values), seed_of(values), set.seed),
+                      .duration = set.duration,
+                      .progress = progress};
+  LineSet lines = integrate_lines(set.integrator, request).lines;
+  set_importance(set.scalar, measure_flow(set.quantity, *field, lines.positions), set.shares,
+                 lines);
+  return lines;
+}
+
+constexpr ParameterSpec benzene_parameters[] = {count_parameter("32000", "lines"), seed_parameter};
+constexpr ParameterSpec bfs_parameters[] = {count_parameter("40000", "lines"), seed_parameter};
+constexpr ParameterSpec trefoil_parameters[] = {count_parameter("500", "lines"), seed_parameter};
+constexpr ParameterSpec helicopter_parameters[] = {count_parameter("700", "lines"), seed_parameter};
+constexpr ParameterSpec ecmwf_parameters[] = {count_parameter("1500", "lines"), seed_parameter};
+constexpr ParameterSpec icon_parameters[] = {count_parameter("11500", "lines"), seed_parameter};
+
+}  // namespace
+
+const DatasetRow& benzene_dataset() {
+  static constexpr DatasetRow row{
+      "benzene", "Field lines of a benzene molecule (stand-in: point charges)",
+      "in place of Zoeckler et al. 1996; field: benzene", benzene_parameters, make<benzene>};
+  return row;
+}
+
+const DatasetRow& bfs_dataset() {
+  static constexpr DatasetRow row{
+      "bfs", "Stream lines behind a backward-facing step (stand-in: a model flow)",
+      "in place of Niemann and Froehlich; field: step", bfs_parameters, make<bfs>};
+  return row;
+}
+
+const DatasetRow& trefoil_dataset() {
+  static constexpr DatasetRow row{"trefoil", "Field lines of a magnetic trefoil knot",
+                                  "after Candelaresi and Brandenburg 2011; field: trefoil",
+                                  trefoil_parameters, make<trefoil>};
+  return row;
+}
+
+const DatasetRow& helicopter_dataset() {
+  static constexpr DatasetRow row{"helicopter", "Stream lines in a rotor's wake (stand-in: hover)",
+                                  "in place of Kutz et al. 2012; field: rotor-wake",
+                                  helicopter_parameters, make<helicopter>};
+  return row;
+}
+
+const DatasetRow& ecmwf_dataset() {
+  static constexpr DatasetRow row{
+      "ecmwf", "Large-scale winds on a spherical shell (stand-in: jets and planetary waves)",
+      "in place of Dee et al. 2011, ERA-Interim; stream function in its source", ecmwf_parameters,
+      make<ecmwf>};
+  return row;
+}
+
+const DatasetRow& icon_dataset() {
+  static constexpr DatasetRow row{
+      "icon", "Tracks of air over a part of the globe (stand-in: jets and planetary waves)",
+      "in place of Heinze et al. 2017, HD(CP)2; stream function in its source", icon_parameters,
+      make<icon>};
+  return row;
+}
+
+}  // namespace pellucid

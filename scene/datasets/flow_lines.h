@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/dataset.h"
+
+namespace pellucid {
+
+/// Stream lines, path lines and vortex lines of the catalogue's flows, from random seeds: in place
+/// of the line data of Baeza Rojo et al. 2019.
+const DatasetRow& benzene_dataset();
+const DatasetRow& bfs_dataset();
+const DatasetRow& trefoil_dataset();
+const DatasetRow& helicopter_dataset();
+const DatasetRow& ecmwf_dataset();
+const DatasetRow& icon_dataset();
+
+}  // namespace pellucid

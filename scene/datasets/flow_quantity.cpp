@@ -1,0 +1,33 @@
+#include "scene/datasets/flow_quantity.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace pellucid {
+namespace {
+
+double measure(FlowQuantity quantity, const Vec3& x, FieldSampler& sampler) {
+  Vec3 v;
+  Mat3 j;
+  if (quantity == FlowQuantity::vorticity) {
+    if (sampler.velocity_and_jacobian(x, 0, v, j) != SampleStatus::ok) return 0;
+    return glm::length(Vec3(j[1][2] - j[2][1], j[2][0] - j[0][2], j[0][1] - j[1][0]));
+  }
+  if (sampler.velocity(x, 0, v) != SampleStatus::ok) return 0;
+  return quantity == FlowQuantity::speed ? glm::length(v) : 1 / (1 + 20 * glm::length(v));
+}
+
+}  // namespace
+
+std::vector<double> measure_flow(FlowQuantity quantity, const VectorField& field,
+                                 const std::vector<Vec3>& positions) {
+  std::vector<double> values(positions.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1024), [&](auto& range) {
+    const auto sampler = field.sampler();
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      values[i] = measure(quantity, positions[i], *sampler);
+  });
+  return values;
+}
+
+}  // namespace pellucid

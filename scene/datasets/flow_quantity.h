@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "fields/field.h"
+
+namespace pellucid {
+
+enum class FlowQuantity {
+  speed,      // |v|
+  vorticity,  // |curl v|
+  nearness    // 1 / (1 + 20 |v|): 1 at critical points
+};
+
+/// The quantity at every position, in parallel; 0 where the field has no sample at time 0.
+std::vector<double> measure_flow(FlowQuantity quantity, const VectorField& field,
+                                 const std::vector<Vec3>& positions);
+
+}  // namespace pellucid

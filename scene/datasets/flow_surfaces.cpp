@@ -1,0 +1,79 @@
+#include "scene/datasets/flow_surfaces.h"
+
+#include "fields/make_field.h"
+#include "integrators/integrate_surface.h"
+#include "scene/datasets/flow_quantity.h"
+#include "scene/datasets/stand_in.h"
+
+namespace pellucid {
+namespace {
+
+struct FlowSurfaces {
+  std::string_view field;
+  double duration;
+  ImportantShares shares;  // of the vorticity
+  SeedCurve (*seed)(const IndexedRandom&);
+};
+
+/// A horizontal rake that reaches across the funnel.
+SeedCurve rake_of_tornado(const IndexedRandom& random) {
+  const double z = random.uniform(0, 0.08, 0.6), phi = random.uniform(1, 0, std::numbers::pi);
+  const Vec3 middle(0.5, 0.5, z),
+      half = random.uniform(2, 0.15, 0.32) * Vec3(std::cos(phi), std::sin(phi), 0);
+  return segment_seed(middle - half, middle + half);
+}
+
+/// A rake along one of the leading edges, or upstream across the wing.
+SeedCurve rake_of_wing(const IndexedRandom& random) {
+  const double side = random.uniform(0) < 0.5 ? -1 : 1, off = random.uniform(1, -0.15, 0.25);
+  const double from = random.uniform(2, 0.05, 0.3), lift = random.uniform(3, 0.02, 0.25);
+  return segment_seed({from, side * (0.45 * from + off), lift},
+                      {from + 0.8, side * (0.45 * (from + 0.8) + off), lift});
+}
+
+constexpr FlowSurfaces tornado{"tornado", 8, {.none = 0.5, .full = 0.95}, rake_of_tornado};
+constexpr FlowSurfaces delta_wing{"delta-wing", 2.5, {.none = 0.6, .full = 0.95}, rake_of_wing};
+
+void append(const TriangleMesh& part, TriangleMesh& whole) {
+  const auto base = std::uint32_t(whole.positions.size());
+  whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
+  whole.normals.insert(whole.normals.end(), part.normals.begin(), part.normals.end());
+  for (const auto& [a, b, c] : part.triangles)
+    whole.triangles.push_back({base + a, base + b, base + c});
+}
+
+template <const FlowSurfaces& set>
+Dataset make(const Parameters& values, const Progress& progress) {
+  const auto field = make_field(set.field);
+  const auto seeds = make_elements(count_of(values), seed_of(values), set.seed);
+  TriangleMesh mesh;
+  for (const SeedCurve& seed : seeds) {
+    const SurfaceRequest request{
+        .field = field.get(), .seed = seed, .duration = set.duration, .progress = progress};
+    append(integrate_surface("hultquist:threshold=0.02,accuracy=1e-6", request).mesh, mesh);
+  }
+  set_importance("vorticity", measure_flow(FlowQuantity::vorticity, *field, mesh.positions),
+                 set.shares, mesh);
+  return mesh;
+}
+
+constexpr ParameterSpec tornado_parameters[] = {count_parameter("8", "surfaces"), seed_parameter};
+constexpr ParameterSpec wing_parameters[] = {count_parameter("10", "surfaces"), seed_parameter};
+
+}  // namespace
+
+const DatasetRow& tornado_dataset() {
+  static constexpr DatasetRow row{"tornado", "Stream surfaces of the Crawfis tornado",
+                                  "R. A. Crawfis, The Ohio State University; field: tornado",
+                                  tornado_parameters, make<tornado>};
+  return row;
+}
+
+const DatasetRow& delta_wing_dataset() {
+  static constexpr DatasetRow row{
+      "delta-wing", "Stream surfaces of leading-edge vortices (stand-in: a model flow)",
+      "in place of M. Ruetten's simulation; field: delta-wing", wing_parameters, make<delta_wing>};
+  return row;
+}
+
+}  // namespace pellucid
