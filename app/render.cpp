@@ -21,6 +21,11 @@ struct RenderOptions {
   bool explain = false;
 };
 
+nlohmann::json to_json(const FrameStats& frame) {
+  return {{"seconds", frame.seconds}, {"lines", frame.lines}, {"fragments", frame.fragments},
+          {"layers", frame.layers},   {"bytes", frame.bytes}, {"change", frame.change}};
+}
+
 nlohmann::json to_json(const MethodRow& row, const Parameters& parameters, const RenderStats& stats,
                        const Renderer& renderer) {
   nlohmann::json json;
@@ -33,6 +38,7 @@ nlohmann::json to_json(const MethodRow& row, const Parameters& parameters, const
   json["fragments"] = stats.fragments;
   json["dropped"] = stats.dropped;
   json["max_layers"] = stats.max_layers;
+  for (const FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
   json["machine"] = machine_facts();
   json["machine"].update(nlohmann::json(renderer.facts()));
   return json;
@@ -53,13 +59,13 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   if (!options.probe.empty())
     write_text(options.probe_output, probe_json(scene, options.probe).dump(2) + '\n');
   const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
-  if (options.explain)
-    for (const std::string& line : renderer->explain()) std::cout << line << '\n';
   report(progress, 0.5, fmt::format("rendering {}", row.name));
   // A first frame compiles shaders and touches memory for the first time; the second is timed.
   renderer->render({});
   const Rendering rendering = renderer->render({.layers = true, .progress = progress});
   report(progress, 1, fmt::format("rendered {}", row.name));
+  if (options.explain)
+    for (const std::string& line : renderer->explain()) std::cout << line << '\n';
   write_image(options.output, rendering.image);
   if (!options.layers.empty()) write_counts(options.layers, rendering.layers);
   const nlohmann::json json = to_json(row, parameters, rendering.stats, *renderer);

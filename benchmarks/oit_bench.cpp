@@ -9,6 +9,7 @@
 
 #include "core/names.h"
 #include "core/stopwatch.h"
+#include "fields/make_field.h"
 #include "oit/registry.h"
 #include "oit/stage.h"
 
@@ -229,7 +230,38 @@ void over_layers(benchmark::State& state, const MethodRow& row) {
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// A stream surface of the ABC flow, drawn by lines alone.
+Scene stream_surface() {
+  Scene scene;
+  scene.camera = {.eye = {27, 11, 4}, .target = {2.5, 3.3, 3}, .fov = 36};
+  SceneObject object;
+  FlowSource& source = object.source.emplace();
+  source.field = make_field("abc");
+  source.seed = segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1});
+  source.duration = 9;
+  object.mesh().positions = {Vec3(-8), Vec3(14)};  // the depth range
+  scene.objects.push_back(std::move(object));
+  return scene;
+}
+
+/// Frames per second of the progressive tree at so many lines per frame.
+void tree_frames(benchmark::State& state) {
+  const Scene scene = stream_surface();
+  const MethodRow& row = find_row("method", "tree", oit_methods());
+  const RawOptions options = {{"lines-per-frame", std::to_string(state.range(0))}, {"frames", "5"}};
+  const auto tree = row.make(scene, Parameters(row.name, row.parameters, options), {});
+  tree->render({});
+  for (auto _ : state) state.SetIterationTime(tree->render({}).stats.seconds());
+  state.counters["frames"] = benchmark::Counter(5, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 void register_all() {
+  benchmark::RegisterBenchmark("tree/lines_per_frame", tree_frames)
+      ->Arg(100)
+      ->Arg(1000)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+
   for (const Case& what : cases())
     for (const auto& [layers, size] : {std::pair(8, 1000), {32, 500}})
       benchmark::RegisterBenchmark(

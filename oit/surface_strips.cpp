@@ -19,9 +19,10 @@ SurfaceRequest request_of(const FlowSource& source) {
   return {source.field.get(), source.seed, source.duration, source.start_time, source.path, {}};
 }
 
-double place_on_curve(std::uint64_t line) {
-  const double turns = double(line + 1) / std::numbers::phi;
-  return turns - std::floor(turns);
+/// How far lines with seeds at a distance of 1 are apart across the flow, world units.
+double separation_across(const FrontPoint& point) {
+  const Vec3& w = point.flow.w;
+  return glm::length(w - glm::dot(w, point.direction) * point.direction);
 }
 
 /// A strip while it grows.
@@ -75,32 +76,45 @@ void append(const TriangleMesh& part, TriangleMesh& whole) {
 }  // namespace
 
 SurfaceStrips::SurfaceStrips(const FlowSource& source, const Scene& scene, const DepthRange& range,
-                             double width)
+                             const StripOptions& options)
     : source_(source),
+      options_(options),
       frame_(camera_frame(scene.camera)),
       projection_(scene.camera.projection),
-      pixel_(2 * half_height(scene.camera) / scene.height),
+      half_width_(half_height(scene.camera) * scene.width / scene.height),
+      half_height_(half_height(scene.camera)),
+      pixel_(2 * half_height_ / scene.height),
       nearest_(0.01 * range.far),
-      width_(width),
       lit_(scene.lighting == Lighting::headlight),
       request_(request_of(source)),
-      options_(surface_options(request_, Parameters("tree", surface_parameters, {}))),
-      particles_(request_, options_) {}
+      integration_(surface_options(request_, Parameters("tree", surface_parameters, {}))),
+      particles_(request_, integration_) {
+  if (options.by_separation) seeds_ = LineSeeds([&](double s) { return largest_separation(s); });
+}
 
 double SurfaceStrips::pixel_size(const Vec3& x) const {
   if (projection_ == Projection::orthographic) return pixel_;
   return pixel_ * std::max(view_depth(frame_, x), nearest_);
 }
 
-TriangleMesh SurfaceStrips::line(double s) {
+bool SurfaceStrips::is_in_picture(const Vec3& x) const {
+  const Vec3 p = x - frame_.eye;
+  const double z = glm::dot(frame_.forward, p);
+  const double scale = projection_ == Projection::orthographic ? 1 : z;
+  return z > 0 && std::abs(glm::dot(frame_.right, p)) <= scale * half_width_ &&
+         std::abs(glm::dot(frame_.up, p)) <= scale * half_height_;
+}
+
+/// Calls visit(point, world units a pixel there) along a line.
+template <class Visit>
+void SurfaceStrips::follow(double s, Visit&& visit) {
   FieldSampler& sampler = particles_.sampler();
   Trajectory path = particles_.start(s);
-  StripBuilder strip(s, lit_);
   const double longest = source_.duration / 20;
   for (double t = 0; path.exists();) {
     const FrontPoint point = front_point(path, t);
     const double pixel = pixel_size(point.flow.x);
-    strip.add(point, source_.start_time + t, 0.5 * width_ * pixel);
+    visit(point, pixel);
     path.release(t);
     const double wanted = t + std::min(step * pixel / point.speed, longest);
     path.reach(wanted, sampler);
@@ -108,6 +122,26 @@ TriangleMesh SurfaceStrips::line(double s) {
     if (!(next > t)) break;
     t = next;
   }
+}
+
+/// Where the line is in the picture, in pixels.
+double SurfaceStrips::largest_separation(double s) {
+  double largest = 0;
+  follow(s, [&](const FrontPoint& point, double pixel) {
+    if (is_in_picture(point.flow.x)) largest = std::max(largest, separation_across(point) / pixel);
+  });
+  return largest;
+}
+
+TriangleMesh SurfaceStrips::line(const LineSeeds::Seed& seed) {
+  StripBuilder strip(seed.s, lit_);
+  // In s; see LineSeeds.
+  const double gap = LineSeeds::largest_gap / (double(options_.lines) * seed.density);
+  follow(seed.s, [&](const FrontPoint& point, double pixel) {
+    const double width = std::clamp(gap * separation_across(point), options_.width * pixel,
+                                    std::max(options_.width, options_.widest) * pixel);
+    strip.add(point, source_.start_time + point.t, 0.5 * width);
+  });
   TriangleMesh mesh = strip.take();
   apply_appearance(source_.appearance, mesh);
   return mesh;
@@ -116,7 +150,7 @@ TriangleMesh SurfaceStrips::line(double s) {
 TriangleMesh SurfaceStrips::lines(std::uint64_t first, std::uint64_t count) {
   std::vector<TriangleMesh> strips(count);
   tbb::parallel_for(std::uint64_t(0), count,
-                    [&](std::uint64_t i) { strips[i] = line(place_on_curve(first + i)); });
+                    [&](std::uint64_t i) { strips[i] = line(seeds_.seed(first + i)); });
   TriangleMesh all;
   for (const TriangleMesh& strip : strips) append(strip, all);
   return all;

@@ -58,12 +58,18 @@ class Tree final : public OitMethod {
         range_(depth_range(stage.scene())),
         trees_(stage, {float(parameters.real("epsilon2")), parameters.text("depth") == "mean"}) {
     std::vector<SceneObject> meshes;
+    std::vector<const FlowSource*> sources;
     for (const SceneObject& object : stage.scene().objects)
       if (object.source)
-        strips_.push_back(std::make_unique<SurfaceStrips>(*object.source, stage.scene(), range_,
-                                                          parameters.real("line-width")));
+        sources.push_back(&*object.source);
       else
         meshes.push_back(object);
+    for (const FlowSource* source : sources)
+      strips_.push_back(std::make_unique<SurfaceStrips>(
+          *source, stage.scene(), range_,
+          StripOptions{parameters.real("line-width"), parameters.real("widest"),
+                       std::max<std::uint64_t>(budget_.lines / sources.size(), 1),
+                       parameters.text("seeding") == "separation"}));
     if (!meshes.empty())
       meshes_.emplace(stage.gl(), with_objects(stage.scene(), std::move(meshes)), range_);
   }
@@ -202,7 +208,18 @@ constexpr ParameterSpec parameters[] = {
      .min = 0.01,
      .max = 100,
      .unit = "pixels",
-     .help = "of a line's strip where the surface faces the eye"}};
+     .help = "of a line's strip where the surface faces the eye"},
+    {.name = "widest",
+     .default_value = "8",
+     .min = 0,
+     .max = 1000,
+     .unit = "pixels",
+     .help = "a strip widens so far to reach the next of all lines"},
+    {.name = "seeding",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "separation",
+     .choices = "separation|uniform",
+     .help = "more lines where neighbours part, or evenly many in s"}};
 
 }  // namespace
 
@@ -218,6 +235,7 @@ const MethodRow& tree_method() {
       // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
       .promises = {.order_spread = 1, .convex_hull = true},
       .bytes_per_pixel = "12 + 40 per layer + 32 per fragment of a frame",
+      .sweep = "lines=1000|4000",
       .make = make_oit<Tree>};
   return row;
 }
