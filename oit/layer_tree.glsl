@@ -62,9 +62,12 @@ bool is_in_front(Entry entry, uint id, Layer layer) {
   return entry.crossing && is_crossing(layer) && entry.order < load_order(id);
 }
 
-// Unlike Algorithm 1 it goes on to the path's end and takes the nearest of the layers within
-// epsilon, not the first one met: this one would depend on the tree's shape.
-Place find_place(Tree tree, Entry entry, float epsilon2) {
+// Algorithm 1 merges a fragment into the first layer within epsilon that it meets on its way
+// (first_met). A layer's depth, the mean of its fragments, may so be drawn past a neighbour's, and
+// the search tree is none any more. The nearest of the layers within epsilon, looked for on the
+// whole path, cannot be passed: the fragment lies on its side of the middle between the two, and so
+// does the new mean.
+Place find_place(Tree tree, Entry entry, float epsilon2, bool first_met) {
   Place place;
   place.nearest = place.before = place.parent = place.subtree = 0u;
   place.left = false;
@@ -75,7 +78,8 @@ Place find_place(Tree tree, Entry entry, float epsilon2) {
   for (uint id = tree.root; id != 0u; ++place.steps) {
     Layer layer = load_layer(id);
     float difference = depth_difference(entry.depth, layer.depth);
-    if (difference < nearest && !entry.crossing && !is_crossing(layer)) {
+    bool is_taken = first_met && place.nearest != 0u;
+    if (difference < nearest && !is_taken && !entry.crossing && !is_crossing(layer)) {
       nearest = difference;
       place.nearest = id;
     }

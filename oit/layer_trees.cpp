@@ -35,7 +35,7 @@ LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
       composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl())) {
   stage.record("counters", fragment_count_.bytes() + layer_count_.bytes() + unfinished_.bytes());
   insert_.set("epsilon2", rule.epsilon2);
-  insert_.set("mean_depth", int(rule.mean_depth));
+  insert_.set("first_met", int(rule.first_met));
   insert_.set("most_steps", most_steps);
   reserve(1);
 }

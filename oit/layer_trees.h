@@ -8,8 +8,7 @@ namespace pellucid {
 /// How fragments become layers.
 struct LayerRule {
   float epsilon2 = 1e-6f;  // largest squared difference of depths d within a layer, exclusive
-  bool mean_depth =
-      true;  // a layer's depth follows the mean of its fragments, or stays the first's
+  bool first_met = false;  // see find_place() of layer_tree.glsl
 };
 
 /// One tree of layers per pixel (layer_tree.glsl), which keeps what every frame adds.

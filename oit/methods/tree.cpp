@@ -56,7 +56,7 @@ class Tree final : public OitMethod {
       : stage_(stage),
         budget_(budget_of(parameters)),
         range_(depth_range(stage.scene())),
-        trees_(stage, {float(parameters.real("epsilon2")), parameters.text("depth") == "mean"}) {
+        trees_(stage, {float(parameters.real("epsilon2")), parameters.text("merge") == "first"}) {
     std::vector<SceneObject> meshes;
     std::vector<const FlowSource*> sources;
     for (const SceneObject& object : stage.scene().objects)
@@ -198,11 +198,11 @@ constexpr ParameterSpec parameters[] = {
      .min = 0,
      .unit = "d squared",
      .help = "fragments within this squared difference of depth are one layer"},
-    {.name = "depth",
+    {.name = "merge",
      .kind = ParameterSpec::Kind::choice,
-     .default_value = "mean",
-     .choices = "mean|first",
-     .help = "a layer's depth: the mean of its fragments, or for ever that of the first"},
+     .default_value = "nearest",
+     .choices = "nearest|first",
+     .help = "into the nearest layer within epsilon, or the first met on the search path"},
     {.name = "line-width",
      .default_value = "1",
      .min = 0.01,

@@ -8,7 +8,7 @@ layout(binding = 0) buffer Unfinished { uint unfinished; };
 
 uniform float epsilon2;
 uniform bool crossings;   // the lists hold crossings of meshes
-uniform bool mean_depth;  // a layer's depth follows the mean of its fragments
+uniform bool first_met;
 uniform int most_steps;
 
 void merge(uint id, float depth, vec4 color) {
@@ -16,7 +16,6 @@ void merge(uint id, float depth, vec4 color) {
   store_count(id, count);
   imageStore(layer_colors, int(id),
              running_mean(imageLoad(layer_colors, int(id)), color, float(count)));
-  if (!mean_depth) return;
   Layer layer = load_layer(id);
   layer.depth = running_mean(layer.depth, depth, float(count));
   store_layer(id, layer);
@@ -40,7 +39,7 @@ void main() {
     vec4 color = imageLoad(colors, int(fragment));
     fragment = texel.x;
     Entry entry = Entry(uintBitsToFloat(texel.y), crossings, crossings ? texel.z : 0u);
-    Place place = find_place(tree, entry, epsilon2);
+    Place place = find_place(tree, entry, epsilon2, first_met);
     if (place.nearest != 0u)
       merge(place.nearest, entry.depth, color);
     else
