@@ -150,7 +150,8 @@ class BareRenderer {
     Blend last_blend;
     std::vector<Texture> targets;
     std::vector<Framebuffer> framebuffers;  // one
-    Program program;
+    GeometryProgram geometry;
+    Program screen;
   };
 
   void add(const BarePass& bare, int layers) {
@@ -165,10 +166,13 @@ class BareRenderer {
     if (t.size() == 1) pass.framebuffers.push_back({gl, {{t[0]}}});
     if (t.size() == 2) pass.framebuffers.push_back({gl, {{t[0]}, {t[1]}}});
     if (t.size() == 3) pass.framebuffers.push_back({gl, {{t[0]}, {t[1]}, {t[2]}}});
-    pass.program = pass.over_geometry ? stage_.geometry_program(bare.shader)
-                                      : stage_.screen_program(bare.shader);
-    pass.program.set("layers", layers);
-    pass.program.set("width", stage_.width());
+    if (pass.over_geometry) {
+      pass.geometry = stage_.geometry_program(bare.shader);
+    } else {
+      pass.screen = stage_.screen_program(bare.shader);
+      pass.screen.set("layers", layers);
+      pass.screen.set("width", stage_.width());
+    }
     passes_.push_back(std::move(pass));
   }
 
@@ -188,7 +192,7 @@ class BareRenderer {
       stage_.begin_pass(target, {blend, pass.last_blend});
     else
       stage_.begin_pass(target, {blend});
-    pass.over_geometry ? stage_.draw_geometry(pass.program) : stage_.draw_screen(pass.program);
+    pass.over_geometry ? stage_.draw_geometry(pass.geometry) : stage_.draw_screen(pass.screen);
     stage_.gl().Finish();
   }
 

@@ -1,4 +1,9 @@
 // Layers per pixel.
+#include "fragment.glsl"
+
 layout(location = 0) out float count;
 
-void main() { count = 1.0; }
+void main() {
+  fragment();
+  count = 1.0;
+}

@@ -11,6 +11,7 @@ void add_layer(inout Composite c, vec4 layer) {
   c.transmittance *= 1.0 - layer.a;
 }
 
-vec4 over(Composite c, vec3 behind) {
-  return vec4(c.color + c.transmittance * behind, 1.0 - c.transmittance);
+// `behind`: colour and opacity, premultiplied.
+vec4 over(Composite c, vec4 behind) {
+  return vec4(c.color, 1.0 - c.transmittance) + c.transmittance * behind;
 }

@@ -1,20 +1,40 @@
 #include "oit/geometry.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 
 namespace pellucid {
 namespace {
 
-struct Vertex {
-  glm::vec3 position;  // see geometry.vert.glsl
-  glm::vec4 color;
-};
-static_assert(sizeof(Vertex) == 28);
+// Units of disc.vert.glsl, out of the way of the methods' own.
+constexpr GLuint points_unit = 14, importances_unit = 13;
 
-// Perspective: what lies nearer to the eye than this, in units of the farthest depth, is clipped.
-// Any positive number would do; this one keeps x / w finite in float.
-constexpr double nearest = 1e-6;
+/// A subset of triangles `indices` that is kept group by group: a segment has two triangles.
+class Thinning {
+ public:
+  /// `indices` may be missing when nothing is kept of them.
+  Thinning(const Buffer* indices, std::uint32_t group) : group_(group) {
+    if (!indices) return;
+    triangles_.resize(indices->bytes() / sizeof(IndexTriangle));
+    indices->read(triangles_.data());
+  }
+
+  /// Keeps the groups of a batch that are multiples of n, counted from `phase`; returns what it
+  /// became.
+  Batch keep(const Batch& batch, std::uint32_t phase, std::uint32_t n) {
+    Batch kept = batch;
+    kept.first = std::uint32_t(kept_.size());
+    for (std::uint64_t i = phase; i < batch.count / group_; i += n)
+      for (std::uint32_t j = 0; j < group_; ++j)
+        kept_.push_back(triangles_[batch.first + group_ * i + j]);
+    kept.count = std::uint32_t(kept_.size()) - kept.first;
+    return kept;
+  }
+  Buffer buffer(const Gl& gl) const { return {gl, kept_}; }
+
+ private:
+  std::uint32_t group_;
+  std::vector<IndexTriangle> triangles_, kept_;
+};
 
 }  // namespace
 
@@ -22,87 +42,116 @@ Geometry::Geometry(const Gl& gl, const Scene& scene) : Geometry(gl, scene, depth
 
 Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
     : gl_(gl),
+      view_(scene, range),
       lit_(scene.lighting == Lighting::headlight),
-      projection_(scene.camera.projection),
-      range_(range),
-      array_(gl) {
-  const double half = half_height(scene.camera);
-  view_unit_ = projection_ == Projection::perspective ? range_.far : half;
-  const double y_scale = projection_ == Projection::perspective ? 1 / half : 1;
-  clip_scale_ = {float(y_scale * scene.height / scene.width), float(-y_scale)};
-  upload(scene);
-}
-
-void Geometry::upload(const Scene& scene) {
-  const CameraFrame frame = camera_frame(scene.camera);
-  std::vector<Vertex> vertices;
-  std::vector<glm::vec3> normals;
-  std::vector<std::uint32_t> indices;
-  for (const SceneObject& object : scene.objects) {
-    const auto base = std::uint32_t(vertices.size());
-    const TriangleMesh& mesh = object.mesh();
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      const Vec3 x = mesh.positions[i] - frame.eye;
-      vertices.push_back(
-          {{float(glm::dot(frame.right, x) / view_unit_), float(glm::dot(frame.up, x) / view_unit_),
-            float(range_.normalized(glm::dot(frame.forward, x)))},
-           mesh.colors[i]});
-      if (lit_) {
-        const Vec3& n = mesh.normals[i];
-        normals.emplace_back(glm::dot(frame.right, n), glm::dot(frame.up, n),
-                             glm::dot(frame.forward, n));
-      }
-    }
-    for (const auto& triangle : mesh.triangles)
-      for (const std::uint32_t corner : triangle) indices.push_back(base + corner);
-  }
-  vertices_ = Buffer(gl_, vertices);
-  all_ = {std::uint32_t(indices.size() / 3), Buffer(gl_, indices)};
-  gl_.VertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
-  array_.attribute(0, 0, 3, 0);
-  array_.attribute(1, 0, 4, sizeof(glm::vec3));
-  if (!lit_) return;
-  normals_ = Buffer(gl_, normals);
-  gl_.VertexArrayVertexBuffer(array_.id(), 1, normals_.id(), 0, sizeof(glm::vec3));
-  array_.attribute(2, 1, 3, 0);
+      batches_(make_batches(scene)),
+      uniforms_(Buffer::writable(gl, sizeof(ViewSpace::Uniforms))),
+      no_attributes_(gl) {
+  const auto has = [&](ShapeKind kind) {
+    return std::ranges::any_of(batches_, [&](const Batch& b) { return b.kind == kind; });
+  };
+  if (has(ShapeKind::mesh)) meshes_ = upload_meshes(gl, scene, view_);
+  if (has(ShapeKind::ribbon)) ribbons_ = upload_ribbons(gl, scene, view_);
+  if (has(ShapeKind::disc)) points_ = upload_discs(gl, scene, view_);
+  sample_at(Vec2(0.5));
 }
 
 Defines Geometry::defines() const {
   Defines defines;
   if (lit_) defines.emplace_back("LIT", 1);
-  if (projection_ == Projection::orthographic) defines.emplace_back("ORTHOGRAPHIC", 1);
+  if (view_.projection() == Projection::orthographic) defines.emplace_back("ORTHOGRAPHIC", 1);
   return defines;
 }
 
-void Geometry::set_uniforms(const Program& program) const {
-  program.set("clip_scale", clip_scale_);
-  // View depth in units of the farthest: z = z0 + z1 d.
-  const double z0 = range_.near / range_.far, z1 = (range_.far - range_.near) / range_.far;
-  if (projection_ == Projection::perspective) {
-    // w = z and z_clip = z - 2 nearest: inside [-w, w] exactly when z >= nearest.
-    program.set("clip_w", glm::vec2(z0, z1));
-    program.set("clip_z", glm::vec2(z0 - 2 * nearest, z1));
-  } else {
-    // w = 1 and z_clip = z - 1: inside [-1, 1] exactly when 0 <= z <= 2.
-    program.set("clip_w", glm::vec2(1, 0));
-    program.set("clip_z", glm::vec2(z0 - 1, z1));
+std::vector<ShapeKind> Geometry::kinds(bool opaque) const {
+  std::vector<ShapeKind> kinds;
+  for (const ShapeKind kind : shape_kinds)
+    if (std::ranges::any_of(batches_,
+                            [&](const Batch& b) { return b.kind == kind && b.opaque == opaque; }))
+      kinds.push_back(kind);
+  return kinds;
+}
+
+std::uint64_t Geometry::primitive_count() const {
+  return batches_.empty() ? 0 : batches_.back().first_primitive + batches_.back().count;
+}
+
+void Geometry::upload_importance(const Scene& scene) {
+  if (meshes_) upload_mesh_importance(gl_, scene, *meshes_);
+  if (ribbons_) upload_ribbon_importance(gl_, scene, *ribbons_);
+  if (points_) point_importance_ = upload_disc_importance(gl_, scene);
+}
+
+void Geometry::sample_at(const Vec2& sample) const {
+  uniforms_.write<ViewSpace::Uniforms>(
+      [&](ViewSpace::Uniforms* out) { *out = view_.uniforms(sample); });
+}
+
+Geometry::Source Geometry::everything() const {
+  return {meshes_ ? &meshes_->indices : nullptr, ribbons_ ? &ribbons_->indices : nullptr, 1};
+}
+
+void Geometry::draw_all(const GeometryProgram& program, bool opaque) const {
+  for (const Batch& batch : batches_)
+    if (batch.opaque == opaque) draw_batch(program, batch, everything());
+}
+
+void Geometry::draw(const GeometryProgram& program, const Subset& subset) const {
+  for (const Batch& batch : subset.batches)
+    draw_batch(program, batch,
+               {&subset.mesh_indices, &subset.ribbon_indices, subset.stride_of_points});
+}
+
+void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
+                          const Source& source) const {
+  uniforms_.bind_base(GL_UNIFORM_BUFFER, 0);
+  const Program& of_kind = program.of(batch.kind);
+  of_kind.use();
+  of_kind.set("first_primitive", batch.first_primitive);
+  if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
+  if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
+  if (batch.kind == ShapeKind::disc) draw_discs(of_kind, batch, source.stride_of_points);
+}
+
+void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
+                            const Batch& batch) const {
+  gl_.BindVertexArray(vertices.array.id());
+  gl_.VertexArrayElementBuffer(vertices.array.id(), indices.id());
+  gl_.DrawElements(GL_TRIANGLES, GLsizei(3 * batch.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(sizeof(IndexTriangle) * batch.first));
+}
+
+void Geometry::draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const {
+  program.set("first_point", batch.first);
+  program.set("stride_of_points", stride);
+  points_->bind(points_unit);
+  if (point_importance_) point_importance_->bind(importances_unit);
+  gl_.BindVertexArray(no_attributes_.id());
+  gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(3 * batch.count));
+}
+
+Subset Geometry::every(std::uint32_t n) const {
+  const Source source = everything();
+  Thinning meshes(source.mesh_indices, 1), ribbons(source.ribbon_indices, 2);
+  Subset subset;
+  subset.stride_of_points = n;
+  std::uint32_t passed = 0;  // triangles, segments and points before a batch
+  for (const Batch& batch : batches_) {
+    if (batch.opaque) continue;
+    const std::uint32_t phase = (n - passed % n) % n;
+    const std::uint32_t units = batch.count / (batch.kind == ShapeKind::ribbon ? 2 : 1);
+    if (batch.kind == ShapeKind::mesh) subset.batches.push_back(meshes.keep(batch, phase, n));
+    if (batch.kind == ShapeKind::ribbon) subset.batches.push_back(ribbons.keep(batch, phase, n));
+    if (batch.kind == ShapeKind::disc) {
+      subset.batches.push_back(batch);
+      subset.batches.back().first += phase;
+      subset.batches.back().count = units > phase ? (units - phase + n - 1) / n : 0;
+    }
+    passed += units;
   }
-}
-
-void Geometry::draw(const Triangles& triangles) const {
-  gl_.BindVertexArray(array_.id());
-  gl_.VertexArrayElementBuffer(array_.id(), triangles.indices.id());
-  gl_.DrawElements(GL_TRIANGLES, GLsizei(3 * triangles.count), GL_UNSIGNED_INT, nullptr);
-}
-
-Triangles Geometry::every(int n) const {
-  std::vector<std::array<std::uint32_t, 3>> triangles(all_.count);
-  all_.indices.read(triangles.data());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < triangles.size(); i += std::size_t(n))
-    triangles[kept++] = triangles[i];
-  triangles.resize(kept);
-  return {std::uint32_t(kept), Buffer(gl_, triangles)};
+  subset.mesh_indices = meshes.buffer(gl_);
+  subset.ribbon_indices = ribbons.buffer(gl_);
+  return subset;
 }
 
 }  // namespace pellucid

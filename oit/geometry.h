@@ -1,52 +1,67 @@
 #pragma once
 
-#include "oit/gl_objects.h"
-#include "oit/program.h"
-#include "scene/scene.h"
-#include "scene/view_depth.h"
+#include <optional>
+
+#include "oit/geometry_program.h"
+#include "oit/geometry_upload.h"
 
 namespace pellucid {
 
-/// Some of the scene's triangles.
-struct Triangles {
-  std::uint32_t count = 0;
-  Buffer indices;
+/// Every n-th of the scene's transparent triangles, segments and points.
+struct Subset {
+  std::uint32_t stride_of_points = 1;
+  std::vector<Batch> batches;  // `first` counts within these indices, or is the first point
+  Buffer mesh_indices, ribbon_indices;
 };
 
-/// The scene's triangles on the OpenGL side, in the order of the scene: gl_PrimitiveID orders
-/// crossings by object, then by triangle.
-///
-/// A renderer's camera never changes, so vertices are moved into its frame in double and only then
-/// rounded to float: neither a scene far from the origin nor a sliver of a depth range loses
-/// digits, as it would with a float matrix over world positions.
+/// The scene's meshes, ribbons and discs on the OpenGL side.
 class Geometry {
  public:
+  /// Throws as make_batches does.
   Geometry(const Gl& gl, const Scene& scene);
   /// `range` is that of the whole picture, where `scene` is a part of it.
   Geometry(const Gl& gl, const Scene& scene, const DepthRange& range);
 
   /// Defines that the geometry shaders need: LIT, ORTHOGRAPHIC.
   Defines defines() const;
-  void set_uniforms(const Program& program) const;
-  void draw() const { draw(all_); }
-  /// gl_PrimitiveID counts within `triangles`.
-  void draw(const Triangles& triangles) const;
-  /// Every n-th triangle, copied.
-  Triangles every(int n) const;
-  std::uint32_t triangle_count() const { return all_.count; }
+  /// Which there are among the opaque objects, or among the others.
+  std::vector<ShapeKind> kinds(bool opaque) const;
+  std::uint64_t primitive_count() const;
+  /// Uploads the vertices' importance, of the scene that it was made from, for programs with the
+  /// define IMPORTANCE.
+  void upload_importance(const Scene& scene);
+  /// The picture is sampled there, see pixel_samples.h.
+  void sample_at(const Vec2& sample) const;
+
+  /// What is transparent, in the order of the scene.
+  void draw(const GeometryProgram& program) const { draw_all(program, false); }
+  void draw(const GeometryProgram& program, const Subset& subset) const;
+  void draw_opaque(const GeometryProgram& program) const { draw_all(program, true); }
+  Subset every(std::uint32_t n) const;
 
  private:
-  void upload(const Scene& scene);
+  /// Where a batch's primitives are found.
+  struct Source {
+    const Buffer* mesh_indices;
+    const Buffer* ribbon_indices;
+    std::uint32_t stride_of_points;
+  };
+
+  void draw_all(const GeometryProgram& program, bool opaque) const;
+  void draw_batch(const GeometryProgram& program, const Batch& batch, const Source& source) const;
+  void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
+                    const Batch& batch) const;
+  void draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const;
+  Source everything() const;
 
   const Gl& gl_;
+  ViewSpace view_;
   bool lit_;
-  Projection projection_;
-  DepthRange range_;
-  double view_unit_;      // world units per unit of the positions' x and y
-  glm::vec2 clip_scale_;  // see geometry.vert.glsl
-  VertexArray array_;
-  Buffer vertices_, normals_;
-  Triangles all_;
+  std::vector<Batch> batches_;
+  Buffer uniforms_;
+  std::optional<IndexedVertices> meshes_, ribbons_;
+  std::optional<BufferTexture> points_, point_importance_;
+  VertexArray no_attributes_;
 };
 
 }  // namespace pellucid

@@ -29,6 +29,7 @@
   X(DrawArrays, DRAWARRAYS) X(DrawElements, DRAWELEMENTS)                                       \
   X(CreateBuffers, CREATEBUFFERS) X(DeleteBuffers, DELETEBUFFERS)                               \
   X(NamedBufferStorage, NAMEDBUFFERSTORAGE) X(GetNamedBufferSubData, GETNAMEDBUFFERSUBDATA)     \
+  X(MapNamedBufferRange, MAPNAMEDBUFFERRANGE) X(UnmapNamedBuffer, UNMAPNAMEDBUFFER)             \
   X(ClearNamedBufferData, CLEARNAMEDBUFFERDATA) X(BindBufferBase, BINDBUFFERBASE)               \
   X(CopyNamedBufferSubData, COPYNAMEDBUFFERSUBDATA)                                             \
   X(CreateTextures, CREATETEXTURES) X(DeleteTextures, DELETETEXTURES)                           \

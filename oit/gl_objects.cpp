@@ -72,12 +72,18 @@ void Texture::read(GLenum format, GLenum type, std::size_t bytes, void* data) co
   name_.gl().GetTextureImage(id(), 0, format, type, GLsizei(bytes), data);
 }
 
-Buffer::Buffer(const Gl& gl, std::uint64_t bytes, const void* data)
+Buffer::Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags)
     : name_(gl, create([&](GLuint* id) { gl.CreateBuffers(1, id); })), bytes_(bytes) {
   // A buffer of no bytes is an error in OpenGL; an empty scene needs none of them.
   gl.NamedBufferStorage(id(), GLsizeiptr(std::max<std::uint64_t>(bytes, 16)),
-                        bytes ? data : nullptr, 0);
+                        bytes ? data : nullptr, flags);
   check_memory(gl, bytes);
+}
+
+void* Buffer::map() const {
+  void* memory = name_.gl().MapNamedBufferRange(id(), 0, GLsizeiptr(bytes_), GL_MAP_WRITE_BIT);
+  if (!memory) throw WorkError(fmt::format("OpenGL cannot map {} bytes", bytes_));
+  return memory;
 }
 
 void Buffer::bind_base(GLenum target, GLuint binding) const {
@@ -98,10 +104,15 @@ void Buffer::read(void* data) const {
   if (bytes_) name_.gl().GetNamedBufferSubData(id(), 0, GLsizeiptr(bytes_), data);
 }
 
-BufferTexture::BufferTexture(const Gl& gl, GLenum format, std::uint64_t bytes)
-    : buffer_(gl, bytes),
+BufferTexture::BufferTexture(const Gl& gl, GLenum format, Buffer buffer)
+    : buffer_(std::move(buffer)),
       name_(gl, create([&](GLuint* id) { gl.CreateTextures(GL_TEXTURE_BUFFER, 1, id); })),
       format_(format) {
+  GLint most = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (const std::uint64_t texels = buffer_.bytes() / texel_bytes(format);
+      texels > std::uint64_t(most))
+    throw InputError(fmt::format("{} texels in a buffer; the driver accepts {}", texels, most));
   gl.TextureBuffer(name_.id(), format, buffer_.id());
 }
 
@@ -142,9 +153,8 @@ void Framebuffer::check_complete() const {
     throw WorkError(fmt::format("the driver cannot draw into {} such targets", attachments_));
 }
 
-void Framebuffer::clear(int index, float value) const {
-  const float texel[] = {value, value, value, value};
-  name_.gl().ClearNamedFramebufferfv(id(), GL_COLOR, index, texel);
+void Framebuffer::clear(int index, const glm::vec4& texel) const {
+  name_.gl().ClearNamedFramebufferfv(id(), GL_COLOR, index, &texel.x);
 }
 
 void Framebuffer::clear_all(float value) const {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/vec.h"
 #include "oit/gl.h"
 
 namespace pellucid {
@@ -62,20 +63,41 @@ class Texture {
 class Buffer {
  public:
   Buffer() = default;
-  Buffer(const Gl& gl, std::uint64_t bytes, const void* data = nullptr);
+  Buffer(const Gl& gl, std::uint64_t bytes, const void* data = nullptr)
+      : Buffer(gl, bytes, data, 0) {}
   template <class T>
   Buffer(const Gl& gl, const std::vector<T>& data)
       : Buffer(gl, data.size() * sizeof(T), data.data()) {}
 
+  /// For write().
+  static Buffer writable(const Gl& gl, std::uint64_t bytes) {
+    return {gl, bytes, nullptr, GL_MAP_WRITE_BIT};
+  }
+  /// `fill(T*)` writes `count` of T, one after the other, into the driver's own memory.
+  template <class T, class Fill>
+  static Buffer filled(const Gl& gl, std::uint64_t count, Fill&& fill) {
+    Buffer buffer = writable(gl, count * sizeof(T));
+    if (count) buffer.write<T>(std::forward<Fill>(fill));
+    return buffer;
+  }
+  template <class T, class Fill>
+  void write(Fill&& fill) const {
+    fill(static_cast<T*>(map()));
+    name_.gl().UnmapNamedBuffer(id());
+  }
+
   GLuint id() const { return name_.id(); }
   std::uint64_t bytes() const { return bytes_; }
-  /// For an atomic counter or a storage block: `target` names which.
+  /// For an atomic counter, a storage or a uniform block: `target` names which.
   void bind_base(GLenum target, GLuint binding) const;
   void clear(std::uint32_t value) const;
   std::uint32_t read_word(std::size_t index) const;
   void read(void* data) const;  // all bytes()
 
  private:
+  Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags);
+  void* map() const;
+
   GlName<&Gl::DeleteBuffers> name_;
   std::uint64_t bytes_ = 0;
 };
@@ -85,7 +107,10 @@ class Buffer {
 class BufferTexture {
  public:
   BufferTexture() = default;
-  BufferTexture(const Gl& gl, GLenum format, std::uint64_t bytes);
+  BufferTexture(const Gl& gl, GLenum format, std::uint64_t bytes)
+      : BufferTexture(gl, format, Buffer(gl, bytes)) {}
+  /// Throws InputError for more texels than the driver's textures hold.
+  BufferTexture(const Gl& gl, GLenum format, Buffer buffer);
 
   std::uint64_t bytes() const { return buffer_.bytes(); }
   const Buffer& buffer() const { return buffer_; }
@@ -115,8 +140,9 @@ class Framebuffer {
   GLuint id() const { return name_.id(); }
   int attachments() const { return attachments_; }
   void bind() const { name_.gl().BindFramebuffer(GL_DRAW_FRAMEBUFFER, id()); }
+  void clear(int index, const glm::vec4& texel) const;
   /// Clears attachment `index` to `value` in every component.
-  void clear(int index, float value) const;
+  void clear(int index, float value) const { clear(index, glm::vec4(value)); }
   void clear_all(float value) const;
   void clear_depth(float value) const;
 
@@ -131,6 +157,10 @@ class VertexArray {
  public:
   explicit VertexArray(const Gl& gl);
   GLuint id() const { return name_.id(); }
+  /// Buffer `binding` has `stride` bytes a vertex.
+  void source(GLuint binding, const Buffer& buffer, unsigned stride) const {
+    name_.gl().VertexArrayVertexBuffer(id(), binding, buffer.id(), 0, GLsizei(stride));
+  }
   /// `count` floats at byte `offset` of each vertex of buffer `binding`.
   void attribute(GLuint location, GLuint binding, int count, unsigned offset) const;
 

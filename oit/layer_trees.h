@@ -46,7 +46,8 @@ class LayerTrees {
   BufferTexture nodes_, links_, colors_;  // see layer_nodes.glsl
   std::uint64_t capacity_ = 0;            // of these, without layer 0
   Framebuffer no_targets_;
-  Program build_, insert_, composite_;
+  GeometryProgram build_;
+  Program insert_, composite_;
   bool crossings_ = false;
   std::uint64_t frame_fragments_ = 0, fragments_ = 0, layers_ = 0;
 };

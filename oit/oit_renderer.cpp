@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "oit_glsl.h"
+#include "scene/pixel_samples.h"
 
 namespace pellucid {
 namespace {
@@ -14,6 +15,19 @@ std::string describe_lighting(const Scene& scene) {
   if (scene.lighting == Lighting::none)
     return "lighting: left out, the scene is unlit; no normals are uploaded";
   return "lighting: headlight; normals are uploaded";
+}
+
+std::string describe_samples(const Scene& scene) {
+  const int n = scene.samples;
+  if (n == 1) return "antialiasing: left out, one sample at the pixel's centre";
+  return fmt::format("antialiasing: the picture is drawn {} times, {} x {} samples a pixel", n * n,
+                     n, n);
+}
+
+std::string describe_context(const Scene& scene) {
+  return std::ranges::any_of(scene.objects, &SceneObject::opaque)
+             ? "opaque context: a pass of its own before the method's"
+             : "opaque context: left out, no object is opaque";
 }
 
 class OitRenderer final : public Renderer {
@@ -37,7 +51,9 @@ class OitRenderer final : public Renderer {
   }
 
  private:
-  CountImage count_layers() const;
+  /// Draws the picture once for each of a pixel's samples and averages.
+  void draw_samples(Frame& frame, Image& mean);
+  CountImage count_layers();
 
   const Scene& scene_;
   Stage stage_;
@@ -49,11 +65,11 @@ class OitRenderer final : public Renderer {
 Rendering OitRenderer::render(const RenderRequest& request) {
   stage_.make_current();
   Frame frame(stage_, picture_, picture_target_);
-  method_->draw(frame);
   Rendering rendering;
+  rendering.image = Image(stage_.width(), stage_.height());
+  draw_samples(frame, rendering.image);
   rendering.stats = frame.stats();
   rendering.stats.bytes = stage_.ledger().parts();
-  rendering.image = frame.read_picture();
   if (!request.layers) return rendering;
   const std::optional<CountImage> of_method = method_->count_layers();
   rendering.layers = of_method ? *of_method : count_layers();
@@ -64,14 +80,32 @@ Rendering OitRenderer::render(const RenderRequest& request) {
   return rendering;
 }
 
-// Counts in float are exact up to 2^24 layers.
-CountImage OitRenderer::count_layers() const {
+void OitRenderer::draw_samples(Frame& frame, Image& mean) {
+  const std::vector<Vec2> samples = pixel_samples(scene_.samples);
+  for (const Vec2& sample : samples) {
+    stage_.sample_at(sample);
+    if (stage_.has_opaque_context())
+      frame.step("opaque context", [&] { stage_.draw_opaque_context(); });
+    method_->draw(frame);
+    frame.next_sample();
+    const Image one = frame.read_picture();
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+      mean.pixels[i] += one.pixels[i] / float(samples.size());
+  }
+}
+
+// At the pixels' centres. Counts in float are exact up to 2^24 layers.
+CountImage OitRenderer::count_layers() {
   const Texture counts(stage_.gl(), GL_R32F, stage_.width(), stage_.height());
   const Framebuffer target(stage_.gl(), {{counts}});
-  const Program program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
+  const GeometryProgram program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
+  stage_.sample_at(Vec2(0.5));
+  stage_.draw_opaque_context();
   target.clear_all(0);
   stage_.begin_pass(target, {Blend::add});
   stage_.draw_geometry(program);
+  if (stage_.has_opaque_context())
+    stage_.draw_screen(stage_.screen_program(oit_glsl::count_opaque_frag_glsl()));
   std::vector<float> floats(stage_.pixel_count());
   counts.read(GL_RED, GL_FLOAT, floats.size() * sizeof(float), floats.data());
   stage_.context().check("counting layers");
@@ -84,7 +118,7 @@ std::vector<std::string> OitRenderer::explain() const {
   std::vector<std::string> lines = {
       fmt::format("context: {}", stage_.context().driver()),
       fmt::format("geometry: {} of {} objects", describe_primitives(scene_), scene_.objects.size()),
-      describe_lighting(scene_), "antialiasing: left out, one sample at the pixel's centre"};
+      describe_lighting(scene_), describe_samples(scene_), describe_context(scene_)};
   for (std::string& line : method_->explain()) lines.push_back(std::move(line));
   for (const NamedBytes& part : stage_.ledger().parts())
     lines.push_back(fmt::format("memory: {}, {} bytes", part.name, part.bytes));

@@ -17,6 +17,11 @@ class Frame {
   Frame(const Stage& stage, const Texture& picture, const Framebuffer& target)
       : stage_(stage), texture_(picture), picture_(target) {}
 
+  /// Which of the pixel's samples is being drawn: a method that draws random numbers wants others
+  /// for each.
+  std::uint32_t sample() const { return sample_; }
+  void next_sample() { ++sample_; }
+
   /// The final picture, RGBA: the method's last pass writes colour over the background and
   /// A = 1 - transmittance into it.
   const Framebuffer& picture() const { return picture_; }
@@ -37,6 +42,7 @@ class Frame {
   const Stage& stage_;
   const Texture& texture_;
   const Framebuffer& picture_;
+  std::uint32_t sample_ = 0;
   RenderStats stats_;
 };
 

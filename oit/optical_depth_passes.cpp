@@ -5,7 +5,7 @@
 namespace pellucid {
 
 OpticalDepthPasses::OpticalDepthPasses(Stage& stage, const std::vector<Target>& coefficients,
-                                       Program weight, Program composite)
+                                       GeometryProgram weight, Program composite)
     : stage_(stage), weight_(std::move(weight)), composite_(std::move(composite)) {
   for (const Target& target : coefficients)
     coefficients_.push_back(stage.target(target.name, target.format, target.layers));
@@ -36,9 +36,9 @@ void OpticalDepthPasses::composite(const Framebuffer& picture) const {
   stage_.draw_screen(composite_);
 }
 
-Program clamped_geometry_program(const Stage& stage, std::string_view fragment, Defines defines,
-                                 const Parameters& parameters) {
-  Program program = stage.geometry_program(fragment, std::move(defines));
+GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fragment,
+                                         Defines defines, const Parameters& parameters) {
+  GeometryProgram program = stage.geometry_program(fragment, std::move(defines));
   program.set("clamp_alpha", float(parameters.real("clamp")));
   return program;
 }

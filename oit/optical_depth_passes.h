@@ -25,7 +25,7 @@ class OpticalDepthPasses {
     int layers = 0;
   };
 
-  OpticalDepthPasses(Stage& stage, const std::vector<Target>& coefficients, Program weight,
+  OpticalDepthPasses(Stage& stage, const std::vector<Target>& coefficients, GeometryProgram weight,
                      Program composite);
 
   const Texture& coefficients(int target) const { return coefficients_[std::size_t(target)]; }
@@ -42,12 +42,13 @@ class OpticalDepthPasses {
   std::vector<Texture> coefficients_;
   Texture color_sum_;
   Framebuffer color_sum_target_;
-  Program weight_, composite_;
+  GeometryProgram weight_;
+  Program composite_;
 };
 
 /// The parameter `clamp` of such a method, as the uniform of its project and weight passes.
-Program clamped_geometry_program(const Stage& stage, std::string_view fragment, Defines defines,
-                                 const Parameters& parameters);
+GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fragment,
+                                         Defines defines, const Parameters& parameters);
 
 // Parameters of the methods that weight by Eq. 15 of Baeza Rojo, Gross and Guenther 2019.
 inline constexpr ParameterSpec normalize_parameter = {

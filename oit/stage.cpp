@@ -40,6 +40,10 @@ Stage::Stage(const Scene& scene, const RenderContext& context)
   check_size(gl(), width_, height_);
   check_driver(context_);
   gl().Viewport(0, 0, width_, height_);
+  if (!geometry_.kinds(true).empty()) {
+    opaque_.emplace(context_, geometry_, width_, height_);
+    record("opaque context", opaque_->bytes());
+  }
   context_.check("uploading the scene");
 }
 
@@ -49,17 +53,26 @@ Texture Stage::target(std::string_view name, GLenum format, int layers) {
   return texture;
 }
 
-Program Stage::geometry_program(std::string_view fragment, Defines defines) const {
+GeometryProgram Stage::geometry_program(std::string_view fragment, Defines defines) const {
   for (auto& define : geometry_.defines()) defines.push_back(std::move(define));
-  Program program(context_, oit_glsl::geometry_vert_glsl(), fragment, defines);
-  geometry_.set_uniforms(program);
-  return program;
+  if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
+  return {context_, geometry_.kinds(false), fragment, defines};
 }
 
-Program Stage::screen_program(std::string_view fragment, const Defines& defines) const {
+Program Stage::screen_program(std::string_view fragment, Defines defines) const {
+  if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
   Program program(context_, oit_glsl::screen_vert_glsl(), fragment, defines);
   program.set("background", background_);
   return program;
+}
+
+void Stage::sample_at(const Vec2& sample) {
+  sample_ = sample;
+  geometry_.sample_at(sample);
+}
+
+void Stage::draw_opaque_context() const {
+  if (opaque_) opaque_->draw(background_);
 }
 
 void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const {
@@ -69,16 +82,6 @@ void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> b
     set_blend(gl(), GLuint(i), *blend);
     if (blend + 1 != blends.end()) ++blend;
   }
-}
-
-void Stage::draw_geometry(const Program& program, const Geometry& geometry) const {
-  program.use();
-  geometry.draw();
-}
-
-void Stage::draw_geometry(const Program& program, const Triangles& triangles) const {
-  program.use();
-  geometry_.draw(triangles);
 }
 
 void Stage::draw_screen(const Program& program) const {

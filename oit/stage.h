@@ -4,6 +4,7 @@
 #include "oit/gl_context.h"
 #include "oit/gl_objects.h"
 #include "oit/ledger.h"
+#include "oit/opaque_context.h"
 #include "oit/program.h"
 
 namespace pellucid {
@@ -30,22 +31,36 @@ class Stage {
   int height() const { return height_; }
   std::uint64_t pixel_count() const { return std::uint64_t(width_) * height_; }
   const Geometry& geometry() const { return geometry_; }
+  /// For programs with the define IMPORTANCE: fragment.glsl then has importance().
+  void upload_importance() { geometry_.upload_importance(scene_); }
+  /// From here on pictures are sampled there, see pixel_samples.h.
+  void sample_at(const Vec2& sample);
+  bool has_opaque_context() const { return opaque_.has_value(); }
+  /// Before a picture is drawn: what is opaque, sampled as the picture will be.
+  void draw_opaque_context() const;
   const Ledger& ledger() const { return ledger_; }
   /// Counts what a method allocated by other means than target().
   void record(std::string_view name, std::uint64_t bytes) { ledger_.record(name, bytes); }
 
   /// A texture of the picture's size, in the ledger. `layers` 0: a plain texture.
   Texture target(std::string_view name, GLenum format, int layers = 0);
-  /// A program over the scene's triangles from a fragment shader's body.
-  Program geometry_program(std::string_view fragment, Defines defines = {}) const;
-  /// A program over every pixel of the picture. `background` is set where it is used.
-  Program screen_program(std::string_view fragment, const Defines& defines = {}) const;
+  /// A program over the scene's transparent shapes from a fragment shader's body. A pass takes a
+  /// fragment only after the shader's call of fragment(), see fragment.glsl.
+  GeometryProgram geometry_program(std::string_view fragment, Defines defines = {}) const;
+  /// A program over every pixel of the picture. What lies behind is set where it is used.
+  Program screen_program(std::string_view fragment, Defines defines = {}) const;
 
   /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow.
   void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
-  void draw_geometry(const Program& program) const { draw_geometry(program, geometry_); }
-  void draw_geometry(const Program& program, const Geometry& geometry) const;
-  void draw_geometry(const Program& program, const Triangles& triangles) const;
+  void draw_geometry(const GeometryProgram& program) const { geometry_.draw(program); }
+  /// A geometry of the method's own.
+  void draw_geometry(const GeometryProgram& program, const Geometry& geometry) const {
+    geometry.sample_at(sample_);
+    geometry.draw(program);
+  }
+  void draw_geometry(const GeometryProgram& program, const Subset& subset) const {
+    geometry_.draw(program, subset);
+  }
   void draw_screen(const Program& program) const;
 
  private:
@@ -54,8 +69,10 @@ class Stage {
   int width_, height_;
   glm::vec3 background_;
   Geometry geometry_;
+  Vec2 sample_{0.5};
   VertexArray no_attributes_;
   Ledger ledger_;
+  std::optional<OpaqueContext> opaque_;
 };
 
 }  // namespace pellucid

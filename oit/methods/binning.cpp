@@ -47,7 +47,8 @@ class Binning final : public OitMethod {
 
   const Stage& stage_;
   Framebuffer no_targets_;
-  Program project_, accumulate_;
+  GeometryProgram project_;
+  Program accumulate_;
   OpticalDepthPasses passes_;
 };
 

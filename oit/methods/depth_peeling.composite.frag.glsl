@@ -4,5 +4,5 @@ layout(binding = 0) uniform sampler2D sum;
 
 void main() {
   vec4 c = texelFetch(sum, ivec2(gl_FragCoord.xy), 0);
-  picture = vec4(c.rgb + (1.0 - c.a) * background, c.a);
+  picture = c + (1.0 - c.a) * behind();
 }

@@ -92,7 +92,8 @@ class DepthPeeling final : public OitMethod {
   Texture peeled_, depth_, order_, layer_, layer_key_, sum_;
   Framebuffer depth_target_, layer_target_, sum_target_;
   SampleQuery query_;
-  Program nearest_, peel_, add_, composite_;
+  GeometryProgram nearest_, peel_;
+  Program add_, composite_;
 };
 
 constexpr ParameterSpec parameters[] = {{.name = "peels",

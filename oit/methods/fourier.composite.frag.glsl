@@ -12,6 +12,6 @@ void main() {
 #if NORMALIZE
   composite_mean(sum, alpha);  // Eq. 19
 #else
-  picture = vec4(sum.rgb + background * (1.0 - alpha), alpha);  // Eq. 15
+  picture = vec4(sum.rgb, alpha) + (1.0 - alpha) * behind();  // Eq. 15
 #endif
 }

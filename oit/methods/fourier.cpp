@@ -17,7 +17,7 @@ constexpr int targets_per_pass = 8;
 /// A pass that projects onto some of the bands.
 struct BandPass {
   Framebuffer targets;
-  Program program;
+  GeometryProgram program;
 };
 
 class Fourier final : public OitMethod {
@@ -31,7 +31,7 @@ class Fourier final : public OitMethod {
                 stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
                                      {{"NORMALIZE", parameters.flag("normalize")}})) {
     if (parameters.integer("subset") > 1)
-      subset_ = stage.geometry().every(parameters.integer("subset"));
+      subset_ = stage.geometry().every(std::uint32_t(parameters.integer("subset")));
     for (int first = 0; first < target_count(bands_); first += targets_per_pass)
       band_passes_.push_back(band_pass(first, parameters));
   }
@@ -58,13 +58,14 @@ class Fourier final : public OitMethod {
                              {{"FIRST_BAND", 2 * first}, {"TARGETS", targets}})};
   }
 
-  Program geometry_program(std::string_view fragment, const Parameters& parameters,
-                           Defines defines = {}) const {
+  GeometryProgram geometry_program(std::string_view fragment, const Parameters& parameters,
+                                   Defines defines = {}) const {
     defines.emplace_back("BANDS", bands_);
     defines.emplace_back("PRECISION", parameters.integer("precision"));
     defines.emplace_back("MIDDLE", parameters.text("at") == "middle");
     defines.emplace_back("SUBSET", parameters.integer("subset"));
-    Program program = clamped_geometry_program(stage_, fragment, std::move(defines), parameters);
+    GeometryProgram program =
+        clamped_geometry_program(stage_, fragment, std::move(defines), parameters);
     program.set("margin", float(parameters.real("margin")));
     return program;
   }
@@ -72,7 +73,7 @@ class Fourier final : public OitMethod {
   const Stage& stage_;
   int bands_;
   OpticalDepthPasses passes_;
-  std::optional<Triangles> subset_;
+  std::optional<Subset> subset_;
   std::vector<BandPass> band_passes_;
 };
 
@@ -112,8 +113,8 @@ constexpr ParameterSpec parameters[] = {
      .default_value = "1",
      .min = 1,
      .max = 1e6,
-     .unit = "triangles",
-     .help = "project every n-th triangle only, n-fold (section 5.5.3)"}};
+     .unit = "primitives",
+     .help = "project every n-th triangle, segment and point only, n-fold (section 5.5.3)"}};
 
 }  // namespace
 

@@ -13,5 +13,5 @@ void main() {
   vec4 sum = texelFetch(tail, pixel, 0);
   if (sum.a > 0.0)
     add_layer(c, vec4(sum.rgb / sum.a, 1.0 - texelFetch(tail_transmittance, pixel, 0).r));
-  picture = over(c, background);
+  picture = over(c, behind());
 }

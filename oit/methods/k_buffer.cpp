@@ -52,7 +52,8 @@ class KBuffer final : public OitMethod {
   const Stage& stage_;
   Texture depths_, colors_, tail_, transmittance_;
   Framebuffer no_targets_, tail_target_;
-  Program nearest_, color_, composite_;
+  GeometryProgram nearest_, color_;
+  Program composite_;
 };
 
 constexpr ParameterSpec parameters[] = {{.name = "layers",

@@ -13,5 +13,5 @@ void main() {
       list = load_node(list).next;
     })
   }
-  picture = over(c, background);
+  picture = over(c, behind());
 }

@@ -7,6 +7,6 @@ void main() {
   Fragment f = fragment();
   int node = int(atomicCounterIncrement(node_count)) + 1;
   uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
-  imageStore(nodes, node, uvec4(next, floatBitsToUint(f.depth), gl_PrimitiveID, 0u));
+  imageStore(nodes, node, uvec4(next, floatBitsToUint(f.depth), primitive_order(), 0u));
   imageStore(colors, node, vec4(f.color, f.alpha));
 }

@@ -1,2 +1,4 @@
 // Counted by the query around this pass.
-void main() {}
+#include "fragment.glsl"
+
+void main() { fragment(); }

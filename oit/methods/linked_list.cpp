@@ -131,7 +131,8 @@ class LinkedList final : public OitMethod {
   FragmentPool pool_;
   Framebuffer no_targets_;
   SampleQuery query_;
-  Program count_, build_, resolve_;
+  GeometryProgram count_, build_;
+  Program resolve_;
   std::optional<LongListPrograms> long_lists_;
 };
 

@@ -11,7 +11,7 @@ vec4 composite_run() {
   Composite c = nothing;
   for (Node node = take_from_run(); node.id != 0u; node = take_from_run())
     add_layer(c, imageLoad(colors, int(node.id)));
-  return over(c, background);
+  return over(c, behind());
 }
 
 void main() {

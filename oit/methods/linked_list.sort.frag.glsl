@@ -8,7 +8,7 @@ uniform int most_layers;
 vec4 composite_list(uint list) {
   Composite c = nothing;
   for (; list != 0u; list = load_node(list).next) add_layer(c, imageLoad(colors, int(list)));
-  return over(c, background);
+  return over(c, behind());
 }
 
 // `n` nodes in all.

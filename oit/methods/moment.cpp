@@ -40,8 +40,8 @@ class Moment final : public OitMethod {
   }
 
  private:
-  Program geometry_program(std::string_view fragment, const Parameters& parameters) const {
-    Program program = clamped_geometry_program(
+  GeometryProgram geometry_program(std::string_view fragment, const Parameters& parameters) const {
+    GeometryProgram program = clamped_geometry_program(
         stage_, fragment, {{"MOMENTS", parameters.integer("moments")}}, parameters);
     program.set("overestimation", float(parameters.real("overestimation")));
     program.set("bias", float(bias(parameters)));
@@ -55,7 +55,7 @@ class Moment final : public OitMethod {
   }
 
   const Stage& stage_;
-  Program project_;
+  GeometryProgram project_;
   OpticalDepthPasses passes_;
   Framebuffer moment_targets_;
 };

@@ -33,7 +33,8 @@ class Stochastic final : public OitMethod {
       stage_.draw_geometry(accumulate_);
     });
     frame.step("sample", [&] {
-      for (int sample = 0; sample < samples_; ++sample) draw_sample(sample);
+      for (int sample = 0; sample < samples_; ++sample)
+        draw_sample(std::uint32_t(sample + samples_ * int(frame.sample())));
     });
     frame.step("composite", [&] {
       sum_.bind(0);
@@ -45,10 +46,10 @@ class Stochastic final : public OitMethod {
   }
 
  private:
-  void draw_sample(int sample) const {
+  void draw_sample(std::uint32_t sample) const {
     nearest_target_.clear_all(0);
     nearest_target_.clear_depth(1);
-    sample_.set("sample_index", std::uint32_t(sample));
+    sample_.set("sample_index", sample);
     stage_.begin_pass(nearest_target_, {Blend::replace});
     stage_.gl().Enable(GL_DEPTH_TEST);
     stage_.gl().DepthFunc(GL_LEQUAL);
@@ -63,7 +64,8 @@ class Stochastic final : public OitMethod {
   int samples_;
   Texture average_, transmittance_, nearest_, depth_, sum_;
   Framebuffer average_target_, nearest_target_, sum_target_;
-  Program accumulate_, sample_, add_, composite_;
+  GeometryProgram accumulate_, sample_;
+  Program add_, composite_;
 };
 
 constexpr ParameterSpec parameters[] = {{.name = "samples",

@@ -18,5 +18,5 @@ void main() {
     })
   }
   if (id != 0u) atomicAdd(unfinished, 1u);
-  picture = over(c, background);
+  picture = over(c, behind());
 }

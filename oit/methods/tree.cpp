@@ -60,7 +60,9 @@ class Tree final : public OitMethod {
     std::vector<SceneObject> meshes;
     std::vector<const FlowSource*> sources;
     for (const SceneObject& object : stage.scene().objects)
-      if (object.source)
+      if (object.opaque)
+        continue;  // the stage draws it
+      else if (object.source)
         sources.push_back(&*object.source);
       else
         meshes.push_back(object);
@@ -97,8 +99,9 @@ class Tree final : public OitMethod {
         strips_.empty() ? "lines: left out, no object was integrated from a seed curve"
                         : fmt::format("lines: of {} surfaces, at most {}, {} a frame",
                                       strips_.size(), budget_.lines, budget_.lines_per_frame),
-        meshes_ ? fmt::format("meshes: {} triangles, inserted once", meshes_->triangle_count())
-                : "meshes: left out, every object has lines"};
+        meshes_
+            ? fmt::format("other shapes: {} primitives, inserted once", meshes_->primitive_count())
+            : "other shapes: left out, every object has lines"};
     if (counts_)
       lines.push_back(fmt::format(
           "layers: {}, of which {} in {} pixels lie nearer than the layer in front of them",

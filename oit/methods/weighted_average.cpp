@@ -34,7 +34,8 @@ class WeightedAverage final : public OitMethod {
   const Stage& stage_;
   Texture sums_, count_;
   Framebuffer targets_;
-  Program accumulate_, composite_;
+  GeometryProgram accumulate_;
+  Program composite_;
 };
 
 }  // namespace

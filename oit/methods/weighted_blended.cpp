@@ -40,7 +40,8 @@ class WeightedBlended final : public OitMethod {
   const Stage& stage_;
   Texture sums_, transmittance_;
   Framebuffer targets_;
-  Program accumulate_, composite_;
+  GeometryProgram accumulate_;
+  Program composite_;
 };
 
 constexpr ParameterSpec parameters[] = {

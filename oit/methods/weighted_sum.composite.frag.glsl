@@ -4,7 +4,7 @@ layout(binding = 0) uniform sampler2D sums;
 
 void main() {
   vec4 sum = texelFetch(sums, ivec2(gl_FragCoord.xy), 0);
-  picture = vec4(sum.rgb + (1.0 - sum.a) * background, sum.a);
+  picture = sum + (1.0 - sum.a) * behind();
 #if CLAMP
   picture = clamp(picture, 0.0, 1.0);
 #endif

@@ -33,7 +33,8 @@ class WeightedSum final : public OitMethod {
   const Stage& stage_;
   Texture sums_;
   Framebuffer target_;
-  Program accumulate_, composite_;
+  GeometryProgram accumulate_;
+  Program composite_;
 };
 
 constexpr ParameterSpec parameters[] = {

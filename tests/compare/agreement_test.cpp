@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "compare/methods.h"
 #include "core/names.h"
@@ -100,6 +101,87 @@ TEST_P(PropertyExactMethod, AgreesOnAHardScene) {
   EXPECT_LE(found.rmse, 1e-4);
   // Random triangles have some 400 · 100 pixels of outline; one in 256 is snapped past a centre.
   EXPECT_LE(found.other_coverage, 400u);
+}
+
+/// A ribbon that turns, and discs at depths of their own, side by side.
+Scene lines_and_points() {
+  Scene scene;
+  scene.width = 121;
+  scene.height = 97;
+  scene.background = Vec3(0.9, 1, 0.8);
+  LineObject lines;
+  lines.radius = 0.1;
+  for (int i = 0; i < 9; ++i) {
+    const double t = i / 8.0;
+    lines.set.positions.emplace_back(-1.6 + 1.2 * t, 1.5 * std::sin(3 * t) - 0.7, t);
+    lines.set.colors.emplace_back(t, 0.5, 1 - t, 0.3 + 0.5 * t);
+  }
+  lines.set.offsets = {0, 4, 9};
+  PointObject points;
+  points.radius = 0.2;
+  for (int i = 0; i < 4; ++i) {
+    points.set.positions.emplace_back(0.6 + 0.6 * (i % 2), 0.7 * (i / 2) - 0.4, 0.3 * i - 0.5);
+    points.set.colors.emplace_back(0.2 * i, 0.7, 0.4, 0.2 + 0.2 * i);
+  }
+  scene.objects = {{"lines", lines}, {"points", points}};
+  return scene;
+}
+
+TEST_P(PropertyMethodAgainstTruth, OneLayerOfLinesAndPointsIsTheTruth) {
+  for (const Lighting lighting : {Lighting::none, Lighting::headlight}) {
+    Scene scene = lines_and_points();
+    scene.lighting = lighting;
+    const Rendering reference = truth(scene);
+    EXPECT_EQ(reference.stats.max_layers, 1u);
+    const Agreement found = agreement(reference, render(scene, row()));
+    // √(1 - c²) turns the roundings of c, 1e-6 of snapped corners, into their root at a rim.
+    EXPECT_LE(found.largest, lighting == Lighting::none ? 1e-4 : 1e-2);
+    EXPECT_LE(found.rmse, 1e-4);
+    // The outlines are some 600 pixels long, and OpenGL snaps them to 1/256 pixel.
+    EXPECT_LE(found.other_coverage, 10u);
+  }
+}
+
+/// Meshes, lines and points through each other, in turns, and opaque ones among them.
+Scene mixed_scene(bool with_opaque) {
+  Scene scene;
+  scene.width = 120;
+  scene.height = 90;
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto any = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  for (int i = 0; i < 4; ++i) {
+    LineObject lines;
+    lines.radius = 0.07;
+    PointObject points;
+    points.radius = 0.15;
+    for (int k = 0; k < 20; ++k) {
+      lines.set.positions.push_back(any());
+      lines.set.colors.emplace_back(0.5 + 0.5 * any(), 0.5 + 0.4 * unit(random));
+      points.set.positions.push_back(any());
+      points.set.colors.emplace_back(0.5 + 0.5 * any(), 0.5 + 0.4 * unit(random));
+    }
+    lines.set.offsets = {0, 7, 8, 20};
+    const bool opaque = with_opaque && i == 2;
+    scene.objects.push_back({"mesh", random_triangles(8, unsigned(i), 1), opaque});
+    scene.objects.push_back({"lines", lines, opaque});
+    scene.objects.push_back({"points", points, opaque});
+  }
+  return scene;
+}
+
+TEST_P(PropertyExactMethod, AgreesOnMixedShapes) {
+  const Scene scene = mixed_scene(false);
+  const Agreement found = agreement(truth(scene), render(scene, row()));
+  EXPECT_LE(found.rmse, 1e-4);
+  EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
+}
+
+TEST_P(PropertyExactMethod, WhatIsOpaqueHidesAsItDoesInTruth) {
+  const Scene scene = mixed_scene(true);
+  const Agreement found = agreement(truth(scene), render(scene, row()));
+  EXPECT_LE(found.rmse, 1e-4);
+  EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyMethodAgainstTruth,

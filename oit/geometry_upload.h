@@ -1,0 +1,29 @@
+#pragma once
+// A scene's shapes in buffers of the driver, written there directly: there is never a second copy.
+
+#include "oit/gl_objects.h"
+#include "oit/view_space.h"
+
+namespace pellucid {
+
+using IndexTriangle = std::array<std::uint32_t, 3>;
+
+/// Triangles of all meshes, or of all ribbons. 28 bytes a vertex, 12 a triangle, and 12 more a
+/// vertex where the scene is lit. A point of a line has two vertices.
+struct IndexedVertices {
+  explicit IndexedVertices(const Gl& gl) : array(gl) {}
+
+  VertexArray array;
+  Buffer vertices, directions, importance, indices;
+};
+
+IndexedVertices upload_meshes(const Gl& gl, const Scene& scene, const ViewSpace& view);
+IndexedVertices upload_ribbons(const Gl& gl, const Scene& scene, const ViewSpace& view);
+/// 32 bytes a point: see disc.vert.glsl.
+BufferTexture upload_discs(const Gl& gl, const Scene& scene, const ViewSpace& view);
+
+void upload_mesh_importance(const Gl& gl, const Scene& scene, IndexedVertices& meshes);
+void upload_ribbon_importance(const Gl& gl, const Scene& scene, IndexedVertices& ribbons);
+BufferTexture upload_disc_importance(const Gl& gl, const Scene& scene);
+
+}  // namespace pellucid

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/view_depth.h"
+
+namespace pellucid {
+
+/// The frame in which geometry is uploaded: x right and y up in view units, in place of z the depth
+/// d of the scene.
+///
+/// A renderer's camera never changes, so vertices are moved into its frame in double and only then
+/// rounded to float: neither a scene far from the origin nor a sliver of a depth range loses
+/// digits, as it would with a float matrix over world positions.
+class ViewSpace {
+ public:
+  ViewSpace(const Scene& scene, const DepthRange& range);
+
+  const CameraFrame& frame() const { return frame_; }
+  Projection projection() const { return projection_; }
+  glm::vec3 position(const Vec3& world) const {
+    const Vec3 x = world - frame_.eye;
+    return {float(glm::dot(frame_.right, x) / unit_), float(glm::dot(frame_.up, x) / unit_),
+            float(range_.normalized(glm::dot(frame_.forward, x)))};
+  }
+  glm::vec3 direction(const Vec3& world) const {
+    return {glm::dot(frame_.right, world), glm::dot(frame_.up, world),
+            glm::dot(frame_.forward, world)};
+  }
+  /// In view units.
+  float length(double world) const { return float(world / unit_); }
+
+  /// The block `View` of view.glsl; `sample` as in pixel_samples.h.
+  struct Uniforms {
+    glm::vec2 clip_scale, clip_shift, clip_w, clip_z;
+  };
+  Uniforms uniforms(const Vec2& sample) const;
+
+ private:
+  CameraFrame frame_;
+  Projection projection_;
+  DepthRange range_;
+  Vec2 size_;    // of the picture, pixels
+  double unit_;  // world units per view unit
+  double half_height_;
+};
+static_assert(sizeof(ViewSpace::Uniforms) == 32);
+
+}  // namespace pellucid
