@@ -1,7 +1,6 @@
 #include "fields/vdb_field.h"
 
 #include <fmt/format.h>
-#include <openvdb/io/DelayedLoadMetadata.h>
 #include <openvdb/openvdb.h>
 
 #include <cmath>
@@ -10,7 +9,7 @@
 #include "fields/dense_field.h"
 #include "fields/file_field.h"
 #include "fields/finite.h"
-#include "fields/vdb_precheck.h"
+#include "fields/vdb_open.h"
 #include "fields/vdb_sampler.h"
 
 namespace pellucid {
@@ -77,14 +76,6 @@ GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {
   return frame;
 }
 
-/// Whether the active voxels are single ones (so that the file holds each of them) and fill a box.
-template <class Grid>
-bool fills_a_box(const Grid& grid, const openvdb::CoordBBox& box) {
-  const openvdb::Vec3d size(box.dim().asVec3d());
-  return grid.tree().activeTileCount() == 0 &&
-         double(grid.activeVoxelCount()) == size.x() * size.y() * size.z();
-}
-
 template <class Grid>
 std::unique_ptr<VectorField> make_dense(const Grid& grid, const openvdb::CoordBBox& box,
                                         const GridFrame& frame, Interpolation interpolation,
@@ -147,12 +138,8 @@ std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const 
 }
 
 openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
-  precheck_vdb(path);
-  openvdb::initialize();
-  openvdb::io::DelayedLoadMetadata::unregisterType();  // it trusts a count of its own, unused here
-  openvdb::io::File file(path.string());
-  file.open(false);  // not delayed: what cannot be read is known now
-  return file.readGrid(pick_grid(file, wanted, path));
+  const auto file = open_vdb(path);
+  return file->readGrid(pick_grid(*file, wanted, path));
 }
 
 }  // namespace

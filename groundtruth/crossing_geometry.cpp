@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "groundtruth/disc_geometry.h"
+#include "groundtruth/isosurface_geometry.h"
 #include "groundtruth/ribbon_geometry.h"
 #include "groundtruth/sphere_geometry.h"
 #include "groundtruth/triangle_geometry.h"
@@ -28,6 +29,9 @@ struct Maker {
     if (points.profile == PointObject::Profile::sphere)
       return std::make_unique<SphereGeometry>(points, index, context);
     return std::make_unique<DiscGeometry>(points, index, context);
+  }
+  std::unique_ptr<CrossingGeometry> operator()(const Isosurface& surface) const {
+    return std::make_unique<IsosurfaceGeometry>(surface, index, context);
   }
 };
 

@@ -11,6 +11,7 @@
 #include "integrators/integrate_lines.h"
 #include "integrators/integrate_surface.h"
 #include "scene/dataset.h"
+#include "scene/isosurface_file.h"
 
 namespace pellucid {
 namespace {
@@ -71,11 +72,12 @@ class ObjectReader {
   SceneObject read() {
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
-    node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "color", "opacity",
-                       "importance", "opaque", "radius", "profile"});
+    node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "isosurface",
+                       "color", "opacity", "importance", "opaque", "radius", "profile"});
     if (std::count_if(kinds.begin(), kinds.end(),
                       [&](const Kind& k) { return node_.has(k.key); }) != 1)
-      node_.fail("accepted: exactly one of the keys mesh, surface, lines, points, dataset");
+      node_.fail(
+          "accepted: exactly one of the keys mesh, surface, lines, points, dataset, isosurface");
     object_.name = node_.has("name") ? node_["name"].string() : node_.place();
     if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
     (this->*kind->read)(node_[kind->key]);
@@ -88,7 +90,7 @@ class ObjectReader {
     std::string_view key;
     void (ObjectReader::*read)(const JsonNode&);
   };
-  static const std::array<Kind, 5> kinds;
+  static const std::array<Kind, 6> kinds;
 
   // What is drawn of what was read, with the width that its kind has.
 
@@ -182,6 +184,14 @@ class ObjectReader {
     std::visit([&](auto& set) { draw(std::move(set)); }, data);
   }
 
+  void read_isosurface_object(const JsonNode& node) {
+    for (const char* key : {"radius", "profile", "importance"})
+      if (node_.has(key)) node_[key].fail("an isosurface has none");
+    std::string how;
+    object_.shape = read_isosurface(node, context_.folder, how);
+    note(std::move(how));
+  }
+
   void apply() {
     Appearance appearance = read_appearance(node_);
     at_place(node_, [&] { apply_appearance(appearance, object_.vertices()); });
@@ -202,12 +212,13 @@ class ObjectReader {
   SceneObject object_;
 };
 
-const std::array<ObjectReader::Kind, 5> ObjectReader::kinds{
+const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{
     {{"mesh", &ObjectReader::read_mesh_file},
      {"surface", &ObjectReader::integrate},
      {"lines", &ObjectReader::read_line_object},
      {"points", &ObjectReader::read_point_object},
-     {"dataset", &ObjectReader::read_dataset}}};
+     {"dataset", &ObjectReader::read_dataset},
+     {"isosurface", &ObjectReader::read_isosurface_object}}};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ double radius_of(const SceneObject& object) {
 }
 
 struct PrimitiveCounts {
-  std::size_t triangles = 0, lines = 0, segments = 0, points = 0;
+  std::size_t triangles = 0, lines = 0, segments = 0, points = 0, isosurfaces = 0;
 
   void operator()(const TriangleMesh& mesh) { triangles += mesh.triangles.size(); }
   void operator()(const LineObject& object) {
@@ -21,11 +21,13 @@ struct PrimitiveCounts {
     segments += object.set.segment_count();
   }
   void operator()(const PointObject& object) { points += object.set.positions.size(); }
+  void operator()(const Isosurface&) { ++isosurfaces; }
 };
 
 const Vertices& vertices_of(const TriangleMesh& mesh) { return mesh; }
 const Vertices& vertices_of(const LineObject& object) { return object.set; }
 const Vertices& vertices_of(const PointObject& object) { return object.set; }
+const Vertices& vertices_of(const Isosurface& surface) { return surface.corners; }
 
 }  // namespace
 
@@ -57,6 +59,7 @@ std::string describe_primitives(const Scene& scene) {
   if (counts.lines)
     parts.push_back(fmt::format("{} lines of {} segments", counts.lines, counts.segments));
   if (counts.points) parts.push_back(fmt::format("{} points", counts.points));
+  if (counts.isosurfaces) parts.push_back(fmt::format("{} isosurfaces", counts.isosurfaces));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

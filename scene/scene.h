@@ -15,6 +15,7 @@
 #include "integrators/seed_curve.h"
 #include "scene/appearance.h"
 #include "scene/camera.h"
+#include "scene/isosurface.h"
 
 namespace pellucid {
 
@@ -60,7 +61,7 @@ struct FlowSource {
 /// the scene is lit.
 struct SceneObject {
   std::string name;  // where it comes from, for messages and the report
-  std::variant<TriangleMesh, LineObject, PointObject> shape;
+  std::variant<TriangleMesh, LineObject, PointObject, Isosurface> shape;
   bool opaque = false;  // hides what lies behind it, whatever its alpha; context of the others
   std::optional<FlowSource> source = std::nullopt;
 
@@ -74,7 +75,8 @@ struct SceneObject {
 };
 
 /// What is drawn and how. Objects are ordered: crossings at equal depth are ordered by object, then
-/// by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h); segment; point.
+/// by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h); segment; point; cell
+/// of an isosurface.
 struct Scene {
   std::string name;
   int width = 1000;

@@ -30,6 +30,7 @@ class BoundsOfShape {
   void operator()(const PointObject& points) {
     extend(points.set, points.profile == PointObject::Profile::sphere ? points.radius : 0);
   }
+  void operator()(const Isosurface& surface) { extend(surface.corners, 0); }
   void operator()(const LineObject& lines) {
     lines.profile == LineObject::Profile::tube ? extend(lines.set, lines.radius)
                                                : extend_ribbons(lines);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/vec.h"
+
+namespace pellucid {
+
+/// Where a level takes part in a reconstruction, and where no coarser one does beside it.
+struct LevelRegion {
+  Box3 support;
+  Box3 alone;  // coarser levels have no weight here; may be empty
+};
+
+/// A k-d tree over the boxes of all levels, which may overlap in any way: every leaf lists the
+/// levels that take part there (as the bricks of ExaBricks do: Wald et al., IEEE VIS 2020; Li, Chen
+/// 2023, Sect. 3.2, which asks for nested boxes). Splits lie on the faces of boxes, so that no face
+/// cuts a leaf.
+class RegionTree {
+ public:
+  /// `regions` from the finest level to the coarsest.
+  explicit RegionTree(std::span<const LevelRegion> regions);
+
+  /// The levels that take part at x, finest first; empty where there is none. A point on a face
+  /// belongs to the side of larger coordinates.
+  std::span<const std::uint32_t> levels_at(const Vec3& x) const;
+
+  /// Most levels of any leaf.
+  std::size_t most_levels() const;
+
+ private:
+  struct Node {
+    int axis = -1;               // of a leaf
+    double plane = 0;            // x[axis] < plane: the first child
+    std::uint32_t a = 0, b = 0;  // children; of a leaf: first level and their count
+  };
+
+  std::uint32_t build(const Box3& box, std::span<const LevelRegion> regions);
+  std::uint32_t add_leaf(const Vec3& center, std::span<const LevelRegion> regions);
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> levels_;
+};
+
+}  // namespace pellucid

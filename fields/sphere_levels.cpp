@@ -1,0 +1,88 @@
+#include "fields/sphere_levels.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/names.h"
+#include "fields/make_field.h"
+
+namespace pellucid {
+namespace {
+
+constexpr ParameterSpec parameters[] = {
+    {.name = "size",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "small",
+     .choices = "small|big",
+     .help = "small: 0.9 million samples; big: 7.1 million, half as far apart"},
+    {.name = "levels",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "4",
+     .min = 1,
+     .max = 4,
+     .unit = "levels",
+     .help = "from the coarsest on; 1: the same field at one resolution"},
+    {.name = "Re",
+     .default_value = "100",
+     .min = 1e-3,
+     .max = 1e3,
+     .unit = "1",
+     .help = "Reynolds number of the flow past a sphere of radius 1"}};
+
+/// From the coarsest to the finest, in units of the coarsest cell, so that cells of one level hold
+/// whole cells of the next.
+struct Nest {
+  Vec3 min, max;
+};
+constexpr double coarsest_width = 0.25;
+constexpr std::array<Nest, 4> nests{{{{-16, -12, -12}, {40, 12, 12}},
+                                     {{-10, -8, -8}, {24, 8, 8}},
+                                     {{-7, -6, -6}, {12, 6, 6}},
+                                     {{-6, -5, -5}, {6, 5, 5}}}};
+
+struct Named {
+  std::string_view name;
+};
+constexpr Named datasets[] = {{"sphere-levels"}};
+
+VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
+  VectorLevel level;
+  level.width = width;
+  level.origin = coarsest_width * nest.min + 0.5 * width;
+  for (int axis = 0; axis < 3; ++axis)
+    level.size[std::size_t(axis)] =
+        int(std::lround(coarsest_width * (nest.max[axis] - nest.min[axis]) / width));
+  level.samples.resize(std::size_t(level.size[0]) * std::size_t(level.size[1]) *
+                       std::size_t(level.size[2]));
+  tbb::parallel_for(0, level.size[2], [&](int k) {
+    const auto sampler = field.sampler();
+    for (int j = 0; j < level.size[1]; ++j)
+      for (int i = 0; i < level.size[0]; ++i) {
+        Vec3 v(0);  // stays where the flow has no value: on the sphere's axis behind it
+        if (sampler->velocity(level.world(Vec3(i, j, k)), 0, v) != SampleStatus::ok) v = Vec3(0);
+        level.samples[level.index(i, j, k)] = glm::vec3(v);
+      }
+  });
+  return level;
+}
+
+}  // namespace
+
+std::span<const ParameterSpec> sphere_levels_parameters() { return parameters; }
+
+std::vector<VectorLevel> make_sphere_levels(std::string_view dataset) {
+  const NameAndOptions named = parse_name_and_options(dataset);
+  find_row("data set of levels", named.name, datasets);
+  const Parameters values(named.name, parameters, named.options);
+  const auto field = make_field(fmt::format("sphere:Re={}", values.text("Re")), {});
+  double width = values.text("size") == "big" ? coarsest_width / 2 : coarsest_width;
+  std::vector<VectorLevel> levels;
+  for (int i = 0; i < values.integer("levels"); ++i, width /= 2)
+    levels.push_back(sample(*field, nests[std::size_t(i)], width));
+  return levels;
+}
+
+}  // namespace pellucid
