@@ -122,10 +122,11 @@ TEST_P(PropertyReconstruction, KeepsLinearFunctionsAcrossAJumpIfItSaysSo) {
     largest = std::max(largest, std::abs(field.value(Vec3(x, 3.9, 4.1)).value() - x));
   // Samples are sums of powers of two: exact in float. Where it does not keep them, the hat basis
   // errs by a fraction of a fine cell of 0.5.
-  if (GetParam().linear_preserving)
+  if (GetParam().linear_preserving) {
     EXPECT_LT(largest, 1e-14);
-  else
+  } else {
     EXPECT_GT(largest, 0.05);
+  }
 }
 
 TEST_P(PropertyReconstruction, IsContinuousAcrossAJumpIfItSaysSo) {
@@ -138,10 +139,11 @@ TEST_P(PropertyReconstruction, IsContinuousAcrossAJumpIfItSaysSo) {
                                            field.value(Vec3(x, y, 4.1)).value()));
   }
   // Slopes of at most 2 per fine cell, some times that where weights change too.
-  if (GetParam().continuous)
+  if (GetParam().continuous) {
     EXPECT_LT(largest, 0.04);
-  else
+  } else {
     EXPECT_GT(largest, 0.1);
+  }
 }
 
 TEST_P(PropertyReconstruction, GradientIsThatOfTheValue) {

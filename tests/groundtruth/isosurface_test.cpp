@@ -74,7 +74,9 @@ TEST_P(PropertyIsosurface, GridAlignedRaysCrossAPlaneOnce) {
         ASSERT_EQ(forth.size(), 1u) << value << ' ' << y << ' ' << z;
         ASSERT_EQ(back.size(), 1u) << value << ' ' << y << ' ' << z;
         EXPECT_NEAR(forth[0] - 5, 15 - back[0], 1e-12);
-        if (GetParam().linear_preserving) EXPECT_NEAR(forth[0] - 5, value, 1e-12);
+        if (GetParam().linear_preserving) {
+          EXPECT_NEAR(forth[0] - 5, value, 1e-12);
+        }
       }
 }
 
