@@ -24,9 +24,16 @@ constexpr double rounding = 1e-10;
 
 class CellRay {
  public:
+  /// `scratch` saves an allocation per cell.
   CellRay(const LevelField& field, double value, const LatticeCell& cell, const WorldRay& ray,
-          std::vector<double>& at)
-      : field_(field), value_(value), cell_(cell), ray_(ray), at_(at) {}
+          std::vector<double>& at, std::array<std::vector<double>, 2>& scratch)
+      : field_(field),
+        value_(value),
+        cell_(cell),
+        ray_(ray),
+        at_(at),
+        cuts_(scratch[0]),
+        roots_(scratch[1]) {}
 
   void append() {
     const Interval all = within(cell_.level, cell_.low);
@@ -140,14 +147,16 @@ class CellRay {
   const LatticeCell& cell_;
   const WorldRay& ray_;
   std::vector<double>& at_;
-  std::vector<double> cuts_, roots_;
+  std::vector<double>& cuts_;
+  std::vector<double>& roots_;
 };
 
 }  // namespace
 
 void append_level_crossings(const LevelField& field, double value, const LatticeCell& cell,
                             const WorldRay& ray, std::vector<double>& at) {
-  CellRay(field, value, cell, ray, at).append();
+  thread_local std::array<std::vector<double>, 2> scratch;
+  CellRay(field, value, cell, ray, at, scratch).append();
 }
 
 }  // namespace pellucid

@@ -10,7 +10,12 @@ namespace {
 // A draw call counts vertices in a signed 32-bit integer.
 constexpr std::uint64_t most_primitives = (std::uint64_t(1) << 31) / 3;
 
-void check_profile(const SceneObject& object) {
+void check_shape(const SceneObject& object) {
+  if (std::holds_alternative<Isosurface>(object.shape))
+    throw InputError(
+        fmt::format("{}: an isosurface: raytrace alone draws it; accepted by this method: meshes, "
+                    "lines, points",
+                    object.name));
   const auto refuse = [&](const char* profile, const char* accepted) {
     throw InputError(
         fmt::format("{}: profile \"{}\": raytrace alone draws it; accepted by this method: \"{}\"",
@@ -26,6 +31,7 @@ struct CountPrimitives {
   std::uint64_t operator()(const TriangleMesh& mesh) { return mesh.triangles.size(); }
   std::uint64_t operator()(const LineObject& lines) { return 2 * lines.set.segment_count(); }
   std::uint64_t operator()(const PointObject& points) { return points.set.positions.size(); }
+  std::uint64_t operator()(const Isosurface&) { return 0; }  // refused: see check_shape
 };
 
 }  // namespace
@@ -39,7 +45,7 @@ std::vector<Batch> make_batches(const Scene& scene) {
   std::uint64_t total = 0;
   std::array<std::uint32_t, shape_kinds.size()> of_kind{};
   for (const SceneObject& object : scene.objects) {
-    check_profile(object);
+    check_shape(object);
     const std::uint64_t n = primitive_count(object), first = total;
     if ((total += n) >= most_primitives)
       throw InputError(fmt::format("{}: {} primitives in the scene; accepted: fewer than {}",
