@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/error.h"
 #include "fields/vdb_precheck.h"
 
 namespace pellucid {
 
 /// Opens a file whose claims have been checked. Throws InputError or openvdb::Exception.
 inline std::unique_ptr<openvdb::io::File> open_vdb(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": no such file");
   precheck_vdb(path);
   openvdb::initialize();
   openvdb::io::DelayedLoadMetadata::unregisterType();  // it trusts a count of its own, unused here
