@@ -106,8 +106,10 @@ CoverageCheck check_coverage(const Image& reference, const CountImage& reference
   check.pixels = test.pixels.size();
   double squares = 0;
   for (std::size_t i = 0; i < test.pixels.size(); ++i) {
-    if (reference_layers.pixels[i] != test_layers.pixels[i]) {
+    const std::int64_t more = std::int64_t(test_layers.pixels[i]) - reference_layers.pixels[i];
+    if (more != 0) {
       ++check.differing;
+      check.differing_by_more += std::abs(more) > 1;
       continue;
     }
     for (int c = 0; c < 3; ++c) {

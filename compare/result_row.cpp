@@ -66,12 +66,14 @@ json bytes_json(const ResultRow& row) {
 
 json coverage_json(const CoverageCheck& c) {
   return {{"layers_differ", c.differing},
+          {"layers_differ_by_more", c.differing_by_more},
           {"pixels", c.pixels},
           {"rmse_equal_layers", finite_or_null(c.rmse_elsewhere)}};
 }
 
 CoverageCheck coverage_from(const json& j) {
-  return {j.at("layers_differ"), j.at("pixels"), optional_number(j.at("rmse_equal_layers"))};
+  return {j.at("layers_differ"), j.at("layers_differ_by_more"), j.at("pixels"),
+          optional_number(j.at("rmse_equal_layers"))};
 }
 
 constexpr std::string_view better_names[] = {"lower", "higher", "neither"};

@@ -18,10 +18,12 @@ struct Spread {
   double median = 0, min = 0, max = 0;
 };
 
-/// Where an exact method sees another number of layers than the reference: pixels at the very edge
-/// of a triangle, which two renderers may give to either side.
+/// Where a method that is exact, or makes layers of its own, sees another number of layers than the
+/// reference. An exact one does at the very edge of a triangle, which two renderers may give to
+/// either side.
 struct CoverageCheck {
-  std::uint64_t differing = 0;  // pixels with another number of layers
+  std::uint64_t differing = 0;          // pixels with another number of layers
+  std::uint64_t differing_by_more = 0;  // … by more than one
   std::uint64_t pixels = 0;
   std::optional<double> rmse_elsewhere;  // over the pixels with equal numbers, if there are any
 };

@@ -110,15 +110,34 @@ void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHa
   measured.row.metrics = compare_images(reference, measured.image);
   if (job.cell.reference) return;
   write_image(job.files.error_map(), error_map(reference, measured.image));
-  const bool comparable = job.cell.call.row->promises.exact && !measured.layers.pixels.empty() &&
-                          at_hand.has_reference_layers();
+  const Promises& promises = job.cell.call.row->promises;
+  const bool comparable = (promises.exact || promises.own_layers) &&
+                          !measured.layers.pixels.empty() && at_hand.has_reference_layers();
   if (comparable)
     measured.row.coverage =
         check_coverage(reference, at_hand.reference_layers(), measured.image, measured.layers);
 }
 
-ResultRow compute(const Job& job, SceneAtHand& at_hand, int repeats, const RenderContext& context) {
-  CellMeasurement measured = measure_cell(job.cell, at_hand.scene(), repeats, context);
+/// The number of layers per pixel, where a method made its own of them: to be seen beside the
+/// reference's.
+void add_layer_picture(CellMeasurement& measured) {
+  const RowPicture scale{"layers", "Layers per pixel", 1, 100};
+  Image picture(measured.layers.width, measured.layers.height, Rgba(1));
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    if (const std::uint32_t n = measured.layers.pixels[i])
+      picture.pixels[i] = Rgba(glm::vec3(logarithmic_color(n, scale.min, scale.max)), 1);
+  measured.row.pictures.push_back(scale);
+  measured.further.push_back(std::move(picture));
+}
+
+bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
+
+ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
+                  const RenderContext& context) {
+  CellMeasurement measured = measure_cell(job.cell, at_hand.scene(), study.repeats, context);
+  const bool beside_layers =
+      job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
+  if (makes_layers(job.cell.call) || beside_layers) add_layer_picture(measured);
   write_pictures(job.files, measured);
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, measured, at_hand);
@@ -134,10 +153,10 @@ ResultRow failed(const Job& job, const std::string& why) {
 }
 
 /// An adverse cell must not take the others with it: any exception becomes its row's error.
-ResultRow compute_or_fail(const Job& job, SceneAtHand& at_hand, int repeats,
+ResultRow compute_or_fail(const Job& job, SceneAtHand& at_hand, const Study& study,
                           const RenderContext& context) {
   try {
-    return compute(job, at_hand, repeats, context);
+    return compute(job, at_hand, study, context);
   } catch (const std::exception& error) {
     return failed(job, error.what());
   }
@@ -175,7 +194,7 @@ class StudyRun {
 
   void run_job(Job& job, SceneAtHand& at_hand) {
     report(options_.progress, progress(), job.cell.name());
-    record(job, compute_or_fail(job, at_hand, study_.repeats, options_.context));
+    record(job, compute_or_fail(job, at_hand, study_, options_.context));
   }
 
   void skip(Job& job) { record(job, failed(job, "its scene's reference failed")); }

@@ -107,7 +107,8 @@ struct RenderContext {
 
 /// What a row of the method table promises; a property test holds every row to it.
 struct Promises {
-  bool exact = false;              // equals the exact composite, up to coverage and float rounding
+  bool exact = false;       // equals the exact composite, up to coverage and float rounding
+  bool own_layers = false;  // Rendering::layers are what it made of the fragments, near the truth
   bool order_independent = false;  // bit-equal for any order of primitives
   double order_spread = 0;         // if not: largest change of a pixel under shuffled primitives
   bool convex_hull = false;        // colours stay in the hull of fragment and background colours

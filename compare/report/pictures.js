@@ -30,12 +30,12 @@ function numbers(row) {
   return make("dl", { class: "numbers" }, cells);
 }
 
-/** For exact methods: where the numbers of layers differ, and the error where they don't. */
+/** For exact methods, and those that make layers of their own: where the numbers of layers differ, and the error where they don't. */
 function coverageNote(row) {
   if (!row.coverage) return null;
-  const { layers_differ, pixels, rmse_equal_layers } = row.coverage;
+  const { layers_differ, layers_differ_by_more, pixels, rmse_equal_layers } = row.coverage;
   return make("p", { class: "note" }, `Layers differ in ${count(layers_differ)} pixels ` +
-    `(${percent(layers_differ / pixels)}); RMSE over the others ${scientific(rmse_equal_layers)}.`);
+    `(${percent(layers_differ / pixels)}), by more than 1 in ${count(layers_differ_by_more)}; RMSE over the others ${scientific(rmse_equal_layers)}.`);
 }
 
 function droppedNote(row) {

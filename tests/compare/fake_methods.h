@@ -44,6 +44,7 @@ class FakeRenderer : public Renderer {
   void count_layers(Rendering& rendering) const {
     rendering.layers = CountImage(scene_.width, scene_.height, 3);
     if (offset_ > 0) rendering.layers.at(1, 0) = 4;
+    if (offset_ > 0.7f) rendering.layers.at(2, 0) = 5;
     rendering.stats.fragments = 3u * std::uint64_t(scene_.width) * std::uint64_t(scene_.height);
     rendering.stats.max_layers = 3;
   }
@@ -110,12 +111,19 @@ inline Made make_not_a_number(const Scene& scene, const Parameters&, const Rende
   return std::make_unique<FakeRenderer>(scene, std::nan(""));
 }
 
-/// `shifted` adds `by`; `exact-shifted` claims to be exact.
+inline MethodRow layering_row() {
+  MethodRow row = fake_row("layering", false, make_fake<750>);
+  row.promises.own_layers = true;
+  return row;
+}
+
+/// `shifted` adds `by`; `exact-shifted` claims to be exact, `layering` to make its own layers.
 inline std::span<const MethodRow> fake_methods() {
   static const MethodRow rows[] = {fake_row("truth", true, make_fake<0>),
                                    fake_row("shifted", false, make_shifted, shifted_parameters),
                                    fake_row("exact-shifted", true, make_fake<125>),
                                    fake_row("measuring", false, make_measuring),
+                                   layering_row(),
                                    fake_row("broken", false, make_broken),
                                    fake_row("not-a-number", false, make_not_a_number)};
   return rows;

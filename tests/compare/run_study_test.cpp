@@ -82,6 +82,20 @@ TEST(UnitRunStudy, ExactMethodsAreAlsoComparedWhereLayersAgree) {
   EXPECT_DOUBLE_EQ(check.rmse_elsewhere.value(), 0.125);
 }
 
+TEST(UnitRunStudy, LayersOfItsOwnAreShownBesideTheReferences) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, R"(["layering", "shifted"])");
+  const CoverageCheck check = row_of(outcome, "one", "layering").coverage.value();
+  EXPECT_EQ(check.differing, 2u);
+  EXPECT_EQ(check.differing_by_more, 1u);
+  const fs::path images = folder / "results/images/one";
+  EXPECT_TRUE(fs::exists(images / "layering.layers.png"));
+  EXPECT_TRUE(fs::exists(images / "truth.layers.png"));
+  EXPECT_FALSE(fs::exists(images / "shifted.layers.png"));
+  EXPECT_NE(read_image(images / "truth.layers.png").at(2, 0),
+            read_image(images / "layering.layers.png").at(2, 0));
+}
+
 TEST(UnitRunStudy, EveryFileIsThere) {
   const StudyFolder folder;
   run(folder, two_methods);
