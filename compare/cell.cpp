@@ -61,7 +61,8 @@ bool is_complete(const CellFiles& files, const ResultRow& row) {
 std::vector<Cell> expand_cells(const Study& study) {
   std::vector<Cell> cells;
   for (const fs::path& scene : study.scenes) {
-    cells.push_back({scene, scene_name(scene), study.reference, true});
+    cells.push_back(
+        {study.reference_scene.value_or(scene), scene_name(scene), study.reference, true});
     for (const MethodCall& call : study.methods)
       cells.push_back({scene, scene_name(scene), call, false});
   }

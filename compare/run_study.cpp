@@ -43,9 +43,13 @@ std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
   std::vector<Job> jobs;
   std::string scene;
   for (const Cell& cell : expand_cells(study)) {
-    if (cell.reference) scene = scene_fingerprint(cell.scene_file);  // a scene's first cell
+    // A scene's first cell is its reference.
+    if (cell.reference) scene = scene_fingerprint(cell.scene_file);
+    const bool one_scene = !study.reference_scene || cell.reference;
+    const std::string scene_of_cell =
+        one_scene ? scene : scene + scene_fingerprint(cell.scene_file);
     jobs.push_back({cell, CellFiles(options.folder, cell),
-                    cell_fingerprint(scene, cell, study.reference, options.context),
+                    cell_fingerprint(scene_of_cell, cell, study.reference, options.context),
                     is_selected(cell, options.only)});
   }
   if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
@@ -184,9 +188,11 @@ class StudyRun {
   void run_scene(std::span<Job> jobs) {
     const auto pending = [](const Job& job) { return job.selected && !job.row; };
     if (std::none_of(jobs.begin(), jobs.end(), pending)) return;
-    SceneAtHand at_hand(jobs.front().cell.scene_file);
     Job& reference = jobs.front();
-    if (!reference.row) run_job(reference, at_hand);
+    SceneAtHand at_hand(jobs.back().cell.scene_file);
+    SceneAtHand of_reference(reference.cell.scene_file);
+    const bool one_scene = reference.cell.scene_file == jobs.back().cell.scene_file;
+    if (!reference.row) run_job(reference, one_scene ? at_hand : of_reference);
     at_hand.set_reference(reference.files);
     for (Job& job : jobs.subspan(1))
       if (pending(job)) reference.row->error.empty() ? run_job(job, at_hand) : skip(job);

@@ -165,14 +165,16 @@ Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& me
                  const Catalogue& integrators) {
   root["format"].one_of({"pellucid-study"});
   root["version"].integer(1, 1);
-  root.accept_keys({"format", "version", "title", "source", "scenes", "reference", "integrators",
-                    "methods", "repeats", "crops"});
+  root.accept_keys({"format", "version", "title", "source", "scenes", "reference",
+                    "reference_scene", "integrators", "methods", "repeats", "crops"});
   Study study;
   study.name = file.stem().string();
   study.file = file;
   study.title = root.has("title") ? root["title"].string() : study.name;
   if (root.has("source")) study.source = root["source"].string();
   study.scenes = read_scenes(root["scenes"], file.parent_path());
+  if (root.has("reference_scene"))
+    study.reference_scene = read_scene_path(root["reference_scene"], file.parent_path());
   study.reference = read_reference(root["reference"], methods);
   if (root.has("integrators")) add_calls(root["integrators"], integrators, study);
   if (root.has("methods") || !root.has("integrators")) add_calls(root["methods"], methods, study);

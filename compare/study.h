@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,9 @@ struct Study {
   std::filesystem::path file;
   std::vector<std::filesystem::path> scenes;
   MethodCall reference;
+  /// What the reference draws in place of each scene: of lines that stand for a surface, the
+  /// surface.
+  std::optional<std::filesystem::path> reference_scene;
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
   std::map<std::string, Crop> crops;  // by scene

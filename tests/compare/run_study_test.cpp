@@ -287,5 +287,25 @@ TEST_P(SlowKilledStudy, IsCompletedToTheSameNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(AtRendering, SlowKilledStudy, ::testing::Values(1, 2, 3, 4, 9, 18));
 
+TEST(UnitRunStudy, AReferenceMayDrawASceneOfItsOwn) {
+  const StudyFolder folder;
+  write_scene(folder / "two.json", 24, 16);  // as one.json, so that the pictures compare
+  write_scene(folder / "truth.json", 24, 16);
+  const auto study = [&] {
+    return load_study(folder.study(R"(["shifted"])", R"("reference_scene": "truth.json")"),
+                      fake_methods());
+  };
+  StudyOptions options;
+  options.folder = folder / "results";
+  for (const ResultRow& row : run_study(study(), options).rows) EXPECT_EQ(row.error, "");
+  options.resume = true;
+  EXPECT_EQ(run_study(study(), options).computed, 0u);
+  // All cells depend on the reference's scene; those of a scene also on theirs.
+  write_scene(folder / "two.json", 24, 17);
+  EXPECT_EQ(run_study(study(), options).computed, 1u);
+  write_scene(folder / "truth.json", 24, 17);
+  EXPECT_EQ(run_study(study(), options).computed, 4u);
+}
+
 }  // namespace
 }  // namespace pellucid
