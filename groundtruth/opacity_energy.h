@@ -1,0 +1,35 @@
+#pragma once
+// The energy of opacity optimization (Ament et al. 2017; Günther, Theisel and Gross 2017; equation
+// numbers of Baeza Rojo, Gross and Günther 2019), in double: fragments of a pixel are independent.
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucid {
+
+struct EnergyWeights {
+  double p = 1;       // keeps fragments opaque; > 0
+  double q = 0;       // fades unimportant fragments in front of important ones; ≥ 0
+  double r = 0;       // fades unimportant fragments behind important ones; ≥ 0
+  double lambda = 1;  // how fast a fragment ceases to be important as g falls from 1; ≥ 0
+};
+
+/// What multiplies α² in Eq. 1, twice: `front` and `behind` are the sums of g_j² of what lies in
+/// front of and behind the fragment of importance g.
+inline double occlusion(const EnergyWeights& w, double g, double front, double behind) {
+  return std::pow(1 - g, 2 * w.lambda) * (w.q * behind + w.r * front);
+}
+
+/// E_i(α) of Eq. 1, except that there q and r stand by the other's sum: Eq. 2 (and 10), which the
+/// paper derives from it, and its description of the weights have q with what lies behind.
+inline double energy(const EnergyWeights& w, double alpha, double g, double front, double behind) {
+  return 0.5 * w.p * (alpha - 1) * (alpha - 1) +
+         0.5 * alpha * alpha * occlusion(w, g, front, behind);
+}
+
+/// The opacity in [0, 1] of least energy, Eq. 2. Sums that a series makes negative count as 0.
+inline double optimal_opacity(const EnergyWeights& w, double g, double front, double behind) {
+  return w.p / (w.p + occlusion(w, g, std::max(front, 0.0), std::max(behind, 0.0)));
+}
+
+}  // namespace pellucid
