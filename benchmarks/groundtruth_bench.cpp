@@ -9,11 +9,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <string>
 
 #include "core/stopwatch.h"
 #include "groundtruth/crossing_finder.h"
+#include "groundtruth/crossing_geometry.h"
 #include "groundtruth/raytrace.h"
 #include "scene/scene_file.h"
 
@@ -180,14 +182,18 @@ void against_bare(benchmark::State& state, const Scene& scene, const std::string
 void crossings_against_bare(benchmark::State& state, const Scene& scene) {
   const CrossingFinder finder(scene, Precision::exact);
   const BareTraversal bare(scene, true);
+  using Buffers = std::array<std::vector<Crossing>, RayPacket::width>;
   const auto find_all = [&] {
-    tbb::enumerable_thread_specific<std::vector<Crossing>> buffers;
+    tbb::enumerable_thread_specific<Buffers> buffers;
     tbb::parallel_for(tbb::blocked_range2d<int>(0, scene.height, 16, 0, scene.width, 16),
                       [&](const auto& r) {
-                        std::vector<Crossing>& crossings = buffers.local();
-                        for (int y = r.rows().begin(); y < r.rows().end(); ++y)
-                          for (int x = r.cols().begin(); x < r.cols().end(); ++x)
-                            finder.find(finder.frame().ray(x + 0.5, y + 0.5), crossings);
+                        std::array<PictureRay, RayPacket::width> rays;
+                        for (int y = r.rows().begin(); y < r.rows().end(); y += 2)
+                          for (int x = r.cols().begin(); x < r.cols().end(); x += 4) {
+                            for (int k = 0; k < 8; ++k)
+                              rays[k] = finder.frame().ray(x + k % 4 + 0.5, y + k / 4 + 0.5);
+                            finder.find(rays, buffers.local());
+                          }
                       });
   };
   in_pairs(state, find_all, [&] { benchmark::DoNotOptimize(bare.run()); });

@@ -21,6 +21,7 @@ struct Crossing {
     if (p.primitive != q.primitive) return p.primitive < q.primitive;
     return p.v < q.v;  // a solid is entered (v < 0) before it is left
   }
+  friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
 /// A crossing's colour (lit, not premultiplied) and opacity.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "groundtruth/crossing.h"
@@ -24,6 +25,9 @@ class CrossingFinder {
   /// All crossings of the ray, front to back, up to and with the first opaque one. `crossings` is
   /// overwritten; its capacity is reused.
   void find(const PictureRay& ray, std::vector<Crossing>& crossings) const;
+  /// The same for up to RayPacket::width rays at once: faster where they are neighbours.
+  /// `crossings` has as many elements as `rays`.
+  void find(std::span<const PictureRay> rays, std::span<std::vector<Crossing>> crossings) const;
 
   /// Of a crossing that `find` returned; `world_direction` is its ray's, of any length.
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const;

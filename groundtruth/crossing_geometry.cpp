@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "core/error.h"
 #include "groundtruth/disc_geometry.h"
 #include "groundtruth/isosurface_geometry.h"
@@ -39,6 +41,13 @@ struct Maker {
 
 void check_count(std::size_t count, const char* what) {
   if (count >> 32) throw InputError(fmt::format("{} {}; accepted: fewer than 2^32", count, what));
+}
+
+void CrossingGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    cross(k, packet.rays[i], *packet.crossings[i]);
+  }
 }
 
 std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,

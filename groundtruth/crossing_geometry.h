@@ -2,6 +2,7 @@
 // What the finder of crossings asks of a kind of geometry. A new kind is a class of this interface
 // in files of its own and a line in crossing_geometry.cpp.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -21,6 +22,14 @@ struct SceneRay {
   Vec3 direction;     // unit length; its z turns lengths along the ray into depths
 };
 
+/// Up to `width` neighbouring rays that walk the hierarchy together.
+struct RayPacket {
+  static constexpr std::size_t width = 8;
+
+  std::vector<SceneRay> rays;
+  std::array<std::vector<Crossing>*, width> crossings;  // of each ray
+};
+
 /// One object of a scene, cut into primitives that Embree keeps in its hierarchy of boxes. What the
 /// hierarchy calls a primitive may be several of the scene's, and need not be crossed where its box
 /// is. Thread-safe once it is made. All coordinates are view coordinates (see ViewFrame).
@@ -35,6 +44,8 @@ class CrossingGeometry {
   /// (depth ≤ 0) included or not.
   virtual void cross(std::uint32_t k, const SceneRay& ray,
                      std::vector<Crossing>& crossings) const = 0;
+  /// The same for the rays of a packet whose bit in `lanes` is set.
+  virtual void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const;
 
   /// True when what the boxes hold are parts of solids, and only the surface of each solid counts:
   /// crossings within another part of the same solid are not the scene's (see solid_union.h).

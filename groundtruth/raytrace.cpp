@@ -14,6 +14,8 @@
 #include "core/stopwatch.h"
 #include "groundtruth/composite.h"
 #include "groundtruth/crossing_finder.h"
+#include "groundtruth/crossing_geometry.h"
+#include "scene/pixel_samples.h"
 #include "scene/view_depth.h"
 
 namespace pellucid {
@@ -24,23 +26,31 @@ constexpr ParameterSpec parameters[] = {
      .kind = ParameterSpec::Kind::choice,
      .default_value = "exact",
      .choices = "exact|double",
-     .help = "exact: signs of exact arithmetic, each crossing once; double: signs as rounded"}};
+     .help = "exact: signs of exact arithmetic, each crossing once; double: signs as rounded"},
+    {.name = "stop-below",
+     .kind = ParameterSpec::Kind::real,
+     .default_value = "0",
+     .min = 0,
+     .max = 1,
+     .help = "a ray ends where less than this shows: no pixel then errs by more"}};
 
+constexpr int packet_columns = 4, packet_rows = 2;  // pixels whose rays are traced together
 constexpr int tile = 16;  // pixels; neighbours share the path through the hierarchy
 
 class Raytracer : public Renderer {
  public:
   Raytracer(const Scene& scene, const Parameters& values)
       : scene_(scene),
-        finder_(scene,
-                values.text("precision") == "exact" ? Precision::exact : Precision::rounded) {}
+        finder_(scene, values.text("precision") == "exact" ? Precision::exact : Precision::rounded),
+        samples_(pixel_samples(scene.samples)),
+        stop_below_(values.real("stop-below")) {}
 
   Rendering render(const RenderRequest& request) override {
     Rendering result;
     result.image = Image(scene_.width, scene_.height);
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     std::atomic<std::uint64_t> fragments = 0;
-    tbb::enumerable_thread_specific<std::vector<Crossing>> crossings;
+    tbb::enumerable_thread_specific<Buffers> crossings;
     const Stopwatch watch;
     tbb::parallel_for(tbb::blocked_range2d<int>(0, scene_.height, tile, 0, scene_.width, tile),
                       [&](const tbb::blocked_range2d<int>& range) {
@@ -52,7 +62,8 @@ class Raytracer : public Renderer {
     result.stats.fragments = fragments;
     result.stats.bytes = {{"hierarchy", finder_.bytes()}};
     std::uint64_t hit_bytes = 0;
-    for (const auto& buffer : crossings) hit_bytes += buffer.capacity() * sizeof(Crossing);
+    for (const Buffers& buffers : crossings)
+      for (const auto& buffer : buffers) hit_bytes += buffer.capacity() * sizeof(Crossing);
     result.stats.bytes.push_back({"crossings", hit_bytes});
     return result;
   }
@@ -60,7 +71,12 @@ class Raytracer : public Renderer {
   std::vector<std::string> explain() const override {
     std::vector<std::string> lines{
         fmt::format("hierarchy over {}; no GL context", describe_primitives(scene_)),
-        "one sample at each pixel's centre"};
+        scene_.samples == 1
+            ? "one sample at each pixel's centre"
+            : fmt::format("{0} x {0} samples per pixel, their mean", scene_.samples)};
+    if (stop_below_ > 0)
+      lines.push_back(
+          fmt::format("rays end where less than {} shows: no pixel errs by more", stop_below_));
     lines.push_back(scene_.lighting == Lighting::none ? "no normals: the scene is not lit"
                                                       : "normals: the scene is lit by a headlight");
     return lines;
@@ -71,26 +87,65 @@ class Raytracer : public Renderer {
   }
 
  private:
+  using Buffers = std::array<std::vector<Crossing>, RayPacket::width>;
+
   /// Traces the pixels of a tile; returns the number of crossings.
-  std::uint64_t trace(const tbb::blocked_range2d<int>& range, std::vector<Crossing>& crossings,
+  std::uint64_t trace(const tbb::blocked_range2d<int>& range, Buffers& crossings,
                       Rendering& result) const {
     std::uint64_t count = 0;
-    for (int y = range.rows().begin(); y < range.rows().end(); ++y)
-      for (int x = range.cols().begin(); x < range.cols().end(); ++x) {
-        const PictureRay ray = finder_.frame().ray(x + 0.5, y + 0.5);
-        finder_.find(ray, crossings);
-        const Composite pixel =
-            composite(finder_, crossings, scene_.background, finder_.frame().world_direction(ray));
-        result.image.at(x, y) = Rgba(pixel.color, 1 - pixel.transmittance);
-        if (!result.layers.pixels.empty())
-          result.layers.at(x, y) = static_cast<std::uint32_t>(crossings.size());
-        count += crossings.size();
-      }
+    for (int y = range.rows().begin(); y < range.rows().end(); y += packet_rows)
+      for (int x = range.cols().begin(); x < range.cols().end(); x += packet_columns)
+        count +=
+            trace_packet({x, std::min(x + packet_columns, range.cols().end())},
+                         {y, std::min(y + packet_rows, range.rows().end())}, crossings, result);
     return count;
+  }
+
+  struct Interval {
+    int begin, end;
+  };
+
+  /// Traces the rays of a few pixels together, sample by sample.
+  std::uint64_t trace_packet(const Interval& x, const Interval& y, Buffers& crossings,
+                             Rendering& result) const {
+    const int columns = x.end - x.begin, rows = y.end - y.begin;
+    std::array<PixelSum, RayPacket::width> sums;
+    std::vector<PictureRay> rays(static_cast<std::size_t>(columns) * rows);
+    for (const Vec2& sample : samples_) {
+      for (std::size_t k = 0; k < rays.size(); ++k)
+        rays[k] = finder_.frame().ray(x.begin + int(k) % columns + sample.x,
+                                      y.begin + int(k) / columns + sample.y);
+      finder_.find(rays, std::span(crossings).first(rays.size()));
+      for (std::size_t k = 0; k < rays.size(); ++k) add_sample(rays[k], crossings[k], sums[k]);
+    }
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const int px = x.begin + int(k) % columns, py = y.begin + int(k) / columns;
+      result.image.at(px, py) = Rgba(sums[k].rgba / double(samples_.size()));
+      if (!result.layers.pixels.empty()) result.layers.at(px, py) = sums[k].layers;
+      count += sums[k].crossings;
+    }
+    return count;
+  }
+
+  struct PixelSum {
+    glm::dvec4 rgba{0};
+    std::uint64_t crossings = 0;
+    std::uint32_t layers = 0;  // of the sample that has most
+  };
+
+  void add_sample(const PictureRay& ray, std::span<const Crossing> crossings, PixelSum& sum) const {
+    const Composite sample = composite(finder_, crossings, scene_.background,
+                                       finder_.frame().world_direction(ray), stop_below_);
+    sum.rgba += glm::dvec4(sample.color, 1 - sample.transmittance);
+    sum.crossings += sample.layers;
+    sum.layers = std::max(sum.layers, sample.layers);
   }
 
   const Scene& scene_;
   CrossingFinder finder_;
+  std::vector<Vec2> samples_;
+  double stop_below_;
 };
 
 std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "groundtruth/crossing_finder.h"
+#include "groundtruth/crossing_geometry.h"
 #include "scene/view_depth.h"
 #include "tests/support/scenes.h"
 
@@ -45,10 +46,12 @@ TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
   const CrossingFinder finder(scene, Precision::exact);
   std::atomic<std::uint64_t> total = 0;
   tbb::parallel_for(0, 1000, [&](int y) {
-    std::vector<Crossing> crossings;
-    for (int x = 0; x < 1000; ++x) {
-      finder.find(finder.frame().ray(x + 0.5, y + 0.5), crossings);
-      total += crossings.size();
+    std::array<std::vector<Crossing>, RayPacket::width> crossings;
+    std::array<PictureRay, RayPacket::width> rays;
+    for (int x = 0; x < 1000; x += 8) {
+      for (int k = 0; k < 8; ++k) rays[k] = finder.frame().ray(x + k + 0.5, y + 0.5);
+      finder.find(rays, crossings);
+      for (const std::vector<Crossing>& of_ray : crossings) total += of_ray.size();
     }
   });
   EXPECT_EQ(total, 7220000u);
@@ -140,6 +143,28 @@ TEST(UnitCrossings, AFarAwayEyeMissesNothing) {
       finder.find(finder.frame().ray(x + 0.5, y + 0.5), crossings);
       ASSERT_EQ(crossings.size(), 2u);
     }
+}
+
+TEST(PropertyPacket, RaysFindTogetherWhatEachFindsAlone) {
+  Scene scene;
+  scene.width = scene.height = 96;
+  scene.objects = {{"", random_triangles(3000, 9)}, {"", sphere(3, Rgba(1))}};
+  const CrossingFinder finder(scene, Precision::exact);
+  std::array<std::vector<Crossing>, RayPacket::width> together;
+  std::vector<Crossing> alone;
+  std::size_t total = 0;
+  for (int y = 0; y < 96; y += 2)
+    for (int x = 0; x < 96; x += 4) {
+      std::array<PictureRay, RayPacket::width> rays;
+      for (int k = 0; k < 8; ++k) rays[k] = finder.frame().ray(x + k % 4 + 0.5, y + k / 4 + 0.5);
+      finder.find(rays, together);
+      for (int k = 0; k < 8; ++k) {
+        finder.find(rays[k], alone);
+        ASSERT_EQ(together[k], alone) << x << " " << y << " " << k;
+        total += alone.size();
+      }
+    }
+  EXPECT_GT(total, 96u * 96u * 10u);
 }
 
 }  // namespace

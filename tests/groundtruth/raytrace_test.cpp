@@ -109,6 +109,32 @@ TEST(UnitRaytrace, AnOpaqueObjectHidesWhatLiesBehindItWhateverItsAlpha) {
   EXPECT_EQ(rendering.stats.max_layers, 2u);
 }
 
+TEST(UnitRaytrace, SamplesAreAveraged) {
+  // A black opaque layer covers x < 1/16 of a picture of 3 × 3 pixels: of the middle pixel, 2/3
+  // wide, from -1/3 to 1/3, the leftmost 5 of 8 columns of samples, which lie 1/12 apart.
+  Scene scene = orthographic_scene(3, 3);
+  scene.samples = 8;
+  scene.objects = {{"", rectangle(-2, 1.0 / 16, -2, 2, 0, Rgba(0, 0, 0, 1))}};
+  const Rendering rendering = trace(scene);
+  EXPECT_NEAR(rendering.image.at(1, 1).r, 3.0 / 8, float_rounding);
+  EXPECT_NEAR(rendering.image.at(1, 1).a, 5.0 / 8, float_rounding);
+  EXPECT_EQ(rendering.layers.at(1, 1), 1u);
+  EXPECT_EQ(rendering.stats.fragments, 3u * 64u + 3u * 40u);
+}
+
+TEST(UnitRaytrace, StoppingKeepsItsBoundAndSkipsLayers) {
+  const auto color = [](int i) { return Rgba(i % 2, 0, 1, 0.1f); };
+  const Scene scene = stack(500, 2, 2, color);
+  const Rgba exact = trace(scene).image.at(0, 0);
+  for (const double bound : {1e-1, 1e-3, 1e-6}) {
+    const Rendering stopped = trace(scene, {{"stop-below", std::to_string(bound)}});
+    const double error = largest_error(stopped.image, exact);
+    EXPECT_LE(error, bound);
+    // 0.9^n < bound first holds for
+    EXPECT_EQ(stopped.stats.max_layers, std::ceil(std::log(bound) / std::log1p(-double(0.1f))));
+  }
+}
+
 TEST(UnitRaytrace, HeadlightIsTwoSidedCosine) {
   Scene scene = orthographic_scene(3, 3);
   scene.lighting = Lighting::headlight;
