@@ -40,7 +40,8 @@ std::vector<MethodCall> sweep_of(const MethodRow& row) {
 std::vector<MethodCall> every_method(std::span<const MethodRow> table) {
   std::vector<MethodCall> calls;
   for (const MethodRow& row : table)
-    for (MethodCall& call : sweep_of(row)) calls.push_back(std::move(call));
+    if (!row.optimizes_opacity)
+      for (MethodCall& call : sweep_of(row)) calls.push_back(std::move(call));
   return calls;
 }
 

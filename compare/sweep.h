@@ -15,7 +15,7 @@ std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::
 /// The method in all combinations of MethodRow::sweep.
 std::vector<MethodCall> sweep_of(const MethodRow& row);
 
-/// All methods in all their settings, in the table's order.
+/// All methods in all their settings, in the table's order, but for those that optimize opacity.
 std::vector<MethodCall> every_method(std::span<const MethodRow> table);
 
 }  // namespace pellucid

@@ -128,7 +128,8 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
                           std::span<std::vector<Crossing>> crossings) const {
   PacketContext context{};
   rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  // Not as coherent rays: Embree 3.13.5 then brings a candidate twice to rays of which a component
+  // of the direction is 0.
   context.rays.rays.reserve(width);
   RTCRay8 traversal{};
   alignas(32) int valid[width] = {};

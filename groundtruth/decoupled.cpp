@@ -90,6 +90,7 @@ class Decoupled final : public Renderer {
         },
         std::plus<>());
     result.stats.steps = {{"trace and optimize", watch.seconds()}};
+    result.stats.bytes = {{"hierarchy", probe_.bytes()}};
     for (const std::uint32_t count : result.layers.pixels)
       result.stats.max_layers = std::max(result.stats.max_layers, count);
     return result;
@@ -148,6 +149,7 @@ const MethodRow& decoupled_method() {
       .parameters = parameters,
       .promises = {.order_independent = true, .convex_hull = true},
       .bytes_per_pixel = "0; 112 per crossing of one ray, and the hierarchy",
+      .optimizes_opacity = true,
       .make = make};
   return row;
 }

@@ -43,6 +43,7 @@ class RayProbe {
   RaySums at(double x, double y) const;
 
   const DepthRange& depths() const { return depths_; }
+  std::uint64_t bytes() const { return finder_.bytes(); }  // of the hierarchy and what it needs
 
  private:
   const Scene& scene_;

@@ -127,6 +127,8 @@ struct MethodRow {
   /// The settings between which a user picks by cost and error, all combinations of these values:
   /// "bands=1|2|5,precision=32|16". Empty: the defaults alone.
   std::string_view sweep = {};
+  /// It chooses opacities itself: what it differs by from the exact composite is meant, no error.
+  bool optimizes_opacity = false;
   std::unique_ptr<Renderer> (*make)(const Scene&, const Parameters&, const RenderContext&);
 };
 

@@ -245,5 +245,14 @@ TEST(SlowRaytrace, TenThousandLayersStayWithinRounding) {
   EXPECT_LE(largest_error(trace(scene).image, Rgba(red, 0, 0, 1 - t)), float_rounding);
 }
 
+// Rays of the middle row and column have a direction with a component of exactly 0.
+TEST(UnitRaytrace, RaysAlongAnAxisMeetEverythingOnce) {
+  Scene scene;
+  scene.width = scene.height = 21;
+  scene.objects = {{"sheet", full_layer(0, Rgba(1, 0, 0, 0.5))}};
+  scene.camera.fov = 20;
+  for (const std::uint32_t layers : trace(scene).layers.pixels) EXPECT_EQ(layers, 1u);
+}
+
 }  // namespace
 }  // namespace pellucid
