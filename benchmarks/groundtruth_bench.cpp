@@ -185,16 +185,20 @@ void crossings_against_bare(benchmark::State& state, const Scene& scene) {
   using Buffers = std::array<std::vector<Crossing>, RayPacket::width>;
   const auto find_all = [&] {
     tbb::enumerable_thread_specific<Buffers> buffers;
-    tbb::parallel_for(tbb::blocked_range2d<int>(0, scene.height, 16, 0, scene.width, 16),
-                      [&](const auto& r) {
-                        std::array<PictureRay, RayPacket::width> rays;
-                        for (int y = r.rows().begin(); y < r.rows().end(); y += 2)
-                          for (int x = r.cols().begin(); x < r.cols().end(); x += 4) {
-                            for (int k = 0; k < 8; ++k)
-                              rays[k] = finder.frame().ray(x + k % 4 + 0.5, y + k / 4 + 0.5);
-                            finder.find(rays, buffers.local());
-                          }
-                      });
+    // A packet is 4 x 2 pixels; a task 16 x 16.
+    tbb::parallel_for(
+        tbb::blocked_range2d<int>(0, (scene.height + 1) / 2, 8, 0, (scene.width + 3) / 4, 4),
+        [&](const auto& r) {
+          std::vector<PictureRay> rays;
+          for (int py = r.rows().begin(); py < r.rows().end(); ++py)
+            for (int px = r.cols().begin(); px < r.cols().end(); ++px) {
+              rays.clear();
+              for (int y = 2 * py; y < std::min(2 * py + 2, scene.height); ++y)
+                for (int x = 4 * px; x < std::min(4 * px + 4, scene.width); ++x)
+                  rays.push_back(finder.frame().ray(x + 0.5, y + 0.5));
+              finder.find(rays, std::span(buffers.local()).first(rays.size()));
+            }
+        });
   };
   in_pairs(state, find_all, [&] { benchmark::DoNotOptimize(bare.run()); });
 }
