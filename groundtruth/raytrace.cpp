@@ -1,5 +1,5 @@
-// Ground truth: one ray through every pixel's centre, all its crossings found in one traversal,
-// ordered by depth, object and triangle, and composited front to back in double.
+// Ground truth: a ray through each of a pixel's samples, all its crossings found in one traversal,
+// ordered by depth, object and primitive, and composited front to back in double.
 
 #include "groundtruth/raytrace.h"
 
@@ -162,7 +162,7 @@ constexpr MethodRow row{
     .equations = "Baeza Rojo et al. 2019, Eq. 12",
     .parameters = parameters,
     .promises = {.exact = true, .order_independent = true, .convex_hull = true},
-    .bytes_per_pixel = "0; 32 per crossing of one ray, and the hierarchy",
+    .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, and the hierarchy",
     .make = make};
 
 }  // namespace
