@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "groundtruth/box_hierarchy.h"
+#include "groundtruth/crossing_order.h"
 #include "groundtruth/solid_union.h"
 
 namespace pellucid {
@@ -50,7 +51,7 @@ struct CrossingFinder::State {
   Precision precision;
   BoxHierarchy hierarchy;
   double largest = 0;  // coordinate
-  bool any_union = false;
+  bool any_union = false, any_opaque = false;
 
   State(const Scene& scene, Precision precision_)
       : frame(scene),
@@ -59,12 +60,13 @@ struct CrossingFinder::State {
     for (const BoxHierarchy::Object& object : hierarchy.objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();
+      any_opaque |= object.opaque;
     }
   }
 
   void prepare(const PictureRay& ray, std::vector<Crossing>& crossings, std::size_t lane,
                PacketContext& context, RTCRay8& traversal) const;
-  void finish(std::vector<Crossing>& crossings) const;
+  void finish(std::vector<Crossing>& crossings, std::vector<Crossing>& scratch) const;
   void unite(std::vector<Crossing>& crossings) const;
 };
 
@@ -98,6 +100,7 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   const double begin = std::max(nearest - reach, -behind_eye), end = nearest + reach;
   const Vec3 origin = start + begin * direction;
   context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction});
+  context.rays.test.add(context.rays.rays.back().test);
   context.rays.crossings[lane] = &crossings;
   traversal.org_x[lane] = float(origin.x);
   traversal.org_y[lane] = float(origin.y);
@@ -111,10 +114,12 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
 }
 
 /// Orders the crossings of a traversal and drops those that are not the ray's.
-void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
+void CrossingFinder::State::finish(std::vector<Crossing>& crossings,
+                                   std::vector<Crossing>& scratch) const {
   if (any_union) unite(crossings);
   std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
-  std::sort(crossings.begin(), crossings.end());
+  order_crossings(crossings, scratch);
+  if (!any_opaque) return;
   const auto opaque = [this](const Crossing& c) { return hierarchy.objects()[c.object].opaque; };
   const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);
   if (end_of_ray != crossings.end()) crossings.erase(end_of_ray + 1, crossings.end());
@@ -138,7 +143,8 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
     valid[i] = traversal.tfar[i] >= 0 ? -1 : 0;
   }
   rtcOccluded8(valid, state_->hierarchy.scene(), &context.embree, &traversal);
-  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i]);
+  std::vector<Crossing> scratch;
+  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i], scratch);
 }
 
 Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {

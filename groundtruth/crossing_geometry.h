@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "groundtruth/crossing.h"
-#include "groundtruth/exact_sign.h"
+#include "groundtruth/packet_test.h"
 #include "groundtruth/view_frame.h"
 #include "scene/scene.h"
 
@@ -24,9 +24,10 @@ struct SceneRay {
 
 /// Up to `width` neighbouring rays that walk the hierarchy together.
 struct RayPacket {
-  static constexpr std::size_t width = 8;
+  static constexpr std::size_t width = PacketTest::width;
 
   std::vector<SceneRay> rays;
+  PacketTest test;  // of all rays
   std::array<std::vector<Crossing>*, width> crossings;  // of each ray
 };
 

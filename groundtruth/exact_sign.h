@@ -39,12 +39,17 @@ class CrossingTest {
   /// coordinates are at most `largest`, the centre lies in front of the eye.
   bool crosses_disc(const Vec3& center, double radius, double& squared_distance) const;
 
- private:
+  const PictureRay& ray() const { return ray_; }
+  /// On the rounding error of an edge function: one further from 0 has its sign.
+  double bound() const { return bound_; }
+  /// `crosses` where not all of `edges`, as computed in double, lie beyond the bound on one side.
   bool crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const;
+
+ private:
 
   PictureRay ray_;
   Precision precision_;
-  double bound_;  // on the rounding error of an edge function
+  double bound_;
 };
 
 }  // namespace pellucid

@@ -1,6 +1,7 @@
 #include "groundtruth/triangle_geometry.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "groundtruth/vertex_blend.h"
@@ -28,18 +29,23 @@ double headlight(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3&
   return length > 0 ? std::abs(glm::dot(n, world_direction)) / length : 0;
 }
 
+/// Where the ray with the edge functions `edges`, which crosses the triangle, does so.
+Crossing crossing_at(const EdgeFunctions& edges, const Vec3& a, const Vec3& b, const Vec3& c,
+                     std::uint32_t object, std::uint32_t primitive) {
+  const double sum = edges.e[0] + edges.e[1] + edges.e[2];
+  // All zero: the unperturbed ray runs along the triangle; its centre stands for the crossing.
+  const double u = sum != 0 ? edges.e[1] / sum : 1.0 / 3, v = sum != 0 ? edges.e[2] / sum : 1.0 / 3;
+  return {a.z + u * (b.z - a.z) + v * (c.z - a.z), u, v, object, primitive};
+}
+
 }  // namespace
 
 void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t object,
                     std::uint32_t primitive, const SceneRay& ray,
                     std::vector<Crossing>& crossings) {
   EdgeFunctions edges;
-  if (!ray.test.crosses(a, b, c, edges)) return;
-  const double sum = edges.e[0] + edges.e[1] + edges.e[2];
-  // All zero: the unperturbed ray runs along the triangle; its centre stands for the crossing.
-  const double u = sum != 0 ? edges.e[1] / sum : 1.0 / 3, v = sum != 0 ? edges.e[2] / sum : 1.0 / 3;
-  const double depth = a.z + u * (b.z - a.z) + v * (c.z - a.z);
-  crossings.push_back({depth, u, v, object, primitive});
+  if (ray.test.crosses(a, b, c, edges))
+    crossings.push_back(crossing_at(edges, a, b, c, object, primitive));
 }
 
 double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
@@ -89,6 +95,19 @@ void TriangleGeometry::cross(std::uint32_t k, const SceneRay& ray,
   for (std::uint32_t t = groups_[k]; t < groups_[k + 1]; ++t) {
     const auto& [a, b, c] = mesh_.triangles[t];
     cross_triangle(positions_[a], positions_[b], positions_[c], index_, t, ray, crossings);
+  }
+}
+
+void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
+  std::array<EdgeFunctions, RayPacket::width> edges;
+  for (std::uint32_t t = groups_[k]; t < groups_[k + 1]; ++t) {
+    const auto& [ia, ib, ic] = mesh_.triangles[t];
+    const Vec3 &a = positions_[ia], &b = positions_[ib], &c = positions_[ic];
+    for (std::uint32_t crossed = packet.test.crosses(a, b, c, lanes, edges); crossed != 0;
+         crossed &= crossed - 1) {
+      const int i = std::countr_zero(crossed);
+      packet.crossings[i]->push_back(crossing_at(edges[i], a, b, c, index_, t));
+    }
   }
 }
 

@@ -21,6 +21,7 @@ class TriangleGeometry final : public CrossingGeometry {
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t k) const override;
   void cross(std::uint32_t k, const SceneRay& ray, std::vector<Crossing>& crossings) const override;
+  void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const override;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing& crossing) const override;
   double largest_coordinate() const override { return largest_; }
