@@ -222,7 +222,7 @@ void register_scene(const std::string& name, const Scene& scene) {
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond)
       ->Iterations(5);
-  for (const char* precision : {"exact", "double"})
+  for (const char* precision : {"exact", "double", "fast"})
     for (const bool robust : {true, false})
       benchmark::RegisterBenchmark(
           (name + "/" + precision + "/" + (robust ? "against-robust" : "against-fast")).c_str(),

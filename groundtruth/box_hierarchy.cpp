@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 
 namespace pellucid {
@@ -32,25 +34,48 @@ bool count_memory(void* counter, ssize_t bytes, bool) {
 }  // namespace
 
 BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
-                           RTCOccludedFunctionN decide)
+                           const Callbacks& callbacks)
     : center_(center), objects_(std::move(objects)), device_(rtcNewDevice(nullptr)) {
   if (!device_) throw WorkError("Embree cannot start on this machine");
   rtcSetDeviceErrorFunction(device_, throw_embree_error, nullptr);
   rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &embree_bytes_);
   scene_ = rtcNewScene(device_);
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  if (!callbacks.built_in) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   for (Object& object : objects_) {
     object.center = center;
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, object.geometry->box_count());
+    const auto* mesh = dynamic_cast<const TriangleGeometry*>(object.geometry.get());
+    const RTCGeometry geometry = callbacks.built_in && mesh ? triangles(*mesh, callbacks.built_in)
+                                                            : boxes(object, callbacks.decide);
     rtcSetGeometryUserData(geometry, &object);
-    rtcSetGeometryBoundsFunction(geometry, give_box, nullptr);
-    rtcSetGeometryOccludedFunction(geometry, decide);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(scene_);
+}
+
+RTCGeometry BoxHierarchy::boxes(Object& object, RTCOccludedFunctionN decide) const {
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, object.geometry->box_count());
+  rtcSetGeometryBoundsFunction(geometry, give_box, nullptr);
+  rtcSetGeometryOccludedFunction(geometry, decide);
+  return geometry;
+}
+
+RTCGeometry BoxHierarchy::triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const {
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               mesh.positions().size()));
+  for (const Vec3& x : mesh.positions())
+    for (int k = 0; k < 3; ++k) *vertices++ = float(x[k] - center_[k]);
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), mesh.triangles().size()));
+  for (const auto& triangle : mesh.triangles())
+    indices = std::copy(triangle.begin(), triangle.end(), indices);
+  rtcSetGeometryOccludedFilterFunction(geometry, filter);
+  return geometry;
 }
 
 BoxHierarchy::~BoxHierarchy() {

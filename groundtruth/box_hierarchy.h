@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "groundtruth/crossing_geometry.h"
+#include "groundtruth/triangle_geometry.h"
 
 namespace pellucid {
 
@@ -27,8 +27,14 @@ class BoxHierarchy {
     Vec3 center = {};  // the hierarchy's
   };
 
-  /// `decide` gets every candidate of a traversal. Throws WorkError when Embree does.
-  BoxHierarchy(std::vector<Object> objects, const Vec3& center, RTCOccludedFunctionN decide);
+  /// What is called along a traversal.
+  struct Callbacks {
+    RTCOccludedFunctionN decide;  // gets every candidate box
+    RTCFilterFunctionN built_in;  // gets every hit of a mesh; null: meshes are boxes, as all else
+  };
+
+  /// Throws WorkError when Embree does.
+  BoxHierarchy(std::vector<Object> objects, const Vec3& center, const Callbacks& callbacks);
   ~BoxHierarchy();
   BoxHierarchy(const BoxHierarchy&) = delete;
   BoxHierarchy& operator=(const BoxHierarchy&) = delete;
@@ -39,6 +45,9 @@ class BoxHierarchy {
   std::uint64_t bytes() const;                                     // with what the geometries keep
 
  private:
+  RTCGeometry boxes(Object& object, RTCOccludedFunctionN decide) const;
+  RTCGeometry triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const;
+
   Vec3 center_;
   std::vector<Object> objects_;
   std::atomic<std::int64_t> embree_bytes_ = 0;

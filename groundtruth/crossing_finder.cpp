@@ -36,6 +36,25 @@ void decide(const RTCOccludedFunctionNArguments* args) {
   object.geometry->cross(args->primID, context.rays, lanes);
 }
 
+/// Takes every hit of a mesh as it is, and rejects it, so that the traversal goes on.
+void take(const RTCFilterFunctionNArguments* args) {
+  const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
+  const auto& mesh = static_cast<const TriangleGeometry&>(*object.geometry);
+  const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (!args->valid[i]) continue;
+    args->valid[i] = 0;
+    const unsigned lane = RTCRayN_id(args->ray, args->N, i);
+    context.rays.crossings[lane]->push_back(mesh.crossing_at(RTCHitN_primID(args->hit, args->N, i),
+                                                             RTCHitN_u(args->hit, args->N, i),
+                                                             RTCHitN_v(args->hit, args->N, i)));
+  }
+}
+
+BoxHierarchy::Callbacks callbacks(Precision precision) {
+  return {decide, precision == Precision::fast ? take : nullptr};
+}
+
 std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame) {
   const GeometryContext context{frame, scene.camera, scene.lighting};
   std::vector<BoxHierarchy::Object> objects;
@@ -56,7 +75,8 @@ struct CrossingFinder::State {
   State(const Scene& scene, Precision precision_)
       : frame(scene),
         precision(precision_),
-        hierarchy(make_objects(scene, frame), frame.from_world(scene.bounds().center()), decide) {
+        hierarchy(make_objects(scene, frame), frame.from_world(scene.bounds().center()),
+                  callbacks(precision_)) {
     for (const BoxHierarchy::Object& object : hierarchy.objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();

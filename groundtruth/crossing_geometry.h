@@ -27,7 +27,7 @@ struct RayPacket {
   static constexpr std::size_t width = PacketTest::width;
 
   std::vector<SceneRay> rays;
-  PacketTest test;  // of all rays
+  PacketTest test;                                      // of all rays
   std::array<std::vector<Crossing>*, width> crossings;  // of each ray
 };
 

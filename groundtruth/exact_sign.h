@@ -17,6 +17,8 @@ struct EdgeFunctions {
 };
 
 enum class Precision {
+  fast,     // as rounded, but meshes as Embree intersects them, in float: edges may count twice, or
+            // not
   rounded,  // signs as double arithmetic gives them; ties by the top-left rule
   exact     // signs of the exact values: a filter first, unbounded precision where it cannot tell
 };
@@ -46,7 +48,6 @@ class CrossingTest {
   bool crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const;
 
  private:
-
   PictureRay ray_;
   Precision precision_;
   double bound_;

@@ -25,8 +25,10 @@ constexpr ParameterSpec parameters[] = {
     {.name = "precision",
      .kind = ParameterSpec::Kind::choice,
      .default_value = "exact",
-     .choices = "exact|double",
-     .help = "exact: signs of exact arithmetic, each crossing once; double: signs as rounded"},
+     .choices = "exact|double|fast",
+     .help =
+         "exact: signs of exact arithmetic, each crossing once; double: signs as rounded; fast: "
+         "meshes as Embree intersects them, in float: shared edges count twice, or not"},
     {.name = "stop-below",
      .kind = ParameterSpec::Kind::real,
      .default_value = "0",
@@ -37,11 +39,16 @@ constexpr ParameterSpec parameters[] = {
 constexpr int packet_columns = 4, packet_rows = 2;  // pixels whose rays are traced together
 constexpr int tile = 16;  // pixels; neighbours share the path through the hierarchy
 
+Precision precision_named(std::string_view name) {
+  if (name == "fast") return Precision::fast;
+  return name == "double" ? Precision::rounded : Precision::exact;
+}
+
 class Raytracer : public Renderer {
  public:
   Raytracer(const Scene& scene, const Parameters& values)
       : scene_(scene),
-        finder_(scene, values.text("precision") == "exact" ? Precision::exact : Precision::rounded),
+        finder_(scene, precision_named(values.text("precision"))),
         samples_(pixel_samples(scene.samples)),
         stop_below_(values.real("stop-below")) {}
 

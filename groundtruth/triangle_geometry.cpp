@@ -30,7 +30,7 @@ double headlight(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3&
 }
 
 /// Where the ray with the edge functions `edges`, which crosses the triangle, does so.
-Crossing crossing_at(const EdgeFunctions& edges, const Vec3& a, const Vec3& b, const Vec3& c,
+Crossing to_crossing(const EdgeFunctions& edges, const Vec3& a, const Vec3& b, const Vec3& c,
                      std::uint32_t object, std::uint32_t primitive) {
   const double sum = edges.e[0] + edges.e[1] + edges.e[2];
   // All zero: the unperturbed ray runs along the triangle; its centre stands for the crossing.
@@ -45,7 +45,7 @@ void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t o
                     std::vector<Crossing>& crossings) {
   EdgeFunctions edges;
   if (ray.test.crosses(a, b, c, edges))
-    crossings.push_back(crossing_at(edges, a, b, c, object, primitive));
+    crossings.push_back(to_crossing(edges, a, b, c, object, primitive));
 }
 
 double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
@@ -106,9 +106,15 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
     for (std::uint32_t crossed = packet.test.crosses(a, b, c, lanes, edges); crossed != 0;
          crossed &= crossed - 1) {
       const int i = std::countr_zero(crossed);
-      packet.crossings[i]->push_back(crossing_at(edges[i], a, b, c, index_, t));
+      packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
     }
   }
+}
+
+Crossing TriangleGeometry::crossing_at(std::uint32_t t, double u, double v) const {
+  const auto& [a, b, c] = mesh_.triangles[t];
+  const double z = positions_[a].z;
+  return {z + u * (positions_[b].z - z) + v * (positions_[c].z - z), u, v, index_, t};
 }
 
 Fragment TriangleGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {

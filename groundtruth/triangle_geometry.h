@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "groundtruth/crossing_geometry.h"
 
 namespace pellucid {
@@ -22,10 +24,15 @@ class TriangleGeometry final : public CrossingGeometry {
   Box3 box(std::uint32_t k) const override;
   void cross(std::uint32_t k, const SceneRay& ray, std::vector<Crossing>& crossings) const override;
   void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const override;
+  /// Of triangle t, at the weights u and v of its second and third vertex.
+  Crossing crossing_at(std::uint32_t t, double u, double v) const;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing& crossing) const override;
   double largest_coordinate() const override { return largest_; }
   std::uint64_t bytes() const override;
+
+  std::span<const Vec3> positions() const { return positions_; }  // view coordinates
+  const auto& triangles() const { return mesh_.triangles; }
 
  private:
   Box3 box_of(std::uint32_t first, std::uint32_t last) const;
