@@ -51,9 +51,10 @@ class JsonNode {
   const nlohmann::json* value_;
 };
 
-/// Runs `make` and puts the node's place in front of what it complains about.
+/// Runs `make` and puts the node's place in front of what it complains about. Returns what `make`
+/// does, references as references.
 template <class Make>
-auto at_place(const JsonNode& node, const Make& make) {
+decltype(auto) at_place(const JsonNode& node, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "fields/level_field.h"
 #include "geometry/mesh_file.h"
 #include "scene/appearance.h"
 #include "scene/colormap.h"
@@ -206,6 +207,16 @@ TEST_F(UnitSceneFile, SyntaxErrorsNameTheLine) {
   EXPECT_THROW(load(""), InputError);
   EXPECT_THROW(load(R"({"format": "pellucid-scene", "version": 2, "objects": []})"), InputError);
   EXPECT_THROW(load_scene(folder_ / "none.json"), InputError);
+}
+
+TEST_F(UnitSceneFile, AnIsosurfaceKeepsTheReconstructionItNames) {
+  for (const ReconstructionRow& row : reconstructions) {
+    const Scene scene = with(R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude", "reconstruction": ")" +
+                             std::string(row.name) + R"("}})");
+    const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+    EXPECT_EQ(&surface.field->reconstruction(), &row);  // of the table, no copy that dies
+  }
 }
 
 TEST(UnitAppearance, NormalsAreAreaWeighted) {
