@@ -86,7 +86,7 @@ struct CrossingFinder::State {
 
   void prepare(const PictureRay& ray, std::vector<Crossing>& crossings, std::size_t lane,
                PacketContext& context, RTCRay8& traversal) const;
-  void finish(std::vector<Crossing>& crossings, std::vector<Crossing>& scratch) const;
+  void finish(std::vector<Crossing>& crossings) const;
   void unite(std::vector<Crossing>& crossings) const;
 };
 
@@ -120,7 +120,7 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   const double begin = std::max(nearest - reach, -behind_eye), end = nearest + reach;
   const Vec3 origin = start + begin * direction;
   context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction});
-  context.rays.test.add(context.rays.rays.back().test);
+  context.rays.test.set(lane, context.rays.rays.back().test);
   context.rays.crossings[lane] = &crossings;
   traversal.org_x[lane] = float(origin.x);
   traversal.org_y[lane] = float(origin.y);
@@ -134,11 +134,10 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
 }
 
 /// Orders the crossings of a traversal and drops those that are not the ray's.
-void CrossingFinder::State::finish(std::vector<Crossing>& crossings,
-                                   std::vector<Crossing>& scratch) const {
+void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
   if (any_union) unite(crossings);
   std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
-  order_crossings(crossings, scratch);
+  order_crossings(crossings);
   if (!any_opaque) return;
   const auto opaque = [this](const Crossing& c) { return hierarchy.objects()[c.object].opaque; };
   const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);
@@ -155,7 +154,7 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
   rtcInitIntersectContext(&context.embree);
   // Not as coherent rays: Embree 3.13.5 then brings a candidate twice to rays of which a component
   // of the direction is 0.
-  context.rays.rays.reserve(width);
+  context.rays.rays.reserve(width);  // the packet's test points into it
   RTCRay8 traversal{};
   alignas(32) int valid[width] = {};
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -163,8 +162,7 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
     valid[i] = traversal.tfar[i] >= 0 ? -1 : 0;
   }
   rtcOccluded8(valid, state_->hierarchy.scene(), &context.embree, &traversal);
-  std::vector<Crossing> scratch;
-  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i], scratch);
+  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i]);
 }
 
 Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {

@@ -43,7 +43,7 @@ void check_count(std::size_t count, const char* what) {
   if (count >> 32) throw InputError(fmt::format("{} {}; accepted: fewer than 2^32", count, what));
 }
 
-void CrossingGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
+void RayByRayGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
   for (; lanes != 0; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     cross(k, packet.rays[i], *packet.crossings[i]);

@@ -41,12 +41,9 @@ class CrossingGeometry {
   virtual std::uint32_t box_count() const = 0;
   /// Everything that box `k` holds lies within; an empty box is never visited.
   virtual Box3 box(std::uint32_t k) const = 0;
-  /// Appends every crossing of the ray with what box `k` holds, in any order, those behind the eye
-  /// (depth ≤ 0) included or not.
-  virtual void cross(std::uint32_t k, const SceneRay& ray,
-                     std::vector<Crossing>& crossings) const = 0;
-  /// The same for the rays of a packet whose bit in `lanes` is set.
-  virtual void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const;
+  /// Appends to their lists every crossing of the packet's rays whose bit in `lanes` is set with
+  /// what box `k` holds, in any order, those behind the eye (depth ≤ 0) included or not.
+  virtual void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const = 0;
 
   /// True when what the boxes hold are parts of solids, and only the surface of each solid counts:
   /// crossings within another part of the same solid are not the scene's (see solid_union.h).
@@ -63,6 +60,15 @@ class CrossingGeometry {
   /// Size of the largest coordinate of a vertex that CrossingTest is asked about.
   virtual double largest_coordinate() const = 0;
   virtual std::uint64_t bytes() const = 0;
+};
+
+/// A kind of geometry that meets the rays of a packet one by one.
+class RayByRayGeometry : public CrossingGeometry {
+ public:
+  void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const final;
+  /// As CrossingGeometry::cross, for one ray.
+  virtual void cross(std::uint32_t k, const SceneRay& ray,
+                     std::vector<Crossing>& crossings) const = 0;
 };
 
 /// What the geometries of a scene have in common. Has to outlive them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace pellucid {
 namespace {
@@ -21,27 +22,26 @@ struct Buckets {
 
 }  // namespace
 
-void order_crossings(std::vector<Crossing>& crossings, std::vector<Crossing>& scratch) {
+void order_crossings(std::span<Crossing> crossings) {
   const std::size_t n = crossings.size();
   const auto nearer = [](const Crossing& p, const Crossing& q) { return p.depth < q.depth; };
   if (n < fewest || n > most) return std::sort(crossings.begin(), crossings.end());
   const auto [low, high] = std::minmax_element(crossings.begin(), crossings.end(), nearer);
   const double scale = double(n) / (high->depth - low->depth);
-  // Equal depths, or so near that their bucket cannot be told.
-  if (!(scale < 1e300)) return std::sort(crossings.begin(), crossings.end());
+  // Depths so near, or so far apart, that buckets cannot tell them.
+  if (!(scale > 0 && scale < 1e300)) return std::sort(crossings.begin(), crossings.end());
   const Buckets buckets{low->depth, scale, n - 1};
 
-  std::array<std::uint16_t, most + 1> ends{};  // of each bucket, once they are filled
+  // Counts, then where each bucket begins, then, once it is filled, where it ends.
+  std::array<std::uint16_t, most + 1> ends;
+  std::fill_n(ends.begin(), n + 1, 0);
   for (const Crossing& c : crossings) ++ends[buckets.of(c) + 1];
-  for (std::size_t k = 1; k <= n; ++k) ends[k] += ends[k - 1];
-  scratch.resize(n);
-  for (const Crossing& c : crossings) scratch[ends[buckets.of(c)]++] = c;
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (ends[k] - begin > 1) std::sort(scratch.begin() + begin, scratch.begin() + ends[k]);
-    begin = ends[k];
-  }
-  crossings.swap(scratch);
+  std::partial_sum(ends.begin(), ends.begin() + n, ends.begin());
+  std::array<Crossing, most> dealt;
+  for (const Crossing& c : crossings) dealt[ends[buckets.of(c)]++] = c;
+  for (std::size_t k = 0, begin = 0; k < n; begin = ends[k++])
+    if (ends[k] - begin > 1) std::sort(dealt.begin() + begin, dealt.begin() + ends[k]);
+  std::copy_n(dealt.begin(), n, crossings.begin());
 }
 
 }  // namespace pellucid

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "groundtruth/crossing.h"
 
@@ -8,7 +8,7 @@ namespace pellucid {
 
 /// Sorts as operator< of Crossing orders. Depths that are spread are first dealt into as many
 /// buckets as there are crossings, so that each is sorted among few: linear for the layers of a
-/// usual ray, n log n at worst. `scratch` is overwritten; its capacity is reused.
-void order_crossings(std::vector<Crossing>& crossings, std::vector<Crossing>& scratch);
+/// usual ray, n log n at worst.
+void order_crossings(std::span<Crossing> crossings);
 
 }  // namespace pellucid

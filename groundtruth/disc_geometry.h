@@ -6,7 +6,7 @@ namespace pellucid {
 
 /// Points as discs parallel to the picture, crossed at their centre's depth. Crossing::v is |n · v|
 /// of the sphere that a disc stands for: √(1 - c²) at the fraction c of its radius.
-class DiscGeometry final : public CrossingGeometry {
+class DiscGeometry final : public RayByRayGeometry {
  public:
   DiscGeometry(const PointObject& points, std::uint32_t index, const GeometryContext& context);
 

@@ -17,7 +17,7 @@ namespace pellucid {
 /// reconstruction jumps across the value, the ray crosses on the face.
 ///
 /// Crossing::v is n · v, n the unit gradient and v the ray's direction.
-class IsosurfaceGeometry final : public CrossingGeometry {
+class IsosurfaceGeometry final : public RayByRayGeometry {
  public:
   IsosurfaceGeometry(const Isosurface& surface, std::uint32_t index,
                      const GeometryContext& context);

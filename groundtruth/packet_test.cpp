@@ -65,27 +65,27 @@ ShearedVertex sheared(const Vec3& a, Projection projection) {
 
 }  // namespace
 
-void PacketTest::add(const CrossingTest& test) {
-  x_[tests_.size()] = test.ray().x;
-  y_[tests_.size()] = test.ray().y;
-  tests_.push_back(test);
+void PacketTest::set(std::size_t lane, const CrossingTest& test) {
+  tests_[lane] = &test;
+  x_[lane] = test.ray().x;
+  y_[lane] = test.ray().y;
 }
 
 std::uint32_t PacketTest::crosses(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t lanes,
                                   std::array<EdgeFunctions, width>& edges) const {
   static Compute* const compute_edges = fastest();
-  const Projection projection = tests_.front().ray().projection;
+  const Projection projection = tests_.front()->ray().projection;
   PacketEdges all;
   compute_edges(x_.data(), y_.data(), sheared(a, projection), sheared(b, projection),
                 sheared(c, projection), all);
   std::uint32_t crossed = 0;
   for (; lanes != 0; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const double bound = tests_[i].bound();
+    const double bound = tests_[i]->bound();
     if (all.low[i] < -bound && all.high[i] > bound) continue;
     edges[i] = {{all.e[0][i], all.e[1][i], all.e[2][i]}};
     const bool certain = all.low[i] > bound || all.high[i] < -bound;
-    if (certain || tests_[i].crosses_uncertain(a, b, c, edges[i])) crossed |= 1u << i;
+    if (certain || tests_[i]->crosses_uncertain(a, b, c, edges[i])) crossed |= 1u << i;
   }
   return crossed;
 }

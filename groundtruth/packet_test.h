@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "groundtruth/exact_sign.h"
 
@@ -16,8 +15,8 @@ class PacketTest {
  public:
   static constexpr std::size_t width = 8;
 
-  /// Appends a ray's test as the next lane.
-  void add(const CrossingTest& test);
+  /// Takes a ray's test for the lane, lane 0 always; it has to stay where it is.
+  void set(std::size_t lane, const CrossingTest& test);
 
   /// The subset of `lanes` (bit i: lane i) whose rays cross the triangle; `edges` then holds their
   /// edge functions.
@@ -25,10 +24,8 @@ class PacketTest {
                         std::array<EdgeFunctions, width>& edges) const;
 
  private:
-  using Lanes = std::array<double, width>;
-
-  std::vector<CrossingTest> tests_;
-  alignas(64) Lanes x_{}, y_{};
+  std::array<const CrossingTest*, width> tests_{};
+  alignas(64) std::array<double, width> x_{}, y_{};
 };
 
 }  // namespace pellucid

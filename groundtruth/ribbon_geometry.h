@@ -9,7 +9,7 @@ namespace pellucid {
 /// neighbouring segments share. Crossing::u and v are the weights of a triangle's second and third
 /// corner. Of a line's points only the half widths are kept; corners are made where they are
 /// needed.
-class RibbonGeometry final : public CrossingGeometry {
+class RibbonGeometry final : public RayByRayGeometry {
  public:
   RibbonGeometry(const LineObject& lines, std::uint32_t index, const GeometryContext& context);
 

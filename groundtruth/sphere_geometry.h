@@ -7,7 +7,7 @@ namespace pellucid {
 /// Points as spheres, each a solid of its own: the ray crosses where it enters (Crossing::v < 0)
 /// and where it leaves (v > 0), or not at all. Crossing::v is n · v, n the sphere's outer normal
 /// and v the ray's direction.
-class SphereGeometry final : public CrossingGeometry {
+class SphereGeometry final : public RayByRayGeometry {
  public:
   SphereGeometry(const PointObject& points, std::uint32_t index, const GeometryContext& context);
 

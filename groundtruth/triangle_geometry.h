@@ -22,7 +22,6 @@ class TriangleGeometry final : public CrossingGeometry {
 
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t k) const override;
-  void cross(std::uint32_t k, const SceneRay& ray, std::vector<Crossing>& crossings) const override;
   void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const override;
   /// Of triangle t, at the weights u and v of its second and third vertex.
   Crossing crossing_at(std::uint32_t t, double u, double v) const;

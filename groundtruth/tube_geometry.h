@@ -11,7 +11,7 @@ namespace pellucid {
 /// A segment has a chord or has none, and the chords of a line's segments are united.
 /// Crossing::u is the place along the segment, v is n · v, n the outer normal, v the ray's
 /// direction.
-class TubeGeometry final : public CrossingGeometry {
+class TubeGeometry final : public RayByRayGeometry {
  public:
   TubeGeometry(const LineObject& lines, std::uint32_t index, const GeometryContext& context);
 

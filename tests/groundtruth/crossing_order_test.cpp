@@ -23,6 +23,10 @@ const std::pair<const char*, Depths> distributions[] = {
     {"few values", [](std::mt19937& random) { return 1 + double(random() % 5); }},
     {"one far away",
      [](std::mt19937& random) { return random() % 20 == 0 ? 1e9 : uniform(random); }},
+    {"one at infinity",
+     [](std::mt19937& random) {
+       return random() % 20 == 0 ? std::numeric_limits<double>::infinity() : uniform(random);
+     }},
     {"an ulp apart",
      [](std::mt19937& random) {
        return random() % 2 ? 1.0 : 1 + std::numeric_limits<double>::epsilon();
@@ -31,7 +35,6 @@ const std::pair<const char*, Depths> distributions[] = {
 
 TEST(PropertyCrossingOrder, SortsLikeTheComparison) {
   std::mt19937 random(7);
-  std::vector<Crossing> scratch;
   for (const auto& [name, depth] : distributions)
     for (const std::size_t n : {0, 1, 2, 11, 12, 13, 64, 511, 512, 513, 2000}) {
       std::vector<Crossing> crossings(n);
@@ -40,7 +43,7 @@ TEST(PropertyCrossingOrder, SortsLikeTheComparison) {
              std::uint32_t(random() % 50)};
       std::vector<Crossing> expected = crossings;
       std::stable_sort(expected.begin(), expected.end());
-      order_crossings(crossings, scratch);
+      order_crossings(crossings);
       ASSERT_EQ(crossings.size(), n) << name;
       for (std::size_t i = 0; i < n; ++i) {
         // Crossings that compare equal may lie in any order.

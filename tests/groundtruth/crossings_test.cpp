@@ -106,35 +106,34 @@ TEST(UnitCrossings, RoundedSignsDoNotSuffice) {
 INSTANTIATE_TEST_SUITE_P(Cameras, PropertyClosedMesh,
                          ::testing::Values(Projection::perspective, Projection::orthographic));
 
-/// Fast precision is exact's float counterpart inside triangles, and what it is warned of on edges.
-TEST(UnitCrossings, FastFindsTheSameInsideTrianglesAndMiscountsSharedEdges) {
+/// Meshes in float: as good as exact inside triangles, not at their edges.
+TEST(UnitCrossings, FastFindsTheSameInsideTrianglesAndMiscountsVertices) {
   Scene scene;
   scene.width = scene.height = 64;
   scene.objects = {{"", sphere(3, Rgba(1))}};
   const CrossingFinder exact(scene, Precision::exact), fast(scene, Precision::fast);
   std::vector<Crossing> expected, found;
-  int miscounted = 0;
+  // Rounding moves ray and vertices by 4.2e-7 (BoxHierarchy::margin); where a facet is seen at a
+  // slant, depth moves up to ten times as far.
+  constexpr double tolerance = 5e-6;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       const PictureRay ray = exact.frame().ray(x + 0.5, y + 0.5);
       exact.find(ray, expected);
       fast.find(ray, found);
-      miscounted += found.size() != expected.size();
-      if (found.size() != expected.size()) continue;
+      ASSERT_EQ(found.size(), expected.size()) << x << " " << y;
       for (std::size_t i = 0; i < found.size(); ++i)
-        EXPECT_NEAR(found[i].depth, expected[i].depth, 1e-4);  // float, and slanted near the rim
+        EXPECT_NEAR(found[i].depth, expected[i].depth, tolerance);
     }
-  EXPECT_LE(miscounted, 4);
 
-  // Every ray through an inner vertex of the sphere's two sides: exact finds 2.
-  int wrong = 0;
-  for (const Vec3& x : scene.objects[0].mesh().positions) {
-    const Vec2 at = picture_point(scene, x);
+  int miscounted = 0;
+  for (const Vec3& vertex : scene.objects[0].mesh().positions) {
+    const Vec2 at = picture_point(scene, vertex);
     exact.find(exact.frame().ray(at.x, at.y), expected);
     fast.find(exact.frame().ray(at.x, at.y), found);
-    wrong += expected.size() == 2 && found.size() != 2;
+    miscounted += found.size() != expected.size();
   }
-  EXPECT_GT(wrong, 0);
+  EXPECT_GT(miscounted, 0);  // if never, fast is what exact is, and the documents are wrong
 }
 
 TEST(UnitCrossings, CoincidentSheetsAreAllKept) {
