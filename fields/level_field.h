@@ -73,6 +73,7 @@ class LevelField {
   Box3 domain(std::size_t level) const { return levels_[level].box(hat() ? 0.5 : 0); }
   const LevelRegion& region(std::size_t level) const { return regions_[level]; }
   Box3 bounds() const;
+  const RegionTree& tree() const { return tree_; }
 
   /// Lattice cells around x, finest first; their number is 0 outside of every domain. A coordinate
   /// on a sample belongs to the cell above it where there is one.

@@ -74,6 +74,31 @@ std::span<const std::uint32_t> RegionTree::levels_at(const Vec3& x) const {
   return std::span(levels_).subspan(node->a, node->b);
 }
 
+void RegionTree::append_parts(const Vec3& start, const Vec3& direction, double begin, double end,
+                              std::vector<Part>& parts) const {
+  append_parts(nodes_.front(), start, direction, begin, end, parts);
+}
+
+void RegionTree::append_parts(const Node& node, const Vec3& start, const Vec3& direction,
+                              double begin, double end, std::vector<Part>& parts) const {
+  if (!(begin < end)) return;
+  if (node.axis < 0) {
+    const auto levels = std::span(levels_).subspan(node.a, node.b);
+    const bool goes_on = !parts.empty() && parts.back().end == begin &&
+                         std::ranges::equal(parts.back().levels, levels);
+    if (goes_on) parts.back().end = end;
+    if (!goes_on && !levels.empty()) parts.push_back({begin, end, levels});
+    return;
+  }
+  const Node &below = nodes_[node.a], &above = nodes_[node.b];
+  const double from = start[node.axis], slope = direction[node.axis];
+  if (slope == 0)
+    return append_parts(from < node.plane ? below : above, start, direction, begin, end, parts);
+  const double at = (node.plane - from) / slope;
+  append_parts(slope > 0 ? below : above, start, direction, begin, std::min(end, at), parts);
+  append_parts(slope > 0 ? above : below, start, direction, std::max(begin, at), end, parts);
+}
+
 std::size_t RegionTree::most_levels() const {
   std::uint32_t most = 0;
   for (const Node& node : nodes_)

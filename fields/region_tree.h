@@ -28,6 +28,17 @@ class RegionTree {
   /// belongs to the side of larger coordinates.
   std::span<const std::uint32_t> levels_at(const Vec3& x) const;
 
+  /// A stretch of a ray in which the same levels take part.
+  struct Part {
+    double begin, end;  // the ray's parameter
+    std::span<const std::uint32_t> levels;
+  };
+
+  /// Appends the parts of start + t direction, t from `begin` to `end`, in which levels take part,
+  /// ascending; where one ends and the next begins is where the ray meets the face between them.
+  void append_parts(const Vec3& start, const Vec3& direction, double begin, double end,
+                    std::vector<Part>& parts) const;
+
   /// Most levels of any leaf.
   std::size_t most_levels() const;
 
@@ -40,6 +51,9 @@ class RegionTree {
 
   std::uint32_t build(const Box3& box, std::span<const LevelRegion> regions);
   std::uint32_t add_leaf(const Vec3& center, std::span<const LevelRegion> regions);
+
+  void append_parts(const Node& node, const Vec3& start, const Vec3& direction, double begin,
+                    double end, std::vector<Part>& parts) const;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> levels_;

@@ -55,8 +55,9 @@ BoxHierarchy::Callbacks callbacks(Precision precision) {
   return {decide, precision == Precision::fast ? take : nullptr};
 }
 
-std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame) {
-  const GeometryContext context{frame, scene.camera, scene.lighting};
+std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame,
+                                               const std::optional<MarchOptions>& march) {
+  const GeometryContext context{frame, scene.camera, scene.lighting, march};
   std::vector<BoxHierarchy::Object> objects;
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
     objects.push_back({make_geometry(scene.objects[i], i, context), scene.objects[i].opaque});
@@ -72,10 +73,10 @@ struct CrossingFinder::State {
   double largest = 0;  // coordinate
   bool any_union = false, any_opaque = false;
 
-  State(const Scene& scene, Precision precision_)
+  State(const Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
       : frame(scene),
         precision(precision_),
-        hierarchy(make_objects(scene, frame), frame.from_world(scene.bounds().center()),
+        hierarchy(make_objects(scene, frame, march), frame.from_world(scene.bounds().center()),
                   callbacks(precision_)) {
     for (const BoxHierarchy::Object& object : hierarchy.objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
@@ -101,8 +102,9 @@ void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
   append_union(parts, crossings);
 }
 
-CrossingFinder::CrossingFinder(const Scene& scene, Precision precision)
-    : state_(std::make_unique<State>(scene, precision)) {}
+CrossingFinder::CrossingFinder(const Scene& scene, Precision precision,
+                               const std::optional<MarchOptions>& march)
+    : state_(std::make_unique<State>(scene, precision, march)) {}
 
 CrossingFinder::~CrossingFinder() = default;
 

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "groundtruth/crossing.h"
 #include "groundtruth/exact_sign.h"
+#include "groundtruth/level_march.h"
 #include "scene/scene.h"
 
 namespace pellucid {
@@ -16,8 +18,9 @@ namespace pellucid {
 /// and boxes to float, so none is missed; the geometry decides each. Thread-safe once it is made.
 class CrossingFinder {
  public:
-  /// The scene has to outlive it.
-  CrossingFinder(const Scene& scene, Precision precision);
+  /// The scene has to outlive it. With `march` isosurfaces are marched, not crossed exactly.
+  CrossingFinder(const Scene& scene, Precision precision,
+                 const std::optional<MarchOptions>& march = {});
   ~CrossingFinder();
 
   const ViewFrame& frame() const;

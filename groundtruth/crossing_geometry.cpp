@@ -6,7 +6,8 @@
 
 #include "core/error.h"
 #include "groundtruth/disc_geometry.h"
-#include "groundtruth/isosurface_geometry.h"
+#include "groundtruth/exact_isosurface.h"
+#include "groundtruth/marched_isosurface.h"
 #include "groundtruth/ribbon_geometry.h"
 #include "groundtruth/sphere_geometry.h"
 #include "groundtruth/triangle_geometry.h"
@@ -16,6 +17,7 @@ namespace pellucid {
 namespace {
 
 struct Maker {
+  bool opaque;
   std::uint32_t index;
   const GeometryContext& context;
 
@@ -33,7 +35,9 @@ struct Maker {
     return std::make_unique<DiscGeometry>(points, index, context);
   }
   std::unique_ptr<CrossingGeometry> operator()(const Isosurface& surface) const {
-    return std::make_unique<IsosurfaceGeometry>(surface, index, context);
+    if (context.march)
+      return std::make_unique<MarchedIsosurface>(surface, opaque, index, context, *context.march);
+    return std::make_unique<ExactIsosurface>(surface, index, context);
   }
 };
 
@@ -52,7 +56,7 @@ void RayByRayGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
 
 std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,
                                                 const GeometryContext& context) {
-  return std::visit(Maker{index, context}, object.shape);
+  return std::visit(Maker{object.opaque, index, context}, object.shape);
 }
 
 }  // namespace pellucid

@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "groundtruth/crossing.h"
+#include "groundtruth/level_march.h"
 #include "groundtruth/packet_test.h"
 #include "groundtruth/view_frame.h"
 #include "scene/scene.h"
@@ -76,6 +78,7 @@ struct GeometryContext {
   const ViewFrame& frame;
   const Camera& camera;
   Lighting lighting;
+  std::optional<MarchOptions> march = {};  // isosurfaces are marched; else crossed exactly
 };
 
 /// Throws InputError when Crossing cannot count so many `what`: 2^32 or more.

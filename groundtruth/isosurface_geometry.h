@@ -2,33 +2,32 @@
 
 #include "fields/level_field.h"
 #include "groundtruth/crossing_geometry.h"
+#include "groundtruth/level_ray.h"
 
 namespace pellucid {
 
-/// The surface where a reconstruction over levels of samples takes a value, crossed exactly. A box
-/// is a lattice cell of the finest level there, of those whose samples lie on both sides of the
-/// value. Along a ray the reconstruction's numerator is a polynomial within each lattice cell (see
-/// LevelField): all its sign changes are isolated, with an error of some ulp of the ray's length.
-///
-/// Faces are planes of constant ray parameter that do not depend on the cell that asks, cells hold
-/// their first end and not their last, and the sign at an end is that of one evaluation which all
-/// cells share: no crossing is missed or counted twice at the faces of cells and levels. A value of
-/// 0 counts as inside, so that a plateau at the surface's value is bounded but not filled. Where a
-/// reconstruction jumps across the value, the ray crosses on the face.
-///
+/// What all ways of crossing an isosurface have in common: its place in the view and its light.
 /// Crossing::v is n · v, n the unit gradient and v the ray's direction.
-class IsosurfaceGeometry final : public RayByRayGeometry {
+class IsosurfaceGeometry : public RayByRayGeometry {
  public:
   IsosurfaceGeometry(const Isosurface& surface, std::uint32_t index,
                      const GeometryContext& context);
 
-  std::uint32_t box_count() const override { return static_cast<std::uint32_t>(cells_.size()); }
-  Box3 box(std::uint32_t k) const override;
-  void cross(std::uint32_t k, const SceneRay& ray, std::vector<Crossing>& crossings) const override;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing&) const override { return 0; }
   double largest_coordinate() const override { return 0; }
-  std::uint64_t bytes() const override { return cells_.size() * sizeof(LatticeCell); }
+
+ protected:
+  const Isosurface& surface() const { return surface_; }
+  const LevelField& field() const { return *surface_.field; }
+  /// The view coordinates' box around one in the world.
+  Box3 view_box(const Box3& world) const;
+  /// The same ray parameter, in world coordinates.
+  WorldRay to_world(const SceneRay& ray) const;
+  /// Appends the crossing at the ray's parameter t, unless the surface has a hole there; returns
+  /// whether it did.
+  bool append(const SceneRay& ray, const WorldRay& world, double t, std::uint32_t primitive,
+              std::vector<Crossing>& crossings) const;
 
  private:
   const Isosurface& surface_;
@@ -37,7 +36,6 @@ class IsosurfaceGeometry final : public RayByRayGeometry {
   const ViewFrame& frame_;
   Mat3 world_from_view_;  // of vectors
   Vec3 view_origin_;      // of the world's origin
-  std::vector<LatticeCell> cells_;
 };
 
 }  // namespace pellucid

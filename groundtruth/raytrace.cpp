@@ -46,11 +46,11 @@ Precision precision_named(std::string_view name) {
 
 class Raytracer : public Renderer {
  public:
-  Raytracer(const Scene& scene, const Parameters& values)
+  Raytracer(const Scene& scene, const TraceOptions& options)
       : scene_(scene),
-        finder_(scene, precision_named(values.text("precision"))),
+        finder_(scene, options.precision, options.march),
         samples_(pixel_samples(scene.samples)),
-        stop_below_(values.real("stop-below")) {}
+        stop_below_(options.stop_below) {}
 
   Rendering render(const RenderRequest& request) override {
     Rendering result;
@@ -156,8 +156,8 @@ class Raytracer : public Renderer {
 };
 
 std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
-  depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
-  return std::make_unique<Raytracer>(scene, values);
+  return make_raytracer(scene,
+                        {precision_named(values.text("precision")), values.real("stop-below")});
 }
 
 constexpr MethodRow row{
@@ -175,5 +175,10 @@ constexpr MethodRow row{
 }  // namespace
 
 const MethodRow& raytrace_method() { return row; }
+
+std::unique_ptr<Renderer> make_raytracer(const Scene& scene, const TraceOptions& options) {
+  depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
+  return std::make_unique<Raytracer>(scene, options);
+}
 
 }  // namespace pellucid

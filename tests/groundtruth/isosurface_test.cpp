@@ -6,35 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "fields/surface_cells.h"
-#include "groundtruth/level_ray.h"
 #include "groundtruth/ray_polynomial.h"
+#include "tests/groundtruth/levels.h"
 
 namespace pellucid {
 namespace {
-
-template <class Function>
-ScalarLevel sampled(const Vec3& origin, double width, int n, const Function& f) {
-  ScalarLevel level{origin, width, {n, n, n}, {}};
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) level.samples.push_back(float(f(level.world(Vec3(i, j, k)))));
-  return level;
-}
-
-/// [0, 8]³ in cells of 1, and [2, 6]³ in cells of a half.
-template <class Function>
-LevelField nested(const Function& f, const ReconstructionRow& row) {
-  return LevelField({sampled(Vec3(0.5), 1, 8, f), sampled(Vec3(2.25), 0.5, 8, f)}, row);
-}
-
-std::vector<double> crossings(const LevelField& field, double value, const WorldRay& ray) {
-  std::vector<double> at;
-  for (const LatticeCell& cell : surface_cells(field, value))
-    append_level_crossings(field, value, cell, ray, at);
-  std::ranges::sort(at);
-  return at;
-}
 
 TEST(UnitRayPolynomial, FindsTheRootsOfAProduct) {
   RayPolynomial p(1.0);
@@ -69,8 +45,8 @@ TEST_P(PropertyIsosurface, GridAlignedRaysCrossAPlaneOnce) {
   for (const double value : {1.5, 1.7, 3.0, 3.25, 3.5, 4.125})
     for (const double y : {1.5, 2.0, 2.25, 3.75, 4.0, 6.0, 6.5})
       for (const double z : {2.0, 2.25, 5.0, 6.0}) {
-        const auto forth = crossings(field, value, {Vec3(-5, y, z), Vec3(1, 0, 0)});
-        const auto back = crossings(field, value, {Vec3(15, y, z), Vec3(-1, 0, 0)});
+        const auto forth = exact_crossings(field, value, {Vec3(-5, y, z), Vec3(1, 0, 0)});
+        const auto back = exact_crossings(field, value, {Vec3(15, y, z), Vec3(-1, 0, 0)});
         ASSERT_EQ(forth.size(), 1u) << value << ' ' << y << ' ' << z;
         ASSERT_EQ(back.size(), 1u) << value << ' ' << y << ' ' << z;
         EXPECT_NEAR(forth[0] - 5, 15 - back[0], 1e-12);
@@ -86,15 +62,12 @@ TEST_P(PropertyIsosurface, RaysThroughFacesCrossAPlaneOnce) {
   for (const Vec3 direction : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(1, 1, 1), Vec3(2, 1, 0)})
     for (const Vec3 through : {Vec3(3.25, 4.25, 4.25), Vec3(3, 4, 4), Vec3(2, 2, 2.5)}) {
       const double value = through.x + 0.125;
-      EXPECT_EQ(crossings(field, value, {through - 3.0 * direction, direction}).size(), 1u);
+      EXPECT_EQ(exact_crossings(field, value, {through - 3.0 * direction, direction}).size(), 1u);
     }
 }
 
 TEST_P(PropertyIsosurface, RandomRaysAgreeWithBisection) {
-  const auto wave = [](const Vec3& x) {
-    return std::sin(1.3 * x.x) * std::cos(x.y) + 0.3 * x.z - 1;
-  };
-  const LevelField field = nested(wave, GetParam());
+  const LevelField field = nested(wavy, GetParam());
   constexpr double value = 0.05, step = 1.0 / 512;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.7, 7.3);
@@ -104,7 +77,7 @@ TEST_P(PropertyIsosurface, RandomRaysAgreeWithBisection) {
     const Vec3 a = any(), b = any();
     const WorldRay ray{a, glm::normalize(b - a)};
     const auto inside = [&](double t) { return field.value(ray.at(t)).value() >= value; };
-    auto found = crossings(field, value, ray);
+    auto found = exact_crossings(field, value, ray);
     std::erase_if(found, [&](double t) { return t > glm::length(b - a); });
     for (double t = 0; t + step < glm::length(b - a); t += step) {
       if (inside(t) == inside(t + step)) continue;
@@ -128,7 +101,7 @@ TEST_P(PropertyIsosurface, RandomRaysAgreeWithBisection) {
 TEST_P(PropertyIsosurface, APlateauAtTheValueIsBoundedAndNotFilled) {
   const auto plateau = [](const Vec3& x) { return std::min(x.x - 4, 0.0); };
   const LevelField field({sampled(Vec3(0), 1, 9, plateau)}, GetParam());
-  EXPECT_EQ(crossings(field, 0, {Vec3(-1, 3.3, 3.7), Vec3(1, 0, 0)}), std::vector<double>{5});
+  EXPECT_EQ(exact_crossings(field, 0, {Vec3(-1, 3.3, 3.7), Vec3(1, 0, 0)}), std::vector<double>{5});
 }
 
 TEST_P(PropertyIsosurface, ValuesOutOfRangeHaveNoSurface) {
@@ -140,7 +113,7 @@ TEST_P(PropertyIsosurface, ValuesOutOfRangeHaveNoSurface) {
 TEST(UnitIsosurface, ASphereIsEnteredAndLeft) {
   const auto distance = [](const Vec3& x) { return glm::length(x - 4.0); };
   const LevelField field({sampled(Vec3(0), 0.125, 65, distance)}, find_reconstruction("blend"));
-  const auto at = crossings(field, 2, {Vec3(-2, 4, 4), Vec3(1, 0, 0)});
+  const auto at = exact_crossings(field, 2, {Vec3(-2, 4, 4), Vec3(1, 0, 0)});
   ASSERT_EQ(at.size(), 2u);
   // Along the axis through samples the reconstruction is linear: |x - 4| up to float.
   EXPECT_NEAR(at[0], 4, 1e-6);

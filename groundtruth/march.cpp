@@ -1,0 +1,64 @@
+// Isosurfaces by front-to-back ray marching with a step of dx / k of the finest cell that takes
+// part: Li, Chen, Multi-Resolution Isosurface Rendering (2023), Sect. 3.5; see LevelMarch for what
+// differs. Crossings are composited in double as `raytrace` composites them, with all other objects
+// of the scene, which are crossed exactly. Depths are view depths, in units (see ViewFrame).
+// Accuracy: no bound. Pairs of crossings closer than a step are lost; see the study `isosurface`.
+
+#include "groundtruth/march.h"
+
+#include "groundtruth/raytrace.h"
+
+namespace pellucid {
+namespace {
+
+constexpr ParameterSpec parameters[] = {
+    {.name = "step",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "8",
+     .min = 1,
+     .max = 64,
+     .unit = "1/cell",
+     .help = "steps across the finest cell that takes part"},
+    {.name = "refine",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "linear",
+     .choices = "linear|bisection",
+     .help = "where between two samples the surface is: on the line through both, or by bisection"},
+    {.name = "skip",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "blocks",
+     .choices = "blocks|none",
+     .help = "blocks: pass over 8 x 8 x 8 cells without the value; the picture stays the same"},
+    {.name = "stop-below",
+     .kind = ParameterSpec::Kind::real,
+     .default_value = "0",
+     .min = 0,
+     .max = 1,
+     .help = "a ray ends where less than this shows"}};
+
+std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
+  TraceOptions options;
+  options.stop_below = values.real("stop-below");
+  options.march = {
+      double(values.integer("step")),
+      values.text("refine") == "linear" ? HitRefinement::linear : HitRefinement::bisection,
+      options.stop_below, values.text("skip") == "blocks"};
+  return make_raytracer(scene, options);
+}
+
+constexpr MethodRow row{
+    .name = "march",
+    .title = "Ray marching of isosurfaces",
+    .citation = "Li, Chen, Multi-Resolution Isosurface Rendering, 2023",
+    .equations = "Sect. 3.5, with Eqs. 2, 3",
+    .parameters = parameters,
+    .promises = {.order_independent = true, .convex_hull = true},
+    .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 512 cells",
+    .sweep = "step=2|8|16",
+    .make = make};
+
+}  // namespace
+
+const MethodRow& march_method() { return row; }
+
+}  // namespace pellucid
