@@ -12,14 +12,14 @@ constexpr std::uint64_t most_primitives = (std::uint64_t(1) << 31) / 3;
 
 void check_shape(const SceneObject& object) {
   if (std::holds_alternative<Isosurface>(object.shape))
-    throw InputError(
-        fmt::format("{}: an isosurface: raytrace alone draws it; accepted by this method: meshes, "
-                    "lines, points",
-                    object.name));
+    throw InputError(fmt::format(
+        "{}: an isosurface: raytrace and march draw it; accepted by this method: meshes, "
+        "lines, points",
+        object.name));
   const auto refuse = [&](const char* profile, const char* accepted) {
-    throw InputError(
-        fmt::format("{}: profile \"{}\": raytrace alone draws it; accepted by this method: \"{}\"",
-                    object.name, profile, accepted));
+    throw InputError(fmt::format(
+        "{}: profile \"{}\": raytrace and march draw it; accepted by this method: \"{}\"",
+        object.name, profile, accepted));
   };
   if (const auto* lines = std::get_if<LineObject>(&object.shape))
     if (lines->profile == LineObject::Profile::tube) refuse("tube", "ribbon");
