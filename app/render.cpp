@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +9,8 @@
 #include "app/probe.h"
 #include "compare/image_file.h"
 #include "compare/methods.h"
+#include "compare/sums_file.h"
+#include "core/error.h"
 #include "core/machine.h"
 #include "core/names.h"
 #include "core/output_file.h"
@@ -16,10 +20,21 @@ namespace pellucid {
 namespace {
 
 struct RenderOptions {
-  std::string scene, method, output, stats, layers, probe_output;
+  std::string scene, method, output, stats, layers, probe_output, sums, deep;
   std::vector<int> probe;  // x, y, x, y, …
   bool explain = false;
 };
+
+/// A wrong name of an output is met before the work that would be in vain.
+CLI::Validator ending_among(const std::vector<std::string>& endings) {
+  return CLI::Validator(
+      [endings](const std::string& path) {
+        const std::string ending = std::filesystem::path(path).extension().string();
+        if (std::ranges::find(endings, ending) != endings.end()) return std::string();
+        return fmt::format("{}: ending '{}'; accepted: {}", path, ending, fmt::join(endings, ", "));
+      },
+      fmt::format("{}", fmt::join(endings, "|")));
+}
 
 nlohmann::json to_json(const FrameStats& frame) {
   return {{"seconds", frame.seconds}, {"lines", frame.lines}, {"fragments", frame.fragments},
@@ -50,14 +65,30 @@ void print_summary(const RenderOptions& options, const RenderStats& stats) {
                            stats.fragments, stats.max_layers);
 }
 
+/// What is asked for beside the picture: it is exact, whatever the method.
+void write_exact_sums(const RenderOptions& options, const Scene& scene, const Progress& progress) {
+  if (!options.probe.empty())
+    write_text(options.probe_output, probe_json(scene, options.probe).dump(2) + '\n');
+  if (options.sums.empty() && options.deep.empty()) return;
+  if (!options.deep.empty() && scene.samples != 1)
+    throw InputError(fmt::format("--deep: the scene takes {0} x {0} samples per pixel; accepted: 1",
+                                 scene.samples));
+  const RayProbe probe(scene);
+  if (!options.sums.empty()) write_sums(options.sums, picture_sums(scene, probe, progress));
+  if (!options.deep.empty())
+    write_deep(options.deep, scene.width, scene.height, [&](int y) {
+      report(progress, double(y) / scene.height, "deep picture");
+      return row_sums(scene, probe, y);
+    });
+}
+
 void render(const RenderOptions& options, const GlobalOptions& globals) {
   const NameAndOptions named = parse_name_and_options(options.method);
   const MethodRow& row = find_row("method", named.name, methods());
   const Parameters parameters(row.name, row.parameters, named.options);
   const Progress progress = console_progress(globals);
   const Scene scene = load_scene(options.scene, progress);
-  if (!options.probe.empty())
-    write_text(options.probe_output, probe_json(scene, options.probe).dump(2) + '\n');
+  write_exact_sums(options, scene, progress);
   const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
   report(progress, 0.5, fmt::format("rendering {}", row.name));
   // A first frame compiles shaders and touches memory for the first time; the second is timed.
@@ -85,9 +116,11 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("-m,--method", options->method, "NAME[:key=value,...]; see 'list methods'")
       ->required();
   command->add_option("-o,--output", options->output, "Picture: .exr (32-bit float) or .png")
+      ->check(ending_among({".exr", ".png"}))
       ->required();
   command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
-  command->add_option("--layers", options->layers, "Write the number of crossings per pixel");
+  command->add_option("--layers", options->layers, "Write the number of crossings per pixel")
+      ->check(ending_among({".exr", ".png"}));
   CLI::Option* probe = command->add_option(
       "--probe", options->probe, "Pixel X,Y whose crossings are wanted; may be given again");
   probe->delimiter(',')->type_size(2);
@@ -96,6 +129,13 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
                           "Write the exact crossings and sums along the probes' rays as JSON");
   probe->needs(probe_output);
   probe_output->needs(probe);
+  command
+      ->add_option("--sums", options->sums,
+                   "Write the exact sums of every pixel as channels of an .exr: layers, coverage, "
+                   "transmittance, G, tau, nearest and farthest depth")
+      ->check(ending_among({".exr"}));
+  command->add_option("--deep", options->deep, "Write every crossing of every pixel as a deep .exr")
+      ->check(ending_among({".exr"}));
   command->add_flag("--explain", options->explain, "Print what was modelled and left out, and why");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);

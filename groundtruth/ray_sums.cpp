@@ -1,7 +1,12 @@
 #include "groundtruth/ray_sums.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "groundtruth/crossing_geometry.h"
 
 namespace pellucid {
 namespace {
@@ -30,10 +35,31 @@ RayProbe::RayProbe(const Scene& scene, Precision precision)
 
 RaySums RayProbe::at(double x, double y) const {
   const PictureRay ray = finder_.frame().ray(x, y);
-  const Vec3 direction = finder_.frame().world_direction(ray);
   std::vector<Crossing> crossings;
   finder_.find(ray, crossings);
+  return sums(ray, crossings);
+}
+
+std::vector<RaySums> RayProbe::at(std::span<const Vec2> places) const {
+  std::vector<RaySums> found(places.size());
+  const std::size_t packets = (places.size() + RayPacket::width - 1) / RayPacket::width;
+  tbb::parallel_for(std::size_t(0), packets, [&](std::size_t packet) {
+    thread_local std::array<std::vector<Crossing>, RayPacket::width> crossings;
+    const std::size_t first = packet * RayPacket::width;
+    std::vector<PictureRay> rays;
+    for (const Vec2& place :
+         places.subspan(first, std::min(RayPacket::width, places.size() - first)))
+      rays.push_back(finder_.frame().ray(place.x, place.y));
+    finder_.find(rays, std::span(crossings).first(rays.size()));
+    for (std::size_t k = 0; k < rays.size(); ++k) found[first + k] = sums(rays[k], crossings[k]);
+  });
+  return found;
+}
+
+RaySums RayProbe::sums(const PictureRay& ray, std::span<const Crossing> crossings) const {
+  const Vec3 direction = finder_.frame().world_direction(ray);
   RaySums sums;
+  sums.layers.reserve(crossings.size());
   double importance_sum = 0, optical_depth = 0;
   for (const Crossing& crossing : crossings) {
     const Fragment fragment = finder_.shade(crossing, direction);

@@ -1,6 +1,7 @@
 #pragma once
 // Everything that exact compositing knows of one ray: what order-independent methods approximate.
 
+#include <span>
 #include <vector>
 
 #include "groundtruth/crossing_finder.h"
@@ -41,11 +42,15 @@ class RayProbe {
   /// x runs right, y down, in pixels from the picture's top left corner: a pixel's centre is at
   /// +0.5.
   RaySums at(double x, double y) const;
+  /// The same at several places, best neighbours; in parallel.
+  std::vector<RaySums> at(std::span<const Vec2> places) const;
 
   const DepthRange& depths() const { return depths_; }
   std::uint64_t bytes() const { return finder_.bytes(); }  // of the hierarchy and what it needs
 
  private:
+  RaySums sums(const PictureRay& ray, std::span<const Crossing> crossings) const;
+
   const Scene& scene_;
   DepthRange depths_;
   CrossingFinder finder_;

@@ -115,6 +115,23 @@ TEST_F(UnitCommandLine, ProbesPixels) {
               HasSubstr("95,95"));
 }
 
+TEST_F(UnitCommandLine, WritesExactSumsAndDeepPictures) {
+  const auto sums = folder_ / "sums.exr", deep = folder_ / "deep.exr";
+  const Outcome outcome =
+      run(render("fourier") + " --sums " + sums.string() + " --deep " + deep.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(sums));
+  EXPECT_TRUE(fs::exists(deep));
+}
+
+TEST_F(UnitCommandLine, EndingsAreCheckedBeforeAnyWork) {
+  for (const char* option : {"--sums", "--deep"})
+    EXPECT_THAT(refusal(render("raytrace") + ' ' + option + ' ' + (folder_ / "x.png").string()),
+                HasSubstr("'.png'; accepted: .exr"));
+  EXPECT_THAT(refusal(render("raytrace") + " --layers " + (folder_ / "x.jpg").string()),
+              HasSubstr("'.jpg'; accepted: .exr, .png"));
+}
+
 TEST_F(UnitCommandLine, UnknownNamesOfferTheNearest) {
   EXPECT_THAT(refusal(render("furier")), HasSubstr("unknown method 'furier'; known: fourier"));
   EXPECT_THAT(refusal(render("fourier:band=3")), HasSubstr("unknown key 'band'; known: bands"));
