@@ -5,45 +5,11 @@
 #include <optional>
 
 #include "compare/measure_columns.h"
+#include "compare/readable_columns.h"
 #include "compare/tables.h"
 
 namespace pellucid {
 namespace {
-
-/// A column for people: its number, how it is written, and which way is better.
-struct ReadableColumn {
-  std::string_view title;
-  std::optional<double> (*value)(const ResultRow&);
-  std::string (*text)(double);
-  enum class Better { lower, higher, neither } better;
-};
-
-std::string scientific(double x) { return x == 0 ? "0" : fmt::format("{:.2e}", x); }
-std::string four_decimals(double x) { return fmt::format("{:.4f}", x); }
-std::string one_decimal(double x) { return std::isinf(x) ? "∞" : fmt::format("{:.1f}", x); }
-std::string whole(double x) { return fmt::format("{:.0f}", x); }
-
-using Better = ReadableColumn::Better;
-
-constexpr ReadableColumn readable_columns[] = {
-    {"RMSE", [](const ResultRow& r) { return std::optional(r.metrics.linear.rmse); }, scientific,
-     Better::lower},
-    {"SSIM", [](const ResultRow& r) { return r.metrics.linear.ssim; }, four_decimals,
-     Better::higher},
-    {"PSNR [dB]", [](const ResultRow& r) { return std::optional(r.metrics.linear.psnr); },
-     one_decimal, Better::higher},
-    {"Time [ms]", [](const ResultRow& r) { return std::optional(r.seconds.median * 1e3); },
-     one_decimal, Better::lower},
-    {"Memory [MB]", [](const ResultRow& r) { return std::optional(double(r.total_bytes()) / 1e6); },
-     one_decimal, Better::lower},
-    {"Fragments", [](const ResultRow& r) { return std::optional(double(r.fragments)); }, whole,
-     Better::neither},
-    {"Layers", [](const ResultRow& r) { return std::optional(double(r.max_layers)); }, whole,
-     Better::neither}};
-
-std::string call_text(const ResultRow& row) {
-  return row.parameters.empty() ? row.method : fmt::format("{}:{}", row.method, row.parameters);
-}
 
 std::string cell_text(const ReadableColumn& column, const ResultRow& row) {
   const std::optional<double> value = column.value(row);
@@ -57,14 +23,10 @@ std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow
   return chosen;
 }
 
-bool is_better(const ReadableColumn& column, double a, double b) {
-  return column.better == Better::lower ? a < b : a > b;
-}
-
 /// The best value of a column among the methods; nothing where no way is better.
 std::optional<double> best_of(const ReadableColumn& column, std::span<const ResultRow> rows) {
   std::optional<double> best;
-  if (column.better == Better::neither) return best;
+  if (column.better == Measure::Better::neither) return best;
   for (const ResultRow& row : rows) {
     if (row.reference || !row.error.empty()) continue;
     const std::optional<double> value = column.value(row);
@@ -74,16 +36,16 @@ std::optional<double> best_of(const ReadableColumn& column, std::span<const Resu
 }
 
 std::string markdown_line(const ResultRow& row) {
-  std::string line = fmt::format("| {}{} |", call_text(row), row.reference ? " (reference)" : "");
+  std::string line = fmt::format("| {}{} |", row.call(), row.reference ? " (reference)" : "");
   if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", row.error);
-  for (const ReadableColumn& column : readable_columns)
+  for (const ReadableColumn& column : readable_columns())
     line += fmt::format(" {} |", cell_text(column, row));
   return line + '\n';
 }
 
 std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
   std::string header = "| Method |", rule = "|---|";
-  for (const ReadableColumn& column : readable_columns) {
+  for (const ReadableColumn& column : readable_columns()) {
     header += fmt::format(" {} |", column.title);
     rule += "---:|";
   }
@@ -102,7 +64,7 @@ std::vector<ResultRow> measured_rows(std::span<const ResultRow> rows) {
 
 std::string measure_text(std::optional<double> value) {
   if (!value) return "–";
-  return *value == std::floor(*value) && std::abs(*value) < 1e15 ? whole(*value)
+  return *value == std::floor(*value) && std::abs(*value) < 1e15 ? fmt::format("{:.0f}", *value)
                                                                  : fmt::format("{:.4g}", *value);
 }
 
@@ -112,7 +74,7 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
   if (measured.empty()) return "";
   std::string text = "\n| |", rule = "|---|";
   for (const ResultRow& row : measured) {
-    text += fmt::format(" {} |", call_text(row));
+    text += fmt::format(" {} |", row.call());
     rule += "---:|";
   }
   text += '\n' + rule + '\n';
@@ -120,6 +82,23 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
     text += fmt::format("| {} |", heading(measure));
     for (const ResultRow& row : measured)
       text += fmt::format(" {} |", measure_text(measure_of(row, measure.name)));
+    text += '\n';
+  }
+  return text;
+}
+
+/// "fourier:bands=5 2.1e-02, …: the same here", a line for each scene.
+std::string markdown_claim(const Claim& claim, const Study& study,
+                           std::span<const ResultRow> rows) {
+  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, claim.by->title);
+  for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows)) {
+    text += fmt::format("- {}:", check.scene);
+    for (const auto& [call, value] : check.values)
+      text += fmt::format(" {} {},", call, claim.by->text(value));
+    text.back() = ';';
+    text += check.against.empty() ? " the same here" : " otherwise here:";
+    for (const auto& [better, worse] : check.against)
+      text += fmt::format(" {} before {};", worse, better);
     text += '\n';
   }
   return text;
@@ -146,14 +125,14 @@ std::string latex_number(const std::string& text) {
 }
 
 std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
-  std::string line = latex_escaped(call_text(row));
+  std::string line = latex_escaped(row.call());
   if (!row.error.empty())
     return line + fmt::format(" & \\multicolumn{{{}}}{{l}}{{failed: {}}} \\\\\n",
-                              std::size(readable_columns), latex_escaped(row.error));
-  for (const ReadableColumn& column : readable_columns) {
+                              readable_columns().size(), latex_escaped(row.error));
+  for (const ReadableColumn& column : readable_columns()) {
     const std::string text = latex_number(cell_text(column, row));
     const bool best = !row.reference && best_of(column, rows) == column.value(row) &&
-                      column.better != Better::neither;
+                      column.better != Measure::Better::neither;
     line += best ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text) : " & " + text;
   }
   return line + " \\\\\n";
@@ -161,7 +140,7 @@ std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
 
 std::string latex_block(std::string_view scene, std::span<const ResultRow> rows) {
   std::string text = fmt::format("\\midrule\n\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\\n",
-                                 std::size(readable_columns) + 1, latex_escaped(scene));
+                                 readable_columns().size() + 1, latex_escaped(scene));
   for (const ResultRow& row : rows) text += latex_line(row, rows);
   return text;
 }
@@ -171,7 +150,7 @@ std::string latex_measures(std::string_view scene, std::span<const ResultRow> ro
   if (measured.empty()) return "";
   std::string text = fmt::format("\n\\begin{{tabular}}{{l{}}}\n\\toprule\n\\textit{{{}}}",
                                  std::string(measured.size(), 'r'), latex_escaped(scene));
-  for (const ResultRow& row : measured) text += " & " + latex_escaped(call_text(row));
+  for (const ResultRow& row : measured) text += " & " + latex_escaped(row.call());
   text += " \\\\\n\\midrule\n";
   for (const Measure& measure : measure_columns(measured)) {
     text += latex_escaped(heading(measure));
@@ -191,14 +170,17 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
     const std::vector<ResultRow> here = rows_of(scene_name(scene), rows);
     text += markdown_block(scene_name(scene), here) + markdown_measures(here);
   }
+  if (!study.claims.empty()) text += "\n## What the source found\n";
+  for (const Claim& claim : study.claims) text += markdown_claim(claim, study, rows);
   return text;
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n", study.title);
   text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
-                      std::string(std::size(readable_columns), 'r'));
-  for (const ReadableColumn& column : readable_columns) text += fmt::format(" & {}", column.title);
+                      std::string(readable_columns().size(), 'r'));
+  for (const ReadableColumn& column : readable_columns())
+    text += fmt::format(" & {}", column.title);
   text += " \\\\\n";
   for (const auto& scene : study.scenes)
     text += latex_block(scene_name(scene), rows_of(scene_name(scene), rows));

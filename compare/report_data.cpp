@@ -115,6 +115,24 @@ json methods_json(const Study& study) {
   return methods;
 }
 
+json check_json(const Claim& claim, const ClaimCheck& check) {
+  json values = json::array();
+  for (const auto& [call, value] : check.values)
+    values.push_back({{"call", call}, {"text", claim.by->text(value)}});
+  return {{"scene", check.scene}, {"values", values}, {"against", check.against}};
+}
+
+json claims_json(const Study& study, std::span<const ResultRow> rows) {
+  json claims = json::array();
+  for (const Claim& claim : study.claims) {
+    json checks = json::array();
+    for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
+      checks.push_back(check_json(claim, check));
+    claims.push_back({{"text", claim.text}, {"by", claim.by->title}, {"checks", checks}});
+  }
+  return claims;
+}
+
 }  // namespace
 
 json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
@@ -128,6 +146,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
           {"rows", list},
           {"scenes", scenes},
           {"methods", methods_json(study)},
+          {"claims", claims_json(study, rows)},
           {"error_scale", error_scale_json()}};
 }
 

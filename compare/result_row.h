@@ -59,6 +59,8 @@ struct ResultRow {
   std::map<std::string, std::string> machine;           // with the method's own facts: driver, …
 
   std::uint64_t total_bytes() const;
+  /// "fourier:bands=5", as MethodCall::text() of its cell.
+  std::string call() const { return parameters.empty() ? method : method + ':' + parameters; }
 };
 
 nlohmann::json to_json(const ResultRow& row);

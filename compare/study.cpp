@@ -147,10 +147,8 @@ Crop read_crop(const JsonNode& node) {
           numbers[2].integer(1, max_side), numbers[3].integer(1, max_side)};
 }
 
-std::map<std::string, Crop> read_crops(const JsonNode& node, const std::vector<fs::path>& scenes) {
-  std::vector<std::string> names;
-  names.reserve(scenes.size());
-  for (const fs::path& scene : scenes) names.push_back(scene_name(scene));
+std::map<std::string, Crop> read_crops(const JsonNode& node,
+                                       const std::vector<std::string>& names) {
   std::map<std::string, Crop> crops;
   for (const auto& item : node.value().items()) {
     if (std::find(names.begin(), names.end(), item.key()) == names.end())
@@ -161,12 +159,44 @@ std::map<std::string, Crop> read_crops(const JsonNode& node, const std::vector<f
   return crops;
 }
 
+/// The text of a call that the study has.
+std::string read_known_call(const JsonNode& node, const Study& study) {
+  std::vector<std::string> texts{study.reference.text()};
+  for (const MethodCall& call : study.methods) texts.push_back(call.text());
+  const std::string text = node.string();
+  if (std::find(texts.begin(), texts.end(), text) == texts.end())
+    node.fail(
+        unknown_name("call", text, std::vector<std::string_view>(texts.begin(), texts.end())));
+  return text;
+}
+
+std::vector<std::string> read_group(const JsonNode& node, const Study& study) {
+  if (!node.is_array()) return {read_known_call(node, study)};
+  std::vector<std::string> group;
+  for (const JsonNode& element : node.elements()) group.push_back(read_known_call(element, study));
+  return group;
+}
+
+Claim read_claim(const JsonNode& node, const Study& study) {
+  node.accept_keys({"claim", "by", "order"});
+  Claim claim{node["claim"].string(), nullptr, {}};
+  claim.by = &at_place(node["by"], [&]() -> const ReadableColumn& {
+    return find_row("number", node["by"].string(), readable_columns());
+  });
+  if (claim.by->better == Measure::Better::neither)
+    node["by"].fail(fmt::format("'{}': no way is better", claim.by->name));
+  for (const JsonNode& element : node["order"].elements())
+    claim.order.push_back(read_group(element, study));
+  if (claim.order.size() < 2) node["order"].fail("accepted: at least two calls, the best first");
+  return claim;
+}
+
 Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& methods,
                  const Catalogue& integrators) {
   root["format"].one_of({"pellucid-study"});
   root["version"].integer(1, 1);
   root.accept_keys({"format", "version", "title", "source", "scenes", "reference",
-                    "reference_scene", "integrators", "methods", "repeats", "crops"});
+                    "reference_scene", "integrators", "methods", "repeats", "crops", "claims"});
   Study study;
   study.name = file.stem().string();
   study.file = file;
@@ -179,7 +209,10 @@ Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& me
   if (root.has("integrators")) add_calls(root["integrators"], integrators, study);
   if (root.has("methods") || !root.has("integrators")) add_calls(root["methods"], methods, study);
   if (root.has("repeats")) study.repeats = root["repeats"].integer(1, max_repeats);
-  if (root.has("crops")) study.crops = read_crops(root["crops"], study.scenes);
+  if (root.has("crops")) study.crops = read_crops(root["crops"], scene_names(study));
+  if (root.has("claims"))
+    for (const JsonNode& element : root["claims"].elements())
+      study.claims.push_back(read_claim(element, study));
   return study;
 }
 
@@ -213,6 +246,13 @@ std::string MethodCall::slug() const {
 }
 
 std::string scene_name(const fs::path& scene) { return scene.stem().string(); }
+
+std::vector<std::string> scene_names(const Study& study) {
+  std::vector<std::string> names;
+  names.reserve(study.scenes.size());
+  for (const fs::path& scene : study.scenes) names.push_back(scene_name(scene));
+  return names;
+}
 
 Study load_study(const fs::path& file, std::span<const MethodRow> methods,
                  std::span<const MethodRow> integrators) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/claims.h"
 #include "compare/surface_methods.h"
 #include "scene/renderer.h"
 
@@ -43,6 +44,7 @@ struct Study {
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
   std::map<std::string, Crop> crops;  // by scene
+  std::vector<Claim> claims;          // of the source
 };
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
@@ -59,6 +61,9 @@ std::string scene_name(const std::filesystem::path& scene);
 /// The file of a study given by its path, or by its name in ./studies, in the current folder or
 /// among those that come with the program. Throws InputError with the nearest names.
 std::filesystem::path find_study(std::string_view name_or_file);
+
+/// The names of its scenes, in their order.
+std::vector<std::string> scene_names(const Study& study);
 
 struct StudySummary {
   std::string name, title, source;

@@ -35,6 +35,16 @@ void color_by_scalar(const ScalarColor& by, Vertices& vertices) {
     set_rgb(vertices.colors[i], map(fraction_of(values[i], range)));
 }
 
+void fade_by_scalar(const ScalarOpacity& by, Vertices& vertices) {
+  const std::vector<double>& values = find_scalar(vertices, by.scalar);
+  const Vec2 range = by.range.value_or(finite_range(values));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    // fmax takes NaN for 0.
+    const double share = std::fmin(std::fmax(fraction_of(values[i], range), 0.0), 1.0);
+    vertices.colors[i].a = float(std::lerp(by.opacities.x, by.opacities.y, share));
+  }
+}
+
 }  // namespace
 
 Vec2 finite_range(const std::vector<double>& values) {
@@ -50,8 +60,10 @@ void apply_appearance(const Appearance& appearance, Vertices& vertices) {
   if (const auto* rgb = std::get_if<Vec3>(&appearance.color))
     for (Rgba& color : vertices.colors) set_rgb(color, *rgb);
   if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) color_by_scalar(*by, vertices);
-  if (appearance.opacity)
-    for (Rgba& color : vertices.colors) color.a = static_cast<float>(*appearance.opacity);
+  if (const auto* opacity = std::get_if<double>(&appearance.opacity))
+    for (Rgba& color : vertices.colors) color.a = static_cast<float>(*opacity);
+  if (const auto* by = std::get_if<ScalarOpacity>(&appearance.opacity))
+    fade_by_scalar(*by, vertices);
   if (appearance.importance) {
     const std::vector<double>& values = find_scalar(vertices, *appearance.importance);
     const Vec2 range = finite_range(values);

@@ -17,10 +17,18 @@ struct ScalarColor {
   std::optional<Vec2> range;
 };
 
+/// Opacity by a scalar of the vertices: linear between the opacities at the ends of `range`, which
+/// without it is the scalar's own finite range; constant beyond.
+struct ScalarOpacity {
+  std::string scalar;
+  Vec2 opacities{0, 1};  // each in [0, 1]
+  std::optional<Vec2> range;
+};
+
 /// How an object is drawn. What is not set stays as the vertices have it.
 struct Appearance {
   std::variant<std::monostate, Vec3, ScalarColor> color;
-  std::optional<double> opacity;  // in [0, 1]
+  std::variant<std::monostate, double, ScalarOpacity> opacity;  // in [0, 1]
   std::optional<std::string>
       importance;  // the scalar that gives g, mapped from its range to [0, 1]
 };

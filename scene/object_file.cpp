@@ -20,6 +20,12 @@ namespace fs = std::filesystem;
 
 constexpr double any = std::numeric_limits<double>::max();
 
+Vec2 read_pair(const JsonNode& node, double min, double max) {
+  const auto ends = node.elements();
+  if (ends.size() != 2) node.fail("accepted: two numbers");
+  return {ends[0].number(min, max), ends[1].number(min, max)};
+}
+
 std::variant<std::monostate, Vec3, ScalarColor> read_color(const JsonNode& node) {
   if (node.is_array()) {
     const Vec3 rgb = node.vec3();
@@ -29,18 +35,22 @@ std::variant<std::monostate, Vec3, ScalarColor> read_color(const JsonNode& node)
   node.accept_keys({"by", "map", "range"});
   ScalarColor color{node["by"].string(), "viridis", std::nullopt};
   if (node.has("map")) color.map = node["map"].string();
-  if (node.has("range")) {
-    const auto ends = node["range"].elements();
-    if (ends.size() != 2) node["range"].fail("accepted: two numbers");
-    color.range = Vec2(ends[0].number(-any, any), ends[1].number(-any, any));
-  }
+  if (node.has("range")) color.range = read_pair(node["range"], -any, any);
   return color;
+}
+
+std::variant<std::monostate, double, ScalarOpacity> read_opacity(const JsonNode& node) {
+  if (!node.is_object()) return node.number(0, 1);
+  node.accept_keys({"by", "opacities", "range"});
+  ScalarOpacity opacity{node["by"].string(), read_pair(node["opacities"], 0, 1), std::nullopt};
+  if (node.has("range")) opacity.range = read_pair(node["range"], -any, any);
+  return opacity;
 }
 
 Appearance read_appearance(const JsonNode& node) {
   Appearance appearance;
   if (node.has("color")) appearance.color = read_color(node["color"]);
-  if (node.has("opacity")) appearance.opacity = node["opacity"].number(0, 1);
+  if (node.has("opacity")) appearance.opacity = read_opacity(node["opacity"]);
   if (node.has("importance")) appearance.importance = node["importance"].string();
   return appearance;
 }
@@ -197,6 +207,8 @@ class ObjectReader {
     at_place(node_, [&] { apply_appearance(appearance, object_.vertices()); });
     if (!object_.source) return;
     if (auto* by = std::get_if<ScalarColor>(&appearance.color); by && !by->range)
+      by->range = finite_range(object_.vertices().scalars.at(by->scalar));
+    if (auto* by = std::get_if<ScalarOpacity>(&appearance.opacity); by && !by->range)
       by->range = finite_range(object_.vertices().scalars.at(by->scalar));
     object_.source->appearance = appearance;
   }

@@ -91,6 +91,21 @@ TEST_F(UnitSceneFile, ColourByScalarRunsThroughTheMap) {
   EXPECT_EQ(ranged.objects[0].mesh().colors[2], Rgba(magma(0), 0.125));
 }
 
+// The sheet's speeds are 0, 1, 2, 4.
+TEST_F(UnitSceneFile, OpacityByScalarIsLinearBetweenTheEnds) {
+  const auto alphas = [&](const std::string& range) {
+    const Scene scene = with(R"({"mesh": "sheet.ply", "opacity": {"by": "speed", )" + range +
+                             R"("opacities": [0.75, 0.25]}})");
+    std::vector<float> values;
+    for (const Rgba& color : scene.objects[0].mesh().colors) values.push_back(color.a);
+    return values;
+  };
+  EXPECT_EQ(alphas(""), (std::vector<float>{0.75f, 0.625f, 0.5f, 0.25f}));
+  EXPECT_EQ(alphas(R"("range": [1, 2], )"), (std::vector<float>{0.75f, 0.75f, 0.25f, 0.25f}));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "opacity": {"by": "speed", "opacities": [0, 2]}})"),
+              HasSubstr("objects[0].opacity.opacities[1]: 2; accepted: 0 … 1"));
+}
+
 TEST_F(UnitSceneFile, ASurfaceIsIntegrated) {
   const Scene scene = with(
       R"({"surface": {"field": "formula:u=1,v=0,w=0", "integrator": "hultquist:threshold=0.1",
