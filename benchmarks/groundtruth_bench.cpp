@@ -215,6 +215,19 @@ void one_thread_against_two(benchmark::State& state) {
       state, [&] { with_threads(1); }, [&] { with_threads(2); });
 }
 
+/// The eighth of 64 sheets opaque, against all transparent: what lies behind is not visited.
+void opaque_against_transparent(benchmark::State& state) {
+  const Scene transparent = wavy_sheets(64);
+  Scene opaque = transparent;
+  opaque.objects[7].opaque = true;
+  const MethodRow& row = raytrace_method();
+  const Parameters parameters(row.name, row.parameters, {});
+  const auto tested = row.make(opaque, parameters, {}), all = row.make(transparent, parameters, {});
+  in_pairs(
+      state, [&] { tested->render({}); }, [&] { all->render({}); });
+  state.counters["crossings"] = double(tested->render({}).stats.fragments);
+}
+
 void register_scene(const std::string& name, const Scene& scene) {
   benchmark::RegisterBenchmark(
       (name + "/crossings-only/against-robust").c_str(),
@@ -249,6 +262,10 @@ int main(int argc, char** argv) {
     file = load_scene(argv[1]);
     register_scene(file.name, file);
   }
+  benchmark::RegisterBenchmark("opaque-8th-of-64-against-none", opaque_against_transparent)
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(5);
   benchmark::RegisterBenchmark("threads-1-against-2", one_thread_against_two)
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond)

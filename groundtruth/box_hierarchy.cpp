@@ -45,7 +45,7 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
     object.center = center;
     const auto* mesh = dynamic_cast<const TriangleGeometry*>(object.geometry.get());
     const RTCGeometry geometry = callbacks.built_in && mesh ? triangles(*mesh, callbacks.built_in)
-                                                            : boxes(object, callbacks.decide);
+                                                            : boxes(object, callbacks);
     rtcSetGeometryUserData(geometry, &object);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
@@ -54,11 +54,12 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
   rtcCommitScene(scene_);
 }
 
-RTCGeometry BoxHierarchy::boxes(Object& object, RTCOccludedFunctionN decide) const {
+RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) const {
   const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, object.geometry->box_count());
   rtcSetGeometryBoundsFunction(geometry, give_box, nullptr);
-  rtcSetGeometryOccludedFunction(geometry, decide);
+  rtcSetGeometryOccludedFunction(geometry, callbacks.decide);
+  rtcSetGeometryIntersectFunction(geometry, callbacks.decide_and_close);
   return geometry;
 }
 

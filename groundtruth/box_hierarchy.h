@@ -29,7 +29,8 @@ class BoxHierarchy {
 
   /// What is called along a traversal.
   struct Callbacks {
-    RTCOccludedFunctionN decide;  // gets every candidate box
+    RTCOccludedFunctionN decide;             // gets every candidate box
+    RTCIntersectFunctionN decide_and_close;  // the same, and may shorten the ray
     RTCFilterFunctionN built_in;  // gets every hit of a mesh; null: meshes are boxes, as all else
   };
 
@@ -45,7 +46,7 @@ class BoxHierarchy {
   std::uint64_t bytes() const;                                     // with what the geometries keep
 
  private:
-  RTCGeometry boxes(Object& object, RTCOccludedFunctionN decide) const;
+  RTCGeometry boxes(Object& object, const Callbacks& callbacks) const;
   RTCGeometry triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const;
 
   Vec3 center_;

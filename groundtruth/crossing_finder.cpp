@@ -1,6 +1,7 @@
 #include "groundtruth/crossing_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "groundtruth/box_hierarchy.h"
@@ -23,17 +24,53 @@ constexpr std::size_t width = RayPacket::width;
 struct PacketContext {
   RTCIntersectContext embree;
   RayPacket rays;
+  std::array<double, width> begins;  // of the traversals, from the rays' starts
 };
+
+/// The packet's rays that a callback is about.
+template <class Arguments>
+std::uint32_t valid_lanes(const Arguments& args, RTCRayN* rays) {
+  std::uint32_t lanes = 0;
+  for (unsigned i = 0; i < args.N; ++i)
+    if (args.valid[i]) lanes |= 1u << RTCRayN_id(rays, args.N, i);
+  return lanes;
+}
 
 /// Decides the candidates of a box, and never reports a hit to Embree, so that the traversal goes
 /// on.
 void decide(const RTCOccludedFunctionNArguments* args) {
   const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
   const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
-  std::uint32_t lanes = 0;
-  for (unsigned i = 0; i < args->N; ++i)
-    if (args->valid[i]) lanes |= 1u << RTCRayN_id(args->ray, args->N, i);
-  object.geometry->cross(args->primID, context.rays, lanes);
+  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, args->ray));
+}
+
+/// Closes a traversal behind the nearest of these crossings, all with an opaque object: nothing
+/// behind it counts. Boxes are widened by what the ray's rounding moves it; twice that also covers
+/// the rounding of the traversal's end.
+void close(float& far, const SceneRay& ray, double begin, std::span<const Crossing> crossings) {
+  for (const Crossing& crossing : crossings)
+    if (crossing.depth > 0)
+      far =
+          std::min(far, float(crossing.depth / ray.direction.z - begin) + 2 * BoxHierarchy::margin);
+}
+
+/// As decide(); but a ray that an opaque object stops is not asked about boxes that lie behind.
+void decide_and_close(const RTCIntersectFunctionNArguments* args) {
+  const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
+  const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  std::array<std::size_t, width> known;
+  const std::size_t count = context.rays.rays.size();
+  for (std::size_t k = 0; k < count; ++k) known[k] = context.rays.crossings[k]->size();
+  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, rays));
+  // A crossing with a part of a solid may lie within another part.
+  if (!object.opaque || object.geometry->is_union()) return;
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (!args->valid[i]) continue;
+    const unsigned k = RTCRayN_id(rays, args->N, i);
+    close(RTCRayN_tfar(rays, args->N, i), context.rays.rays[k], context.begins[k],
+          std::span(*context.rays.crossings[k]).subspan(known[k]));
+  }
 }
 
 /// Takes every hit of a mesh as it is, and rejects it, so that the traversal goes on.
@@ -52,7 +89,7 @@ void take(const RTCFilterFunctionNArguments* args) {
 }
 
 BoxHierarchy::Callbacks callbacks(Precision precision) {
-  return {decide, precision == Precision::fast ? take : nullptr};
+  return {decide, decide_and_close, precision == Precision::fast ? take : nullptr};
 }
 
 std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame,
@@ -72,6 +109,7 @@ struct CrossingFinder::State {
   BoxHierarchy hierarchy;
   double largest = 0;  // coordinate
   bool any_union = false, any_opaque = false;
+  bool may_close = false;  // an opaque object may shorten rays
 
   State(const Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
       : frame(scene),
@@ -82,11 +120,14 @@ struct CrossingFinder::State {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();
       any_opaque |= object.opaque;
+      may_close |= object.opaque && !object.geometry->is_union();
     }
+    // Hits of Embree's own triangles come to `take` along occlusion rays alone.
+    if (precision == Precision::fast) may_close = false;
   }
 
   void prepare(const PictureRay& ray, std::vector<Crossing>& crossings, std::size_t lane,
-               PacketContext& context, RTCRay8& traversal) const;
+               PacketContext& context, RTCRayHit8& traversal) const;
   void finish(std::vector<Crossing>& crossings) const;
   void unite(std::vector<Crossing>& crossings) const;
 };
@@ -112,7 +153,7 @@ const ViewFrame& CrossingFinder::frame() const { return state_->frame; }
 
 void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>& crossings,
                                     std::size_t lane, PacketContext& context,
-                                    RTCRay8& traversal) const {
+                                    RTCRayHit8& embree) const {
   crossings.clear();
   const bool perspective = ray.projection == Projection::perspective;
   const Vec3 direction = perspective ? glm::normalize(Vec3(ray.x, ray.y, 1)) : Vec3(0, 0, 1);
@@ -124,6 +165,8 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction});
   context.rays.test.set(lane, context.rays.rays.back().test);
   context.rays.crossings[lane] = &crossings;
+  context.begins[lane] = begin;
+  RTCRay8& traversal = embree.ray;
   traversal.org_x[lane] = float(origin.x);
   traversal.org_y[lane] = float(origin.y);
   traversal.org_z[lane] = float(origin.z);
@@ -157,13 +200,17 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
   // Not as coherent rays: Embree 3.13.5 then brings a candidate twice to rays of which a component
   // of the direction is 0.
   context.rays.rays.reserve(width);  // the packet's test points into it
-  RTCRay8 traversal{};
+  RTCRayHit8 traversal{};
   alignas(32) int valid[width] = {};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     state_->prepare(rays[i], crossings[i], i, context, traversal);
-    valid[i] = traversal.tfar[i] >= 0 ? -1 : 0;
+    valid[i] = traversal.ray.tfar[i] >= 0 ? -1 : 0;
   }
-  rtcOccluded8(valid, state_->hierarchy.scene(), &context.embree, &traversal);
+  const RTCScene scene = state_->hierarchy.scene();
+  if (state_->may_close)
+    rtcIntersect8(valid, scene, &context.embree, &traversal);
+  else
+    rtcOccluded8(valid, scene, &context.embree, &traversal.ray);
   for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i]);
 }
 

@@ -197,5 +197,41 @@ TEST(PropertyPacket, RaysFindTogetherWhatEachFindsAlone) {
   EXPECT_GT(total, 96u * 96u * 10u);
 }
 
+TEST(PropertyOpaque, RaysEndWithTheFirstCrossingOfAnOpaqueObjectWhateverItsKind) {
+  // Boxes behind an opaque crossing are not visited: the list has to be what it was up to there.
+  PointObject points;
+  for (const Vec3& corner : random_triangles(10, 4).positions)
+    points.set.positions.push_back(corner);
+  points.set.colors.assign(points.set.positions.size(), Rgba(0.5));
+  points.radius = 0.3;
+  points.profile = PointObject::Profile::disc;
+  PointObject spheres = points;
+  spheres.profile = PointObject::Profile::sphere;
+  Scene scene;
+  scene.width = scene.height = 64;
+  scene.objects = {
+      {"", random_triangles(300, 9)}, {"", random_triangles(30, 5)}, {"", points}, {"", spheres}};
+  std::vector<Crossing> ends, all;
+  for (std::uint32_t opaque = 0; opaque < scene.objects.size(); ++opaque) {
+    Scene context = scene;
+    context.objects[opaque].opaque = true;
+    const CrossingFinder ending(context, Precision::exact), transparent(scene, Precision::exact);
+    std::size_t hidden = 0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const PictureRay ray = ending.frame().ray(x + 0.5, y + 0.5);
+        ending.find(ray, ends);
+        transparent.find(ray, all);
+        const auto stop = std::ranges::find(all, opaque, &Crossing::object);
+        if (stop != all.end()) {
+          hidden += std::size_t(all.end() - stop) - 1;
+          all.erase(stop + 1, all.end());
+        }
+        ASSERT_EQ(ends, all) << opaque << ' ' << x << ' ' << y;
+      }
+    EXPECT_GT(hidden, 1000u);
+  }
+}
+
 }  // namespace
 }  // namespace pellucid
