@@ -6,7 +6,7 @@
 
 #include "groundtruth/march.h"
 
-#include "groundtruth/raytrace.h"
+#include "groundtruth/raytracer.h"
 
 namespace pellucid {
 namespace {

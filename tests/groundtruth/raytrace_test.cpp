@@ -122,6 +122,27 @@ TEST(UnitRaytrace, SamplesAreAveraged) {
   EXPECT_EQ(rendering.stats.fragments, 3u * 64u + 3u * 40u);
 }
 
+TEST(UnitRaytrace, AdaptiveSamplesMakeThePictureOfAsManyEverywhere) {
+  // Shapes of one colour: a pixel that equals all its neighbours has no edge, so nothing is missed.
+  Scene scene;
+  scene.width = 161;
+  scene.height = 149;
+  for (const float x : {-0.8f, 0.1f}) {
+    TriangleMesh triangle;
+    triangle.positions = {{x, -0.9, 0}, {x + 0.7, -0.7, 0.3}, {x + 0.2, 0.8, -0.2}};
+    triangle.colors.assign(3, Rgba(0.2, 0.9, x + 1, 0.6f));
+    triangle.triangles = {{0, 1, 2}};
+    scene.objects.push_back({"", triangle});
+  }
+  const Rendering adaptive = trace(scene, {{"adaptive", "6"}, {"contrast", "0"}});
+  scene.samples = 6;
+  const Rendering everywhere = trace(scene);
+  EXPECT_EQ(adaptive.image.pixels, everywhere.image.pixels);
+  EXPECT_EQ(adaptive.layers.pixels, everywhere.layers.pixels);
+  EXPECT_LT(adaptive.stats.fragments, everywhere.stats.fragments / 2);
+  EXPECT_THROW(trace(scene, {{"adaptive", "6"}}), InputError);
+}
+
 TEST(UnitRaytrace, StoppingKeepsItsBoundAndSkipsLayers) {
   const auto color = [](int i) { return Rgba(i % 2, 0, 1, 0.1f); };
   const Scene scene = stack(500, 2, 2, color);
