@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <span>
@@ -25,6 +27,15 @@ struct ParameterSpec {
   /// "1 … 15", "on|off", "any number", …
   std::string accepted() const;
 };
+
+/// Tables of methods that share parameters.
+template <std::size_t... N>
+constexpr auto concatenate(const std::array<ParameterSpec, N>&... tables) {
+  std::array<ParameterSpec, (N + ...)> all{};
+  auto next = all.begin();
+  ((next = std::copy(tables.begin(), tables.end(), next)), ...);
+  return all;
+}
 
 /// Options as they were written: name → text.
 using RawOptions = std::map<std::string, std::string, std::less<>>;

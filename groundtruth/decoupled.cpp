@@ -8,42 +8,21 @@
 
 #include "core/stopwatch.h"
 #include "groundtruth/fourier_sum.h"
-#include "groundtruth/opacity_energy.h"
 #include "groundtruth/ray_sums.h"
+#include "scene/opacity_energy.h"
 
 namespace pellucid {
 namespace {
 
-constexpr double most = 1e12;  // of a weight: beyond the paper's by far, and safe in double
-
-constexpr ParameterSpec parameters[] = {
-    {.name = "q",
-     .default_value = "50",
-     .min = 0,
-     .max = most,
-     .help = "fades what is unimportant in front of what is important"},
-    {.name = "r",
-     .default_value = "100",
-     .min = 0,
-     .max = most,
-     .help = "fades what is unimportant behind what is important"},
-    {.name = "lambda",
-     .default_value = "2",
-     .min = 0,
-     .max = 100,
-     .help = "how fast a fragment ceases to be important as g falls from 1"},
-    {.name = "p",
-     .default_value = "1",
-     .min = 1e-12,
-     .max = most,
-     .help = "keeps fragments opaque"},
-    {.name = "bands",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "0",
-     .min = 0,
-     .max = 64,
-     .unit = "bands",
-     .help = "of the Fourier series that gives G(d); 0: the exact sums"}};
+constexpr ParameterSpec bands_parameter = {
+    .name = "bands",
+    .kind = ParameterSpec::Kind::integer,
+    .default_value = "0",
+    .min = 0,
+    .max = 64,
+    .unit = "bands",
+    .help = "of the Fourier series that gives G(d); 0: the exact sums"};
+constexpr auto parameters = concatenate(energy_parameters, std::array{bands_parameter});
 
 /// G before and behind each fragment of a ray.
 class ImportanceSums {
@@ -72,7 +51,7 @@ class Decoupled final : public Renderer {
  public:
   Decoupled(const Scene& scene, const Parameters& values)
       : scene_(scene),
-        weights_{values.real("p"), values.real("q"), values.real("r"), values.real("lambda")},
+        weights_(energy_weights(values)),
         bands_(values.integer("bands")),
         probe_(scene) {}
 

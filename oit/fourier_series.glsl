@@ -1,3 +1,5 @@
+#ifndef FOURIER_SERIES
+#define FOURIER_SERIES
 // A Fourier series of Dirac impulses and its integral, for GLSL and, through GLM, for C++.
 // Equation numbers: Baeza Rojo et al. 2019. A band's coefficients are the pair (a_k, b_k), k = 0
 // included; a wave is (cos, sin) of 2 pi k d.
@@ -36,3 +38,4 @@ float fourier_integral(int k, vec2 coefficients, float d, vec2 wave) {
   if (k == 0) return 0.5f * coefficients.x * d;
   return (coefficients.x * wave.y + coefficients.y * (1.0f - wave.x)) * (0.5f / PI / float(k));
 }
+#endif

@@ -66,6 +66,13 @@ float headlight() { return abs(dot(normalize(vertex_normal), view_direction()));
 float headlight() { return 1.0; }
 #endif
 
+#ifdef IMPORTANCE
+float importance() { return clamp(vertex_importance, 0.0, 1.0); }
+#endif
+#ifdef OPTIMIZED_FRAGMENTS
+#include "importance_series.glsl"
+#endif
+
 // Also decides whether there is a fragment at all: a pass that needs nothing of it still calls it.
 Fragment fragment() {
 #ifdef DISC
@@ -77,9 +84,8 @@ Fragment fragment() {
 #ifdef OPAQUE_CONTEXT
   if (precedes(texelFetch(opaque_keys, ivec2(gl_FragCoord.xy), 0).xy, key_of(f))) discard;
 #endif
+#ifdef OPTIMIZED_FRAGMENTS
+  f.alpha *= opacity_by_series(importance(), f.depth);
+#endif
   return f;
 }
-
-#ifdef IMPORTANCE
-float importance() { return clamp(vertex_importance, 0.0, 1.0); }
-#endif

@@ -32,6 +32,9 @@ constexpr SharedFile shared_files[] = {
     {"random.glsl", oit_glsl::random_glsl},
     {"power_moments.glsl", oit_glsl::power_moments_glsl},
     {"fourier_series.glsl", oit_glsl::fourier_series_glsl},
+    {"fourier_sample.glsl", oit_glsl::fourier_sample_glsl},
+    {"importance_series.glsl", oit_glsl::importance_series_glsl},
+    {"opacity_energy.glsl", oit_glsl::opacity_energy_glsl},
 };
 
 std::string_view shared_file(std::string_view name) {

@@ -55,6 +55,7 @@ Texture Stage::target(std::string_view name, GLenum format, int layers) {
 
 GeometryProgram Stage::geometry_program(std::string_view fragment, Defines defines) const {
   for (auto& define : geometry_.defines()) defines.push_back(std::move(define));
+  defines.insert(defines.end(), defines_.begin(), defines_.end());
   if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
   return {context_, geometry_.kinds(false), fragment, defines};
 }

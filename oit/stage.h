@@ -47,6 +47,10 @@ class Stage {
   /// A program over the scene's transparent shapes from a fragment shader's body. A pass takes a
   /// fragment only after the shader's call of fragment(), see fragment.glsl.
   GeometryProgram geometry_program(std::string_view fragment, Defines defines = {}) const;
+  /// From here on every geometry program has these defines, too.
+  void define(const Defines& defines) {
+    defines_.insert(defines_.end(), defines.begin(), defines.end());
+  }
   /// A program over every pixel of the picture. What lies behind is set where it is used.
   Program screen_program(std::string_view fragment, Defines defines = {}) const;
 
@@ -72,6 +76,7 @@ class Stage {
   Vec2 sample_{0.5};
   VertexArray no_attributes_;
   Ledger ledger_;
+  Defines defines_;  // of geometry programs
   std::optional<OpaqueContext> opaque_;
 };
 

@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "groundtruth/fourier_sum.h"
-#include "groundtruth/opacity_energy.h"
 #include "groundtruth/raytrace.h"
+#include "scene/opacity_energy.h"
 #include "tests/support/scenes.h"
 
 namespace pellucid {

@@ -13,11 +13,14 @@
 #include <glm/vec4.hpp>
 #include <random>
 
+#include "scene/opacity_energy.h"
+
 namespace glsl {
 
 using namespace glm;
 #include "oit/blended_weight.glsl"
 #include "oit/fourier_series.glsl"
+#include "oit/opacity_energy.glsl"
 #include "oit/optical_depth.glsl"
 #include "oit/optical_weight.glsl"
 #include "oit/power_moments.glsl"
@@ -194,6 +197,21 @@ TEST(UnitFormulas, WeightsOfTheExactOpticalDepthSumToTheOpacity) {
     }
     // 64 weights below 1 in float.
     EXPECT_NEAR(weights, 1 - std::exp(-tau), 1e-6) << n;
+  }
+}
+
+TEST(UnitFormulas, TheOptimalOpacityIsThatInDouble) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec4 w(0.1f + unit(random), 100 * unit(random), 100 * unit(random),
+                      i % 3 ? 4 * unit(random) : 0.0f);
+    const float g = i % 5 ? unit(random) : 1.0f;
+    const float front = 5 * unit(random) - 1, behind = 5 * unit(random) - 1;
+    // A dozen roundings; the power has some 2 lambda of 1 - g more.
+    EXPECT_NEAR(glsl::optimal_opacity(w, g, front, behind),
+                optimal_opacity({w.x, w.y, w.z, w.w}, g, front, behind), 2e-6)
+        << g << ' ' << front << ' ' << behind;
   }
 }
 

@@ -3,7 +3,10 @@
 // numbers of Baeza Rojo, Gross and Günther 2019), in double: fragments of a pixel are independent.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/parameters.h"
 
 namespace pellucid {
 
@@ -30,6 +33,35 @@ inline double energy(const EnergyWeights& w, double alpha, double g, double fron
 /// The opacity in [0, 1] of least energy, Eq. 2. Sums that a series makes negative count as 0.
 inline double optimal_opacity(const EnergyWeights& w, double g, double front, double behind) {
   return w.p / (w.p + occlusion(w, g, std::max(front, 0.0), std::max(behind, 0.0)));
+}
+
+inline constexpr double largest_weight = 1e12;  // beyond the paper's by far, and safe in float
+
+/// q, r, lambda and p, for the table of a method that optimizes opacities.
+inline constexpr std::array<ParameterSpec, 4> energy_parameters = {
+    {{.name = "q",
+      .default_value = "50",
+      .min = 0,
+      .max = largest_weight,
+      .help = "fades what is unimportant in front of what is important"},
+     {.name = "r",
+      .default_value = "100",
+      .min = 0,
+      .max = largest_weight,
+      .help = "fades what is unimportant behind what is important"},
+     {.name = "lambda",
+      .default_value = "2",
+      .min = 0,
+      .max = 100,
+      .help = "how fast a fragment ceases to be important as g falls from 1"},
+     {.name = "p",
+      .default_value = "1",
+      .min = 1e-12,
+      .max = largest_weight,
+      .help = "keeps fragments opaque"}}};
+
+inline EnergyWeights energy_weights(const Parameters& values) {
+  return {values.real("p"), values.real("q"), values.real("r"), values.real("lambda")};
 }
 
 }  // namespace pellucid

@@ -1,0 +1,27 @@
+#ifndef IMPORTANCE_SERIES
+#define IMPORTANCE_SERIES
+// The importance G(d) of a pixel as a Fourier series (Eq. 11 of Baeza Rojo et al. 2019), and the
+// opacity of a fragment by it (Eq. 10).
+#include "fourier_sample.glsl"
+#include "opacity_energy.glsl"
+
+layout(binding = 1, std140) uniform Energy {
+  vec4 energy_weights;      // p, q, r, lambda
+  float importance_margin;  // of the series' period on either side of [0, 1]
+  float own_share;          // of a fragment's own step that the series has at its depth
+};
+#if IMPORTANCE_PRECISION == 16
+layout(binding = 6, rgba16f) readonly uniform image2DArray importance_coefficients;
+#else
+layout(binding = 6, rgba32f) readonly uniform image2DArray importance_coefficients;
+#endif
+FOURIER_SUM(importance_sum, importance_coefficients, IMPORTANCE_BANDS)
+
+float opacity_by_series(float g, float depth) {
+  float total = 0.5 * imageLoad(importance_coefficients, ivec3(gl_FragCoord.xy, 0)).r;  // Eq. 7
+  float sum = importance_sum(place_in_period(depth, importance_margin));
+  float own = g * g;
+  return optimal_opacity(energy_weights, g, sum - own_share * own,
+                         total - sum - (1.0 - own_share) * own);
+}
+#endif

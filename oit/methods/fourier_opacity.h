@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// Fourier opacity optimization (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization
+/// for scalable exploration", TVCG): each fragment's opacity is the one of least energy (Eqs. 1, 2,
+/// 10), so that nothing hides what is important, from a Fourier series of the importance G(d) of
+/// its pixel (Eq. 11); then all are composited by a Fourier series of the optical depth, as the
+/// method `fourier` does (Eqs. 14 to 19).
+///
+/// The optimal opacity is multiplied by the scene's own, as in `decoupled`. Without importance in
+/// the scene nothing of the first series is made. Opaque objects are context: they hide what lies
+/// behind them, and their own importance does not count.
+///
+/// Accuracy: no bound; with `importance-bands`, `decoupled:bands` has the same opacities up to
+/// float rounding.
+const MethodRow& fourier_opacity_method();
+
+}  // namespace pellucid
