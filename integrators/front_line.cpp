@@ -60,7 +60,7 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   if (shadow) {
     const double t = 0.5 * (a.t + b.t);
     shadow->reach(t, run_.sampler());
-    middle = shadow->at(std::min(t, shadow->time())).x;
+    middle = shadow->position_at(std::min(t, shadow->time()));
   } else if (refinement_.by_tolerance()) {
     return false;
   }
@@ -143,7 +143,7 @@ void FrontLine::take_out(int middle) {
 std::optional<Vec3> FrontLine::surface_between(int left, double t) {
   Trajectory* shadow = at(left).shadow.get();
   if (!shadow || !shadow->reach(t, run_.sampler())) return std::nullopt;
-  return shadow->at(t).x;
+  return shadow->position_at(t);
 }
 
 }  // namespace pellucid

@@ -14,7 +14,7 @@
 //   started again, without the ribbons between those seeds, so that no earlier triangle spans them.
 #include "integrators/hultquist.h"
 
-#include <deque>
+#include <vector>
 
 #include "integrators/front_line.h"
 #include "integrators/surface_parameters.h"
@@ -43,7 +43,7 @@ class RibbonFront {
   SurfaceRun& run_;
   const Refinement& refinement_;
   FrontLine front_;
-  std::deque<int> awake_;  // something changed around them
+  std::vector<int> awake_;  // something changed around them; a stack, so that work stays local
 };
 
 void RibbonFront::sweep(std::span<const double> seeds, bool ring) {
@@ -60,8 +60,8 @@ void RibbonFront::sweep(std::span<const double> seeds, bool ring) {
 
 void RibbonFront::drain() {
   while (!awake_.empty() && !run_.is_full()) {
-    const int p = awake_.front();
-    awake_.pop_front();
+    const int p = awake_.back();
+    awake_.pop_back();
     if (may_advance(p)) advance(p);
   }
 }
@@ -81,21 +81,22 @@ void RibbonFront::look_ahead(int p) {
   FrontParticle& particle = front_.at(p);
   if (particle.next || !particle.is_linked()) return;
   const auto head_of = [&](int q) { return q < 0 ? nullptr : &front_.at(q).head; };
-  const auto t = next_vertex_time(refinement_, particle.path, particle.head, head_of(particle.left),
-                                  head_of(particle.right), run_.sampler());
-  if (t) particle.next = front_point(particle.path, *t);
+  particle.next = next_vertex(refinement_, particle.path, particle.head, head_of(particle.left),
+                              head_of(particle.right), run_.sampler());
 }
 
 void RibbonFront::wake(int p) {
   if (p >= 0 && front_.at(p).next) awake_.push_back(p);
 }
 
+double distance2(const Vec3& a, const Vec3& b) { return glm::dot(b - a, b - a); }
+
 /// The shorter diagonal of the ribbon between p and q starts where p goes next.
 bool RibbonFront::goes_first(int p, int q) const {
   if (q < 0 || !front_.at(q).next) return true;
   const FrontParticle &a = front_.at(p), &b = front_.at(q);
-  const double mine = glm::distance(a.next->flow.x, b.head.flow.x);
-  const double other = glm::distance(b.next->flow.x, a.head.flow.x);
+  const double mine = distance2(a.next->flow.x, b.head.flow.x);
+  const double other = distance2(b.next->flow.x, a.head.flow.x);
   return mine < other || (mine == other && a.s < b.s);
 }
 
@@ -140,14 +141,14 @@ void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& befo
   for (const auto& edge : reached_from(advanced, edges))
     run_.add_triangle(before.vertex, front_.at(edge.right).head.vertex,
                       front_.at(edge.left).head.vertex);
+  const bool whole = edges.size() == 1 && edges[0].left == left && edges[0].right == right;
+  if (whole) return merge(advanced, advanced == left ? right : left);
   for (const auto& edge : edges) {
     for (const int p : {edge.left, edge.right}) {
       look_ahead(p);
       wake(p);
     }
   }
-  const bool whole = edges.size() == 1 && edges[0].left == left && edges[0].right == right;
-  if (whole) merge(advanced, advanced == left ? right : left);
 }
 
 /// Takes `middle` out when p, that just advanced, and the particle beyond have come so close that

@@ -94,15 +94,14 @@ double facing(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
 // ribbon's triangles by that part, as in Schwarz's lantern.
 constexpr double largest_tilt = 0.15;
 
-/// By how much the step has to be shortened: 1 when it will do.
+/// By how much the step to `next` has to be shortened: 1 when it will do.
 double shortening(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
-                  const FrontPoint* left, const FrontPoint* right, double dt) {
-  const FrontPoint next = front_point(path, head.t + dt);
+                  const FrontPoint* left, const FrontPoint* right, const FrontPoint& next) {
   const double moved = glm::distance(next.flow.x, head.flow.x);
   const bool is_short = moved <= shortest_edge(refinement);
   if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
   if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
-  const Vec3 middle = path.at(head.t + 0.5 * dt).x;
+  const Vec3 middle = path.position_at(0.5 * (head.t + next.t));
   const double sagitta = distance_to_segment(middle, head.flow.x, next.flow.x);
   double largest = refinement.step > 0 ? refinement.step : refinement.largest_sagitta();
   for (const FrontPoint* neighbour : {left, right})
@@ -174,30 +173,44 @@ bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& 
   return smallest_sine(a, b, c) > 0.1 && facing(a, b, c) >= coarse_cosine;
 }
 
-double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
+namespace {
+
+/// How long the particle may go, and where it then is: at most at the end of its path.
+struct AllowedStep {
+  double dt;
+  FrontPoint next;
+};
+
+AllowedStep step_of(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
-  double dt = first_guess(refinement, path, head, left, right);
-  for (int attempt = 0; attempt < 12; ++attempt) {
-    path.reach(head.t + dt, sampler);
-    const double known = std::min(dt, path.time() - head.t);
-    if (!(known > 0)) break;
-    const double shorter = shortening(refinement, path, head, left, right, known);
-    if (shorter >= 1) break;
-    dt = known * std::max(shorter, 0.1);
+  AllowedStep step{first_guess(refinement, path, head, left, right), {}};
+  for (int attempt = 0;; ++attempt) {
+    path.reach(head.t + step.dt, sampler);
+    step.next = front_point(path, std::min(head.t + step.dt, path.time()));
+    if (!(step.next.t > head.t) || attempt == 12) return step;
+    const double shorter = shortening(refinement, path, head, left, right, step.next);
+    if (shorter >= 1) return step;
+    step.dt = std::max(shorter, 0.1) * (step.next.t - head.t);
   }
-  return dt;
 }
 
-std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
-                                       const FrontPoint& head, const FrontPoint* left,
-                                       const FrontPoint* right, FieldSampler& sampler) {
-  const double dt = allowed_step(refinement, path, head, left, right, sampler);
+}  // namespace
+
+double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
+  return step_of(refinement, path, head, left, right, sampler).dt;
+}
+
+std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
+                                      const FrontPoint& head, const FrontPoint* left,
+                                      const FrontPoint* right, FieldSampler& sampler) {
+  const auto [dt, next] = step_of(refinement, path, head, left, right, sampler);
   // Half a step further tells whether a sliver would be left at the end.
-  if (path.reach(head.t + 1.5 * dt, sampler)) return head.t + dt;
+  if (path.reach(head.t + 1.5 * dt, sampler)) return next;
   const double left_over = path.time() - head.t;
   if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
-  if (left_over <= dt) return path.time();
-  return left_over < 1.5 * dt ? head.t + 0.5 * left_over : head.t + dt;
+  if (left_over > dt && left_over < 1.5 * dt) return front_point(path, head.t + 0.5 * left_over);
+  return next;
 }
 
 double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {

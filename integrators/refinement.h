@@ -47,11 +47,11 @@ double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoin
 double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler);
 
-/// The time of the vertex after the one at `head`; nothing when the particle ends there. What is
-/// left at the end of a trajectory is shared out, so that no sliver remains.
-std::optional<double> next_vertex_time(const Refinement& refinement, Trajectory& path,
-                                       const FrontPoint& head, const FrontPoint* left,
-                                       const FrontPoint* right, FieldSampler& sampler);
+/// The vertex after the one at `head`; nothing when the particle ends there. What is left at the
+/// end of a trajectory is shared out, so that no sliver remains.
+std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
+                                      const FrontPoint& head, const FrontPoint* left,
+                                      const FrontPoint* right, FieldSampler& sampler);
 
 /// Distance of x from the segment between a and b, world units.
 double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b);

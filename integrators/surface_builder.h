@@ -14,9 +14,7 @@ class SurfaceBuilder {
   SurfaceBuilder(double start_time, bool with_normals);
 
   std::uint32_t add_vertex(const FrontPoint& point, double s);
-  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    triangles_.push_back({a, b, c});
-  }
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   std::size_t triangle_count() const { return triangles_.size(); }
   double newest_t() const { return t_.empty() ? 0 : t_.back(); }
@@ -25,6 +23,7 @@ class SurfaceBuilder {
   TriangleMesh finish();
 
  private:
+  void reserve_vertices(std::size_t count);
   void fill_missing_normals();
 
   double start_time_;

@@ -134,7 +134,7 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
   const FrontPoint &l = head_of(left), &m = before_[std::size_t(middle)], &r = head_of(right);
   if (!can_do_without(refinement_, l, r, head_of(middle).flow.x)) return false;
   if (!is_well_shaped(m, r, l)) return false;
-  const Vec3 between = front_.at(middle).path.at(0.5 * (m.t + t_)).x;
+  const Vec3 between = front_.at(middle).path.position_at(0.5 * (m.t + t_));
   if (refinement_.by_tolerance() &&
       diagonal_sagitta(left, right, between) > refinement_.largest_sagitta() / 4)
     return false;

@@ -244,6 +244,16 @@ FlowPoint Trajectory::at(double t) const {
   return {first(y), slope / step.length, w};
 }
 
+Vec3 Trajectory::position_at(double t) const {
+  const Step& step = step_at(t);
+  const auto& c = step.coefficients;
+  if (step.length == 0) return first(c[0]);
+  const double theta = std::min((t - step.begin) / step.length, 1.0);
+  Vec3 x = first(c[4]);
+  for (int n = 3; n >= 0; --n) x = x * theta + first(c[n]);
+  return x;
+}
+
 Vec3 Trajectory::acceleration(double t) const {
   const Step& step = step_at(t);
   if (step.length == 0) return Vec3(0);

@@ -60,6 +60,8 @@ class Trajectory {
 
   /// t between what was released and time().
   FlowPoint at(double t) const;
+  /// The position alone.
+  Vec3 position_at(double t) const;
   /// Second time derivative of the position.
   Vec3 acceleration(double t) const;
   /// Forgets what lies before t.
