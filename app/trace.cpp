@@ -13,6 +13,7 @@
 #include "geometry/mesh_file.h"
 #include "integrators/integrate_lines.h"
 #include "integrators/integrate_surface.h"
+#include "integrators/mesh_distance.h"
 #include "integrators/mesh_quality.h"
 #include "integrators/surface_error.h"
 
@@ -27,6 +28,7 @@ struct TraceOptions {
   bool path = false;
   std::uint64_t samples = 500;
   std::string error_picture;
+  std::string against;
 };
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -89,6 +91,21 @@ void add_error(nlohmann::ordered_json& json, const SurfaceError& error) {
   json["samples"] = error.samples;
 }
 
+nlohmann::ordered_json to_json(const OneSidedDistance& distance) {
+  return {{"mean", distance.mean}, {"rms", distance.rms}, {"max", distance.max}};
+}
+
+/// Of the surface from that of another integrator, and the other way round.
+void add_distance_between(nlohmann::ordered_json& json, const TraceOptions& options,
+                          const TriangleMesh& mesh, const SurfaceRequest& request) {
+  const TriangleMesh other = integrate_surface(options.against, request).mesh;
+  report(request.progress, 1, "measuring the distance between the two surfaces");
+  const auto [from_this, from_other] = mesh_distance(mesh, other, options.samples);
+  json["against"] = {{"integrator", options.against},
+                     {"from_this", to_json(from_this)},
+                     {"from_other", to_json(from_other)}};
+}
+
 void print_summary(const std::string& output, const nlohmann::ordered_json& json) {
   std::cout << output << '\n';
   for (const auto& [key, value] : json.items()) std::cout << "  " << key << ": " << value << '\n';
@@ -129,6 +146,7 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
       write_error_picture(options.error_picture, surface.mesh, error.at_vertices);
     surface.mesh.scalars["error"] = std::move(error.at_vertices);
   }
+  if (!options.against.empty()) add_distance_between(json, options, surface.mesh, request);
   write_mesh(options.output, surface.mesh);
   print(options, globals, json);
 }
@@ -168,8 +186,12 @@ bool draws_lines(std::string_view integrator) {
 
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
   const auto field = make_field(options.field);
-  if (!options.error_picture.empty() && (options.samples == 0 || draws_lines(options.integrator)))
-    throw InputError("--error-picture: accepted: with a surface and --samples of at least 1");
+  const bool measures = options.samples > 0 && !draws_lines(options.integrator);
+  for (const auto& [name, value] : {std::pair("--error-picture", &options.error_picture),
+                                    std::pair("--against", &options.against)})
+    if (!value->empty() && !measures)
+      throw InputError(
+          fmt::format("{}: accepted: with a surface and --samples of at least 1", name));
   if (draws_lines(options.integrator))
     trace_lines(options, globals, *field);
   else
@@ -202,6 +224,9 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
       "--error-picture", options->error_picture,
       "Picture of the distance on the surface, from a millionth of its size (black) "
       "to a hundredth");
+  command->add_option("--against", options->against,
+                      "Another integrator for the same surface, a finer one for instance: prints "
+                      "how far the two are apart, both ways");
   add_global_options(*command, globals);
   command->callback([options, &globals] { trace(*options, globals); });
 }

@@ -2,3 +2,6 @@
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersFlowPaths IOXML)
 add_executable(bench_integrators EXCLUDE_FROM_ALL integrators_bench.cpp)
 target_link_libraries(bench_integrators PRIVATE pellucid_integrators benchmark::benchmark ${VTK_LIBRARIES})
+# The numbers of docs/integrators.md that are no times.
+add_executable(bench_integrators_accuracy EXCLUDE_FROM_ALL integrators_accuracy.cpp)
+target_link_libraries(bench_integrators_accuracy PRIVATE pellucid_integrators benchmark::benchmark)

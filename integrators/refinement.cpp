@@ -65,29 +65,18 @@ double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
 double first_guess(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                    const FrontPoint* left, const FrontPoint* right) {
   if (!refinement.by_tolerance() || refinement.step > 0) return time_to_move(head, refinement.step);
-  const double sagitta = refinement.largest_sagitta();
+  const double sagitta = refinement.largest_step_sagitta();
   // A ribbon that has become as thin as the tolerance has no shape to keep.
   const double thin = 8 * refinement.tolerance;
   double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
   for (const FrontPoint* neighbour : {left, right}) {
     if (!neighbour) continue;
     const double width = separation(head, *neighbour).width;
-    const double twist = 4 * sagitta / twist_rate(head, *neighbour);
+    const double twist = 4 * refinement.largest_sagitta() / twist_rate(head, *neighbour);
     dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
                    time_to_move(head, longest_aspect * std::max(width, thin))});
   }
   return std::min(dt, std::numeric_limits<double>::max());
-}
-
-/// The cosine between the triangle's normal and that of the corner where it differs most.
-double facing(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
-  const Vec3 area = glm::cross(b.flow.x - a.flow.x, c.flow.x - a.flow.x);
-  const double twice_area = glm::length(area);
-  double least = 1;
-  for (const FrontPoint* corner : {&a, &b, &c})
-    if (corner->normal != Vec3(0) && twice_area > 0)
-      least = std::min(least, glm::dot(area, corner->normal) / twice_area);
-  return least;
 }
 
 // A trajectory that bends between two vertices by a large part of its ribbon's width tilts the
@@ -103,7 +92,7 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
   if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
   const Vec3 middle = path.position_at(0.5 * (head.t + next.t));
   const double sagitta = distance_to_segment(middle, head.flow.x, next.flow.x);
-  double largest = refinement.step > 0 ? refinement.step : refinement.largest_sagitta();
+  double largest = refinement.step > 0 ? refinement.step : refinement.largest_step_sagitta();
   for (const FrontPoint* neighbour : {left, right})
     if (neighbour && !is_short)
       largest = std::min(largest, largest_tilt * separation(head, *neighbour).width);
@@ -159,18 +148,36 @@ bool can_do_without(const Refinement& refinement, const FrontPoint& a, const Fro
 
 namespace {
 
-/// The sine of the smallest angle: twice the area over the product of the two longest sides.
-double smallest_sine(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+struct TriangleShape {
+  double facing;         // cosine between its normal and that of the corner where it differs most
+  double smallest_sine;  // of its angles
+};
+
+TriangleShape shape_of(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
   const Vec3 ab = b.flow.x - a.flow.x, bc = c.flow.x - b.flow.x, ca = a.flow.x - c.flow.x;
+  const Vec3 area = glm::cross(ab, bc);
+  const double twice_area = glm::length(area);
+  if (!(twice_area > 0)) return {1, 0};
+  TriangleShape shape{1, 0};
+  for (const FrontPoint* corner : {&a, &b, &c})
+    if (corner->normal != Vec3(0))
+      shape.facing = std::min(shape.facing, glm::dot(area, corner->normal) / twice_area);
+  // Twice the area over the product of the two longest sides.
   const double l0 = glm::length(ab), l1 = glm::length(bc), l2 = glm::length(ca);
-  const double twice_area = glm::length(glm::cross(ab, bc));
-  return twice_area > 0 ? twice_area * std::min({l0, l1, l2}) / (l0 * l1 * l2) : 0;
+  shape.smallest_sine = twice_area * std::min({l0, l1, l2}) / (l0 * l1 * l2);
+  return shape;
 }
 
 }  // namespace
 
 bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
-  return smallest_sine(a, b, c) > 0.1 && facing(a, b, c) >= coarse_cosine;
+  const auto [facing, smallest_sine] = shape_of(a, b, c);
+  return smallest_sine > 0.1 && facing >= coarse_cosine;
+}
+
+double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  const auto [facing, smallest_sine] = shape_of(a, b, c);
+  return std::min(facing, coarse_cosine) + smallest_sine;
 }
 
 namespace {
@@ -211,10 +218,6 @@ std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& 
   if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
   if (left_over > dt && left_over < 1.5 * dt) return front_point(path, head.t + 0.5 * left_over);
   return next;
-}
-
-double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
-  return std::min(facing(a, b, c), coarse_cosine) + smallest_sine(a, b, c);
 }
 
 }  // namespace pellucid

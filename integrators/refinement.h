@@ -18,6 +18,10 @@ struct Refinement {
   /// The sagitta that an edge may have. Over a triangle a quadratic surface strays at most 4/3 of
   /// its edges' largest sagitta.
   double largest_sagitta() const { return 0.75 * tolerance; }
+  /// The sagitta that a step along a trajectory may have: half of it, since a diagonal spans a step
+  /// and the ribbon's lean. Without that margin every lean asks for ribbons so narrow that it
+  /// vanishes beside the step, and their triangles tilt (Schwarz's lantern).
+  double largest_step_sagitta() const { return 0.5 * largest_sagitta(); }
 };
 
 /// From the parameters threshold, tolerance and step. Throws InputError when both of the first two

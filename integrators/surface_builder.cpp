@@ -67,14 +67,13 @@ void SurfaceBuilder::fill_missing_normals() {
 TriangleMesh SurfaceBuilder::finish() {
   if (with_normals_) fill_missing_normals();
   TriangleMesh mesh;
-  std::vector<double> time(t_);
+  auto& time = mesh.scalars["time"] = t_;
   for (double& t : time) t += start_time_;
   mesh.positions = std::move(positions_);
   mesh.normals = std::move(normals_);
-  mesh.scalars = {{"s", std::move(s_)},
-                  {"t", std::move(t_)},
-                  {"time", std::move(time)},
-                  {"speed", std::move(speed_)}};
+  mesh.scalars["s"] = std::move(s_);
+  mesh.scalars["t"] = std::move(t_);
+  mesh.scalars["speed"] = std::move(speed_);
   mesh.triangles = std::move(triangles_);
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "integrators/mesh_samples.h"
 #include "integrators/surface_parameters.h"
 #include "integrators/surface_particles.h"
 
@@ -24,23 +25,16 @@ struct Deviation {
   double distance = 0, degrees = 0;
 };
 
-/// Barycentric points of a triangle: its middle and those of its sides, where linear interpolation
-/// of a curved surface errs most.
-constexpr std::array<std::array<double, 3>, 4> places = {
-    {{1. / 3, 1. / 3, 1. / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
-
-Sample sample_of(const TriangleMesh& mesh, std::size_t triangle, std::size_t place, bool closed) {
-  const auto& corners = mesh.triangles[triangle];
+Sample sample_of(const TriangleMesh& mesh, const MeshSample& place, bool closed) {
+  const auto& corners = mesh.triangles[place.triangle];
   const auto &s = mesh.scalars.at("s"), &t = mesh.scalars.at("t");
-  double first = s[corners[0]];
-  Sample sample{0, 0, Vec3(0), Vec3(0)};
-  for (int k = 0; k < 3; ++k) {
-    const double weight = places[place][k];
+  const double first = s[corners[0]];
+  Sample sample{0, 0, position_of(mesh, place), Vec3(0)};
+  for (std::size_t k = 0; k < 3; ++k) {
     // Over the seam of a closed curve s jumps from 1 to 0.
     const double turn = closed ? std::round(first - s[corners[k]]) : 0;
-    sample.s += weight * (s[corners[k]] + turn);
-    sample.t += weight * t[corners[k]];
-    sample.x += weight * mesh.positions[corners[k]];
+    sample.s += place.barycentric[k] * (s[corners[k]] + turn);
+    sample.t += place.barycentric[k] * t[corners[k]];
   }
   const Vec3& x = mesh.positions[corners[0]];
   const Vec3 area = glm::cross(mesh.positions[corners[1]] - x, mesh.positions[corners[2]] - x);
@@ -106,43 +100,8 @@ Deviation ExactSurface::deviation(Sample sample) {
           degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
 }
 
-double twice_area(const TriangleMesh& mesh, std::size_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  const Vec3& x = mesh.positions[a];
-  return glm::length(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
-}
-
-/// Where a sample is taken, and how much of the whole it stands for.
-struct Place {
-  std::size_t triangle, place;
-  double weight;
-};
-
-/// Every place of every triangle, by its area; or, where these are more than `samples`, samples
-/// that each stand for the same area: a few long triangles across a gap matter as much as they
-/// show. Ascending in the triangle.
-std::vector<Place> sample_places(const TriangleMesh& mesh, std::uint64_t samples) {
-  const bool every = samples >= mesh.triangles.size() * places.size();
-  std::vector<double> end_areas(mesh.triangles.size());
-  double total = 0;
-  for (std::size_t i = 0; i < end_areas.size(); ++i) end_areas[i] = total += twice_area(mesh, i);
-  std::vector<Place> chosen;
-  if (every) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (std::size_t place = 0; place < places.size(); ++place)
-        chosen.push_back({i, place, twice_area(mesh, i) / (total * double(places.size()))});
-    return chosen;
-  }
-  for (std::uint64_t i = 0; i < samples; ++i) {
-    const double area = (double(i) + 0.5) / double(samples) * total;
-    const auto triangle = std::upper_bound(end_areas.begin(), end_areas.end() - 1, area);
-    chosen.push_back({std::size_t(triangle - end_areas.begin()), std::size_t(i % places.size()),
-                      1 / double(samples)});
-  }
-  return chosen;
-}
-
-std::vector<double> spread_to_vertices(const TriangleMesh& mesh, std::span<const Place> samples,
+std::vector<double> spread_to_vertices(const TriangleMesh& mesh,
+                                       std::span<const MeshSample> samples,
                                        const std::vector<Deviation>& deviations) {
   std::vector<double> values(mesh.positions.size());
   double distance = 0;
@@ -156,7 +115,8 @@ std::vector<double> spread_to_vertices(const TriangleMesh& mesh, std::span<const
   return values;
 }
 
-SurfaceError summary(std::span<const Place> samples, const std::vector<Deviation>& deviations) {
+SurfaceError summary(std::span<const MeshSample> samples,
+                     const std::vector<Deviation>& deviations) {
   SurfaceError error;
   error.samples = deviations.size();
   for (std::size_t i = 0; i < deviations.size(); ++i) {
@@ -178,11 +138,10 @@ SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& reque
   SurfaceOptions options = surface_options(request, Parameters("truth", surface_parameters, {}));
   options.trajectory.tolerance = 1e-13 * options.extent;
   ExactSurface truth(request, options);
-  const std::vector<Place> chosen = sample_places(mesh, samples);
+  const std::vector<MeshSample> chosen = sample_mesh(mesh, samples);
   std::vector<Deviation> deviations(chosen.size());
   tbb::parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
-    deviations[i] =
-        truth.deviation(sample_of(mesh, chosen[i].triangle, chosen[i].place, request.seed.closed));
+    deviations[i] = truth.deviation(sample_of(mesh, chosen[i], request.seed.closed));
   });
   SurfaceError error = summary(chosen, deviations);
   error.at_vertices = spread_to_vertices(mesh, chosen, deviations);

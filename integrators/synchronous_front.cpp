@@ -50,6 +50,7 @@ class SynchronousFront {
   FrontLine front_;
   double t_ = 0;
   std::vector<FrontPoint> before_;  // by particle: its head in the row before
+  std::vector<int> chain_;          // scratch of tile()
 };
 
 void SynchronousFront::sweep(std::span<const double> seeds, bool ring) {
@@ -168,47 +169,50 @@ bool SynchronousFront::diagonals_stray(const Ribbon& ribbon) {
 }
 
 void SynchronousFront::tile(const Ribbon& ribbon) {
-  const FrontPoint l0 = before_[std::size_t(ribbon.left)], r0 = before_[std::size_t(ribbon.right)];
+  const FrontPoint &l0 = before_[std::size_t(ribbon.left)],
+                   &r0 = before_[std::size_t(ribbon.right)];
   const auto edges = front_.join(ribbon.left, ribbon.right, diagonals_stray(ribbon));
-  std::vector<int> chain;
+  chain_.clear();
   for (const auto& edge : edges) {
-    if (!chain.empty() && chain.back() != edge.left) break;
-    if (chain.empty()) chain.push_back(edge.left);
-    chain.push_back(edge.right);
+    if (!chain_.empty() && chain_.back() != edge.left) break;
+    if (chain_.empty()) chain_.push_back(edge.left);
+    chain_.push_back(edge.right);
   }
-  if (chain.size() == edges.size() + 1) tile(l0, r0, chain);
+  if (chain_.size() == edges.size() + 1) tile(l0, r0, chain_);
   // A chain with a gap is not tiled: the hole becomes one row longer.
   // Without refinement nothing can fill the gap between a particle that ended and one that goes on.
   if (rows_ > 0 && !(moves_on(ribbon.left) && moves_on(ribbon.right)))
     front_.at(ribbon.left).right = front_.at(ribbon.right).left = -1;
 }
 
+using Corners = std::array<const FrontPoint*, 3>;
+
+/// Not so where a particle stands still: its vertex is in both rows.
+bool has_three_vertices(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  return a.vertex != b.vertex && b.vertex != c.vertex && c.vertex != a.vertex;
+}
+
 /// Triangles between the edge of the row before and a chain of the new row: those left of some
 /// corner of the chain share the edge's left end, those right of it the right one.
 void SynchronousFront::tile(const FrontPoint& left, const FrontPoint& right,
                             std::span<const int> chain) {
-  using Corners = std::array<const FrontPoint*, 3>;
-  const auto triangles_with = [&](std::size_t corner) {
-    std::vector<Corners> triangles;
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      triangles.push_back(
-          {i < corner ? &left : &right, &head_of(chain[i + 1]), &head_of(chain[i])});
-    triangles.push_back({&left, &right, &head_of(chain[corner])});
-    std::erase_if(triangles, [](const Corners& t) {
-      return t[0]->vertex == t[1]->vertex || t[1]->vertex == t[2]->vertex ||
-             t[2]->vertex == t[0]->vertex;
-    });
-    return triangles;
+  const std::size_t count = chain.size();  // of triangles: count - 1 on the chain, 1 on the edge
+  const auto triangle = [&](std::size_t corner, std::size_t i) -> Corners {
+    if (i + 1 == count) return {&left, &right, &head_of(chain[corner])};
+    return {i < corner ? &left : &right, &head_of(chain[i + 1]), &head_of(chain[i])};
   };
-  std::vector<Corners> best;
+  std::size_t best = 0;
   double best_shape = -std::numeric_limits<double>::infinity();
-  for (std::size_t corner = 0; corner < chain.size(); ++corner) {
-    auto triangles = triangles_with(corner);
+  for (std::size_t corner = 0; corner < count; ++corner) {
     double shape = std::numeric_limits<double>::max();
-    for (const auto& [a, b, c] : triangles) shape = std::min(shape, well_shapedness(*a, *b, *c));
-    if (shape > best_shape) best = std::move(triangles), best_shape = shape;
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto [a, b, c] = triangle(corner, i); has_three_vertices(*a, *b, *c))
+        shape = std::min(shape, well_shapedness(*a, *b, *c));
+    if (shape > best_shape) best = corner, best_shape = shape;
   }
-  for (const auto& [a, b, c] : best) run_.add_triangle(a->vertex, b->vertex, c->vertex);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const auto [a, b, c] = triangle(best, i); has_three_vertices(*a, *b, *c))
+      run_.add_triangle(a->vertex, b->vertex, c->vertex);
 }
 
 constexpr ParameterSpec fixed_own[] = {

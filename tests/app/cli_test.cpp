@@ -90,6 +90,19 @@ TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
               HasSubstr("--error-picture"));
 }
 
+TEST_F(UnitCommandLine, TraceMeasuresASurfaceAgainstAnotherRun) {
+  const std::string trace =
+      "trace --field formula:u=-y,v=x,w=0 --integrator fixed-front:particles=3,rows=10 "
+      "--seed 1,0,0:1,0,1 --duration 3 --json --quiet -o " +
+      (folder_ / "s.ply").string();
+  const Outcome outcome = run(trace + " --against hultquist:tolerance=1e-3");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"integrator\": \"hultquist:tolerance=1e-3\""));
+  EXPECT_THAT(outcome.out, HasSubstr("\"from_other\""));
+  fs::remove(folder_ / "s.ply");
+  EXPECT_THAT(refusal(trace + " --samples 0 --against hultquist"), HasSubstr("--against"));
+}
+
 TEST_F(UnitCommandLine, RendersAndWritesStatistics) {
   const Outcome outcome = run(render("raytrace") + " --stats " + (folder_ / "s.json").string() +
                               " --layers " + (folder_ / "layers.exr").string() + " --explain");

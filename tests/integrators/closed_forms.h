@@ -55,20 +55,32 @@ inline std::vector<ClosedForm> closed_forms() {
       // Every particle runs on a unit circle through its seed: a cylinder.
       {"UnsteadyDrift", "drift", segment_seed({0, 0, 0}, {0.3, 0, 1}), 3, true,
        [](const Vec3& x) { return std::hypot(x.x - 0.3 * x.z, x.y - 1) - 1; }},
+      // With C = 0, H = B sin x + A cos z is kept, and nothing depends on y: a cylinder along y.
+      {"AbcWithoutC", "abc:C=0", segment_seed({2.64, 3, 3.14}, {2.64, 4, 3.14}), 2, false,
+       [](const Vec3& x) {
+         const auto H = [](double x0, double z0) {
+           return std::sqrt(2.) * std::sin(x0) + std::sqrt(3.) * std::cos(z0);
+         };
+         return H(x.x, x.z) - H(2.64, 3.14);
+       }},
   };
 }
 
-/// |F| / |∇F|, which is the distance to first order.
-inline double implicit_distance(const ClosedForm& form, const Vec3& x) {
+inline Vec3 gradient(const ClosedForm& form, const Vec3& x) {
   constexpr double h = 1e-6;
-  Vec3 gradient;
+  Vec3 slope;
   for (int i = 0; i < 3; ++i) {
     Vec3 a = x, b = x;
     a[i] -= h;
     b[i] += h;
-    gradient[i] = (form.implicit(b) - form.implicit(a)) / (2 * h);
+    slope[i] = (form.implicit(b) - form.implicit(a)) / (2 * h);
   }
-  return std::abs(form.implicit(x)) / glm::length(gradient);
+  return slope;
+}
+
+/// |F| / |∇F|, which is the distance to first order.
+inline double implicit_distance(const ClosedForm& form, const Vec3& x) {
+  return std::abs(form.implicit(x)) / glm::length(gradient(form, x));
 }
 
 struct Swept {
@@ -96,6 +108,18 @@ inline double largest_distance(const ClosedForm& form, const TriangleMesh& mesh)
       largest = std::max(largest, implicit_distance(form, p));
   }
   return largest;
+}
+
+/// Largest angle between facets and the exact surface's normals, over all triangles, degrees.
+inline double worst_facet(const ClosedForm& form, const TriangleMesh& mesh) {
+  double worst = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 &x = mesh.positions[a], &y = mesh.positions[b], &z = mesh.positions[c];
+    const Vec3 facet = glm::cross(y - x, z - x), normal = gradient(form, (x + y + z) / 3.0);
+    const double sine = glm::length(glm::cross(facet, normal));
+    worst = std::max(worst, 57.29577951 * std::atan2(sine, std::abs(glm::dot(facet, normal))));
+  }
+  return worst;
 }
 
 }  // namespace pellucid::testing

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/triangle_mesh.h"
+
+namespace pellucid {
+
+/// Of points of one mesh from the other one, world units; mean and rms over the area.
+struct OneSidedDistance {
+  double mean = 0, rms = 0, max = 0;
+};
+
+/// How far two meshes are apart. What one of them lacks, a hole or a sheet cut short, shows only in
+/// the distance of the other one from it.
+struct MeshDistance {
+  OneSidedDistance from_first;   // of the first mesh's points from the second mesh
+  OneSidedDistance from_second;  // the other way round
+};
+
+/// At about `samples` points of each mesh (sample_mesh). The maximum is that of the samples: a
+/// lower bound of the Hausdorff distance. A mesh without a triangle of some area throws InputError.
+MeshDistance mesh_distance(const TriangleMesh& first, const TriangleMesh& second,
+                           std::uint64_t samples);
+
+}  // namespace pellucid
