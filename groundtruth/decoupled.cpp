@@ -51,7 +51,7 @@ class Decoupled final : public Renderer {
  public:
   Decoupled(const Scene& scene, const Parameters& values)
       : scene_(scene),
-        weights_(energy_weights(values)),
+        weights_(energy_weights(values, scene.energy)),
         bands_(values.integer("bands")),
         probe_(scene) {}
 

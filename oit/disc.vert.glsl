@@ -12,6 +12,11 @@ layout(location = 2) out vec2 vertex_corner;  // units of the radius from the ce
 layout(binding = 13) uniform samplerBuffer importances;
 layout(location = 5) flat out float vertex_importance;
 #endif
+#ifdef OPTIMIZED_VERTICES
+layout(binding = 11) uniform usamplerBuffer element_opacities;  // the bits of a float
+uniform uint first_point_element;
+layout(location = 6) flat out float vertex_opacity;
+#endif
 
 // Of an equilateral triangle around the unit circle.
 vec2 corner(int i) {
@@ -28,5 +33,8 @@ void main() {
   vertex_depth = center.z;
 #ifdef IMPORTANCE
   vertex_importance = texelFetch(importances, point).r;
+#endif
+#ifdef OPTIMIZED_VERTICES
+  vertex_opacity = uintBitsToFloat(texelFetch(element_opacities, int(first_point_element) + point).r);
 #endif
 }

@@ -19,6 +19,9 @@ layout(location = 3) in vec3 vertex_position;
 #ifdef IMPORTANCE
 layout(location = 5) OF_SHAPE in float vertex_importance;
 #endif
+#ifdef OPTIMIZED_VERTICES
+layout(location = 6) OF_SHAPE in float vertex_opacity;
+#endif
 #ifdef OPAQUE_CONTEXT
 layout(binding = 15) uniform usampler2D opaque_keys;  // of the nearest opaque fragment
 #endif
@@ -86,6 +89,9 @@ Fragment fragment() {
 #endif
 #ifdef OPTIMIZED_FRAGMENTS
   f.alpha *= opacity_by_series(importance(), f.depth);
+#endif
+#ifdef OPTIMIZED_VERTICES
+  f.alpha *= clamp(vertex_opacity, 0.0, 1.0);
 #endif
   return f;
 }

@@ -7,6 +7,8 @@ namespace {
 
 // Units of disc.vert.glsl, out of the way of the methods' own.
 constexpr GLuint points_unit = 14, importances_unit = 13;
+// Of element.glsl and of disc.vert.glsl: which elements, or their opacities.
+constexpr GLuint elements_unit = 11, opacities_image = 7;
 
 /// A subset of triangles `indices` that is kept group by group: a segment has two triangles.
 class Thinning {
@@ -82,6 +84,14 @@ void Geometry::upload_importance(const Scene& scene) {
   if (points_) point_importance_ = upload_disc_importance(gl_, scene);
 }
 
+void Geometry::set_mesh_opacities(std::span<const float> opacities) {
+  if (meshes_) upload_opacities(gl_, opacities, 1, *meshes_);
+}
+
+void Geometry::set_line_opacities(std::span<const float> opacities) {
+  if (ribbons_) upload_opacities(gl_, opacities, 2, *ribbons_);
+}
+
 void Geometry::sample_at(const Vec2& sample) const {
   uniforms_.write<ViewSpace::Uniforms>(
       [&](ViewSpace::Uniforms* out) { *out = view_.uniforms(sample); });
@@ -108,9 +118,19 @@ void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
   const Program& of_kind = program.of(batch.kind);
   of_kind.use();
   of_kind.set("first_primitive", batch.first_primitive);
+  if (elements_) bind_elements(of_kind, batch);
   if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
   if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
   if (batch.kind == ShapeKind::disc) draw_discs(of_kind, batch, source.stride_of_points);
+}
+
+void Geometry::bind_elements(const Program& program, const Batch& batch) const {
+  program.set("first_of_kind", batch.first);
+  program.set("first_point_element", elements_->first_point);
+  if (batch.kind == ShapeKind::mesh) elements_->of_triangle.bind(elements_unit);
+  if (batch.kind == ShapeKind::ribbon) elements_->of_segment.bind(elements_unit);
+  if (batch.kind == ShapeKind::disc) elements_->opacities.bind(elements_unit);
+  elements_->opacities.bind_image(opacities_image);
 }
 
 void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indices,

@@ -14,6 +14,14 @@ struct Subset {
   Buffer mesh_indices, ribbon_indices;
 };
 
+/// The elements of a scene (see scene/elements.h) for element.glsl: patches, then segments of
+/// lines, then every point.
+struct ElementTextures {
+  BufferTexture of_triangle, of_segment;  // which element
+  std::uint32_t first_point = 0;          // of the elements
+  BufferTexture opacities;                // of every element; the bits of a float
+};
+
 /// The scene's meshes, ribbons and discs on the OpenGL side.
 class Geometry {
  public:
@@ -30,6 +38,11 @@ class Geometry {
   /// Uploads the vertices' importance, of the scene that it was made from, for programs with the
   /// define IMPORTANCE.
   void upload_importance(const Scene& scene);
+  /// From here on programs may find out elements and their opacities. They have to outlive it.
+  void use_elements(const ElementTextures& elements) { elements_ = &elements; }
+  /// Of the vertices of all meshes; of the points of all lines. Copied.
+  void set_mesh_opacities(std::span<const float> opacities);
+  void set_line_opacities(std::span<const float> opacities);
   /// The picture is sampled there, see pixel_samples.h.
   void sample_at(const Vec2& sample) const;
 
@@ -51,6 +64,7 @@ class Geometry {
   void draw_batch(const GeometryProgram& program, const Batch& batch, const Source& source) const;
   void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
                     const Batch& batch) const;
+  void bind_elements(const Program& program, const Batch& batch) const;
   void draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const;
   Source everything() const;
 
@@ -61,6 +75,7 @@ class Geometry {
   Buffer uniforms_;
   std::optional<IndexedVertices> meshes_, ribbons_;
   std::optional<BufferTexture> points_, point_importance_;
+  const ElementTextures* elements_ = nullptr;
   VertexArray no_attributes_;
 };
 

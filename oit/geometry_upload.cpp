@@ -167,6 +167,20 @@ void upload_ribbon_importance(const Gl& gl, const Scene& scene, IndexedVertices&
   describe_importance(ribbons);
 }
 
+void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies,
+                      IndexedVertices& vertices) {
+  const std::uint64_t n = opacities.size() * std::uint64_t(copies);
+  if (vertices.opacity.bytes() == 0) {
+    vertices.opacity = Buffer::writable(gl, n * sizeof(float));
+    vertices.array.source(3, vertices.opacity, sizeof(float));
+    vertices.array.attribute(4, 3, 1, 0);
+  }
+  if (n > 0)
+    vertices.opacity.write<float>([&](float* out) {
+      for (const float opacity : opacities) out = std::fill_n(out, copies, opacity);
+    });
+}
+
 BufferTexture upload_disc_importance(const Gl& gl, const Scene& scene) {
   return {gl, GL_R32F, importance(gl, scene, ShapeKind::disc, 1)};
 }

@@ -14,7 +14,7 @@ struct IndexedVertices {
   explicit IndexedVertices(const Gl& gl) : array(gl) {}
 
   VertexArray array;
-  Buffer vertices, directions, importance, indices;
+  Buffer vertices, directions, importance, opacity, indices;
 };
 
 IndexedVertices upload_meshes(const Gl& gl, const Scene& scene, const ViewSpace& view);
@@ -24,6 +24,10 @@ BufferTexture upload_discs(const Gl& gl, const Scene& scene, const ViewSpace& vi
 
 void upload_mesh_importance(const Gl& gl, const Scene& scene, IndexedVertices& meshes);
 void upload_ribbon_importance(const Gl& gl, const Scene& scene, IndexedVertices& ribbons);
+/// Opacities that a vertex has beside its colour's, `copies` times each; written again they replace
+/// the old ones. For programs with the define OPTIMIZED_VERTICES.
+void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies,
+                      IndexedVertices& vertices);
 BufferTexture upload_disc_importance(const Gl& gl, const Scene& scene);
 
 }  // namespace pellucid

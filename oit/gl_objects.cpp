@@ -100,8 +100,8 @@ std::uint32_t Buffer::read_word(std::size_t index) const {
   return word;
 }
 
-void Buffer::read(void* data) const {
-  if (bytes_) name_.gl().GetNamedBufferSubData(id(), 0, GLsizeiptr(bytes_), data);
+void Buffer::read(std::uint64_t bytes, void* data) const {
+  if (bytes) name_.gl().GetNamedBufferSubData(id(), 0, GLsizeiptr(bytes), data);
 }
 
 BufferTexture::BufferTexture(const Gl& gl, GLenum format, Buffer buffer)

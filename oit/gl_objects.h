@@ -92,7 +92,8 @@ class Buffer {
   void bind_base(GLenum target, GLuint binding) const;
   void clear(std::uint32_t value) const;
   std::uint32_t read_word(std::size_t index) const;
-  void read(void* data) const;  // all bytes()
+  void read(void* data) const { read(bytes_, data); }
+  void read(std::uint64_t bytes, void* data) const;  // the first ones
 
  private:
   Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags);

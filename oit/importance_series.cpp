@@ -1,26 +1,17 @@
 #include "oit/importance_series.h"
 
-#include "scene/opacity_energy.h"
+#include "oit/energy_block.h"
 
 namespace pellucid {
 namespace {
 
-// Uniform block and image of importance_series.glsl.
-constexpr GLuint energy_block = 1, coefficients_image = 6;
+constexpr GLuint coefficients_image = 6;  // of importance_series.glsl
 
-struct Energy {
-  glm::vec4 weights;  // p, q, r, lambda
-  float margin;
-  float own_share;
-  glm::vec2 unused{0};
-};
-static_assert(sizeof(Energy) == 32);
-
-Energy energy(const Parameters& parameters) {
-  const EnergyWeights w = energy_weights(parameters);
-  return {{w.p, w.q, w.r, w.lambda},
-          float(parameters.real("margin")),
-          parameters.text("at") == "middle" ? 0.5f : 1.0f};
+EnergyBlock energy(const Stage& stage, const Parameters& parameters) {
+  EnergyBlock block(energy_weights(parameters, stage.scene().energy));
+  block.margin = float(parameters.real("margin"));
+  block.own_share = parameters.text("at") == "middle" ? 0.5f : 1.0f;
+  return block;
 }
 
 int importance_bands(const Parameters& parameters) {
@@ -39,13 +30,13 @@ ImportanceSeries::ImportanceSeries(Stage& stage, const Parameters& parameters)
     : coefficients_(target(stage, parameters)),
       projection_(stage, coefficients_, importance_bands(parameters), parameters,
                   {{"IMPORTANCE", 1}, {"PROJECT_IMPORTANCE", 1}}),
-      energy_(stage.gl(), std::vector<Energy>{energy(parameters)}),
+      energy_(energy(stage, parameters).buffer(stage.gl())),
       defines_{{"IMPORTANCE", 1},
                {"IMPORTANCE_BANDS", importance_bands(parameters)},
                {"IMPORTANCE_PRECISION", parameters.integer("precision")}} {}
 
 void ImportanceSeries::bind() const {
-  energy_.bind_base(GL_UNIFORM_BUFFER, energy_block);
+  EnergyBlock::bind(energy_);
   coefficients_.bind_image(coefficients_image);
 }
 

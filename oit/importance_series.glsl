@@ -3,13 +3,8 @@
 // The importance G(d) of a pixel as a Fourier series (Eq. 11 of Baeza Rojo et al. 2019), and the
 // opacity of a fragment by it (Eq. 10).
 #include "fourier_sample.glsl"
-#include "opacity_energy.glsl"
+#include "energy.glsl"
 
-layout(binding = 1, std140) uniform Energy {
-  vec4 energy_weights;      // p, q, r, lambda
-  float importance_margin;  // of the series' period on either side of [0, 1]
-  float own_share;          // of a fragment's own step that the series has at its depth
-};
 #if IMPORTANCE_PRECISION == 16
 layout(binding = 6, rgba16f) readonly uniform image2DArray importance_coefficients;
 #else

@@ -15,6 +15,10 @@ layout(location = 3) out vec3 vertex_position;  // view frame, the eye at 0
 layout(location = 3) in float importance;
 layout(location = 5) out float vertex_importance;
 #endif
+#ifdef OPTIMIZED_VERTICES
+layout(location = 4) in float opacity;
+layout(location = 6) out float vertex_opacity;
+#endif
 
 void main() {
   gl_Position = clip_position(position);
@@ -26,5 +30,8 @@ void main() {
 #endif
 #ifdef IMPORTANCE
   vertex_importance = importance;
+#endif
+#ifdef OPTIMIZED_VERTICES
+  vertex_opacity = opacity;
 #endif
 }

@@ -33,6 +33,11 @@ constexpr SharedFile shared_files[] = {
     {"power_moments.glsl", oit_glsl::power_moments_glsl},
     {"fourier_series.glsl", oit_glsl::fourier_series_glsl},
     {"fourier_sample.glsl", oit_glsl::fourier_sample_glsl},
+    {"element.glsl", oit_glsl::element_glsl},
+    {"element_opacity.glsl", oit_glsl::element_opacity_glsl},
+    {"energy.glsl", oit_glsl::energy_glsl},
+    {"list_append.glsl", oit_glsl::list_append_glsl},
+    {"list_consumer.glsl", oit_glsl::list_consumer_glsl},
     {"importance_series.glsl", oit_glsl::importance_series_glsl},
     {"opacity_energy.glsl", oit_glsl::opacity_energy_glsl},
 };

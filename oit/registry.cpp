@@ -3,6 +3,7 @@
 #include <array>
 
 #include "oit/methods/binning.h"
+#include "oit/methods/decoupled_lists.h"
 #include "oit/methods/depth_peeling.h"
 #include "oit/methods/fourier.h"
 #include "oit/methods/fourier_opacity.h"
@@ -18,11 +19,19 @@
 namespace pellucid {
 
 std::span<const MethodRow> oit_methods() {
-  static const std::array rows = {
-      linked_list_method(),      depth_peeling_method(),    weighted_sum_method(),
-      weighted_average_method(), weighted_blended_method(), binning_method(),
-      fourier_method(),          fourier_opacity_method(),  moment_method(),
-      k_buffer_method(),         stochastic_method(),       tree_method()};
+  static const std::array rows = {linked_list_method(),
+                                  depth_peeling_method(),
+                                  weighted_sum_method(),
+                                  weighted_average_method(),
+                                  weighted_blended_method(),
+                                  binning_method(),
+                                  fourier_method(),
+                                  fourier_opacity_method(),
+                                  decoupled_lists_method(),
+                                  moment_method(),
+                                  k_buffer_method(),
+                                  stochastic_method(),
+                                  tree_method()};
   return rows;
 }
 

@@ -16,6 +16,10 @@ layout(location = 4) out float vertex_across;   // -1 … 1 from one rim to the 
 layout(location = 3) in float importance;
 layout(location = 5) out float vertex_importance;
 #endif
+#ifdef OPTIMIZED_VERTICES
+layout(location = 4) in float opacity;
+layout(location = 6) out float vertex_opacity;
+#endif
 
 void main() {
   gl_Position = clip_position(position);
@@ -28,5 +32,8 @@ void main() {
 #endif
 #ifdef IMPORTANCE
   vertex_importance = importance;
+#endif
+#ifdef OPTIMIZED_VERTICES
+  vertex_opacity = opacity;
 #endif
 }

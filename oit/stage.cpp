@@ -67,6 +67,12 @@ Program Stage::screen_program(std::string_view fragment, Defines defines) const 
   return program;
 }
 
+void Stage::set_opacities(std::span<const float> of_meshes, std::span<const float> of_lines) {
+  geometry_.set_mesh_opacities(of_meshes);
+  geometry_.set_line_opacities(of_lines);
+  record("opacities of vertices", of_meshes.size_bytes() + 2 * of_lines.size_bytes());
+}
+
 void Stage::sample_at(const Vec2& sample) {
   sample_ = sample;
   geometry_.sample_at(sample);

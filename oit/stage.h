@@ -33,6 +33,9 @@ class Stage {
   const Geometry& geometry() const { return geometry_; }
   /// For programs with the define IMPORTANCE: fragment.glsl then has importance().
   void upload_importance() { geometry_.upload_importance(scene_); }
+  /// See Geometry. For programs with the define OPTIMIZED_VERTICES; counted.
+  void use_elements(const ElementTextures& elements) { geometry_.use_elements(elements); }
+  void set_opacities(std::span<const float> of_meshes, std::span<const float> of_lines);
   /// From here on pictures are sampled there, see pixel_samples.h.
   void sample_at(const Vec2& sample);
   bool has_opaque_context() const { return opaque_.has_value(); }

@@ -12,9 +12,9 @@ namespace pellucid {
 
 struct EnergyWeights {
   double p = 1;       // keeps fragments opaque; > 0
-  double q = 0;       // fades unimportant fragments in front of important ones; ≥ 0
-  double r = 0;       // fades unimportant fragments behind important ones; ≥ 0
-  double lambda = 1;  // how fast a fragment ceases to be important as g falls from 1; ≥ 0
+  double q = 50;      // fades unimportant fragments in front of important ones; ≥ 0
+  double r = 100;     // fades unimportant fragments behind important ones; ≥ 0
+  double lambda = 2;  // how fast a fragment ceases to be important as g falls from 1; ≥ 0
 };
 
 /// What multiplies α² in Eq. 1, twice: `front` and `behind` are the sums of g_j² of what lies in
@@ -37,31 +37,32 @@ inline double optimal_opacity(const EnergyWeights& w, double g, double front, do
 
 inline constexpr double largest_weight = 1e12;  // beyond the paper's by far, and safe in float
 
-/// q, r, lambda and p, for the table of a method that optimizes opacities.
-inline constexpr std::array<ParameterSpec, 4> energy_parameters = {
+/// q, r, lambda and p, for the table of a method that optimizes opacities: those of the scene where
+/// they are not given.
+inline constexpr auto energy_parameters = std::to_array<ParameterSpec>(
     {{.name = "q",
-      .default_value = "50",
       .min = 0,
       .max = largest_weight,
-      .help = "fades what is unimportant in front of what is important"},
+      .help = "fades what is unimportant in front of what is important; the scene's, or 50"},
      {.name = "r",
-      .default_value = "100",
       .min = 0,
       .max = largest_weight,
-      .help = "fades what is unimportant behind what is important"},
+      .help = "fades what is unimportant behind what is important; the scene's, or 100"},
      {.name = "lambda",
-      .default_value = "2",
       .min = 0,
       .max = 100,
-      .help = "how fast a fragment ceases to be important as g falls from 1"},
+      .help = "how fast a fragment ceases to be important as g falls from 1; the scene's, or 2"},
      {.name = "p",
-      .default_value = "1",
       .min = 1e-12,
       .max = largest_weight,
-      .help = "keeps fragments opaque"}}};
+      .help = "keeps fragments opaque; the scene's, or 1"}});
 
-inline EnergyWeights energy_weights(const Parameters& values) {
-  return {values.real("p"), values.real("q"), values.real("r"), values.real("lambda")};
+inline EnergyWeights energy_weights(const Parameters& values, const EnergyWeights& of_scene) {
+  const auto value = [&](std::string_view name, double otherwise) {
+    return values.is_set(name) ? values.real(name) : otherwise;
+  };
+  return {value("p", of_scene.p), value("q", of_scene.q), value("r", of_scene.r),
+          value("lambda", of_scene.lambda)};
 }
 
 }  // namespace pellucid

@@ -16,6 +16,7 @@
 #include "scene/appearance.h"
 #include "scene/camera.h"
 #include "scene/isosurface.h"
+#include "scene/opacity_energy.h"
 
 namespace pellucid {
 
@@ -85,6 +86,7 @@ struct Scene {
   Camera camera;
   Vec3 background{1, 1, 1};
   Lighting lighting = Lighting::none;
+  EnergyWeights energy;  // for methods that optimize opacities
   std::vector<SceneObject> objects;
   std::map<std::string, std::string> provenance;  // how the objects were made
 

@@ -35,6 +35,20 @@ Camera read_camera(const JsonNode& node) {
   return camera;
 }
 
+EnergyWeights read_energy(const JsonNode& node) {
+  node.accept_keys({"p", "q", "r", "lambda"});
+  EnergyWeights weights;
+  const auto read = [&](const ParameterSpec& spec, double& weight) {
+    if (node.has(spec.name)) weight = node[spec.name].number(spec.min, spec.max);
+  };
+  const auto& [q, r, lambda, p] = energy_parameters;
+  read(p, weights.p);
+  read(q, weights.q);
+  read(r, weights.r);
+  read(lambda, weights.lambda);
+  return weights;
+}
+
 struct Loader {
   fs::path folder;
   Progress progress;
@@ -42,7 +56,7 @@ struct Loader {
 
   void read(const JsonNode& root) {
     root.accept_keys({"format", "version", "resolution", "samples", "camera", "background",
-                      "lighting", "objects"});
+                      "lighting", "energy", "objects"});
     root["format"].one_of({"pellucid-scene"});
     root["version"].integer(1, 1);
     if (root.has("resolution")) {
@@ -63,6 +77,7 @@ struct Loader {
     }
     if (root.has("lighting") && root["lighting"].one_of({"none", "headlight"}) == "headlight")
       scene.lighting = Lighting::headlight;
+    if (root.has("energy")) scene.energy = read_energy(root["energy"]);
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
     for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -1,29 +1,34 @@
 #include "oit/methods/fourier_opacity.h"
 
-#include <algorithm>
-
+#include "oit/element_opacity.h"
 #include "oit/importance_series.h"
 #include "oit/methods/fourier.h"
+#include "oit/methods/linked_list.h"
+#include "oit_glsl.h"
 #include "scene/opacity_energy.h"
 
 namespace pellucid {
 namespace {
 
-bool is_important(const SceneObject& object) {
-  return !object.opaque &&
-         std::ranges::any_of(object.vertices().importance, [](float g) { return g > 0; });
-}
+/// Steps 2 and 3 of the paper's section 4.2.
+struct ObjectSpace {
+  ObjectSpace(Stage& stage, const ImportanceSeries& importance, const Parameters& parameters)
+      : opacity(stage, parameters),
+        no_targets(stage.gl(), stage.width(), stage.height()),
+        optimize(stage.geometry_program(oit_glsl::fourier_opacity_optimize_frag_glsl(),
+                                        importance.defines())) {}
+
+  ElementOpacity opacity;
+  Framebuffer no_targets;
+  GeometryProgram optimize;
+};
 
 class FourierOpacity final : public OitMethod {
  public:
-  FourierOpacity(Stage& stage, const Parameters& parameters) {
-    if (std::ranges::any_of(stage.scene().objects, is_important)) {
-      stage.upload_importance();
-      importance_.emplace(stage, parameters);
-      stage.define(importance_->defines());
-      stage.define({{"OPTIMIZED_FRAGMENTS", 1}});
-    }
-    compositing_ = make_fourier(stage, parameters);
+  FourierOpacity(Stage& stage, const Parameters& parameters) : stage_(stage) {
+    if (has_importance(stage.scene())) optimize(parameters);
+    compositing_ = parameters.text("transmittance") == "lists" ? make_linked_list(stage, parameters)
+                                                               : make_fourier(stage, parameters);
   }
 
   void draw(Frame& frame) override {
@@ -31,18 +36,59 @@ class FourierOpacity final : public OitMethod {
       frame.step("project importance", [&] { importance_->project(); });
       importance_->bind();
     }
+    if (objects_) {
+      frame.step("optimize opacity", [&] { optimize_elements(); });
+      frame.step("smooth opacity", [&] { objects_->opacity.smooth_and_interpolate(); });
+    }
     compositing_->draw(frame);
   }
 
   std::vector<std::string> explain() const override {
-    return {importance_ ? "opacities: of least energy, at every fragment"
-                        : "opacities: the scene's own, nothing in it is important"};
+    if (objects_) return {objects_->opacity.describe()};
+    return {importance_ ? "opacities: of least energy, at every fragment" : nothing_is_important};
   }
 
  private:
+  void optimize(const Parameters& parameters) {
+    stage_.upload_importance();
+    importance_.emplace(stage_, parameters);
+    if (parameters.text("per") == "element") {
+      objects_.emplace(stage_, *importance_, parameters);
+      stage_.define(ElementOpacity::defines());
+    } else {
+      stage_.define(importance_->defines());
+      stage_.define({{"OPTIMIZED_FRAGMENTS", 1}});
+    }
+  }
+
+  void optimize_elements() const {
+    objects_->opacity.begin();
+    stage_.begin_pass(objects_->no_targets, {Blend::replace});
+    stage_.draw_geometry(objects_->optimize);
+  }
+
+  Stage& stage_;
   std::optional<ImportanceSeries> importance_;
+  std::optional<ObjectSpace> objects_;
   std::unique_ptr<OitMethod> compositing_;
 };
+
+constexpr ParameterSpec per_parameter = {
+    .name = "per",
+    .kind = ParameterSpec::Kind::choice,
+    .default_value = "element",
+    .choices = "element|fragment",
+    .help =
+        "what has one opacity: a segment of a line, a patch of a surface, a point; or each "
+        "fragment, as it comes"};
+
+constexpr ParameterSpec transmittance_parameter = {
+    .name = "transmittance",
+    .kind = ParameterSpec::Kind::choice,
+    .default_value = "fourier",
+    .choices = "fourier|lists",
+    .help =
+        "what the colours are composited by; lists are exact and show the opacities' errors alone"};
 
 constexpr ParameterSpec importance_bands_parameter = {
     .name = "importance-bands",
@@ -54,7 +100,9 @@ constexpr ParameterSpec importance_bands_parameter = {
     .help = "of the series of the importance; 0: as many as `bands`, the optical depth's"};
 
 constexpr auto parameters =
-    concatenate(energy_parameters, fourier_parameters, std::array{importance_bands_parameter});
+    concatenate(energy_parameters, fourier_parameters,
+                std::array{importance_bands_parameter, per_parameter, transmittance_parameter},
+                element_parameters);
 
 }  // namespace
 

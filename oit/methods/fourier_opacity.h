@@ -10,12 +10,15 @@ namespace pellucid {
 /// its pixel (Eq. 11); then all are composited by a Fourier series of the optical depth, as the
 /// method `fourier` does (Eqs. 14 to 19).
 ///
+/// A segment of a line, a patch of a surface and a point have the least opacity of their fragments,
+/// smoothed in object space (sections 2.2.4, 4.1 and 4.2, see scene/elements.h); `per=fragment`
+/// leaves that out.
+///
 /// The optimal opacity is multiplied by the scene's own, as in `decoupled`. Without importance in
 /// the scene nothing of the first series is made. Opaque objects are context: they hide what lies
 /// behind them, and their own importance does not count.
 ///
-/// Accuracy: no bound; with `importance-bands`, `decoupled:bands` has the same opacities up to
-/// float rounding.
+/// Accuracy: no bound; per fragment, `decoupled:bands` has the same opacities up to float rounding.
 const MethodRow& fourier_opacity_method();
 
 }  // namespace pellucid

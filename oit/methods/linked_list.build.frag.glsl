@@ -1,12 +1,7 @@
 #include "fragment.glsl"
-#include "fragment_list.glsl"
-
-layout(binding = 0) uniform atomic_uint node_count;
+#include "list_append.glsl"
 
 void main() {
   Fragment f = fragment();
-  int node = int(atomicCounterIncrement(node_count)) + 1;
-  uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
-  imageStore(nodes, node, uvec4(next, floatBitsToUint(f.depth), primitive_order(), 0u));
-  imageStore(colors, node, vec4(f.color, f.alpha));
+  append_fragment(f, vec4(f.color, f.alpha));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/renderer.h"
+#include "oit/oit_renderer.h"
 
 namespace pellucid {
 
@@ -13,5 +13,8 @@ namespace pellucid {
 ///
 /// Accuracy: the exact composite up to coverage and float rounding.
 const MethodRow& linked_list_method();
+
+/// The method as the last steps of another one.
+std::unique_ptr<OitMethod> make_linked_list(Stage& stage, const Parameters& parameters);
 
 }  // namespace pellucid

@@ -234,6 +234,17 @@ TEST_F(UnitSceneFile, AnIsosurfaceKeepsTheReconstructionItNames) {
   }
 }
 
+TEST_F(UnitSceneFile, EnergyWeightsAreOptional) {
+  const Scene scene = with(sheet, R"("energy": {"q": 60, "lambda": 0.26})");
+  EXPECT_EQ(scene.energy.q, 60);
+  EXPECT_EQ(scene.energy.r, 100);  // the default
+  EXPECT_EQ(scene.energy.lambda, 0.26);
+  EXPECT_EQ(scene.energy.p, 1);
+  EXPECT_THAT(refusal(sheet, R"("energy": {"q": -1})"),
+              AllOf(HasSubstr("energy.q"), HasSubstr("-1")));
+  EXPECT_THAT(refusal(sheet, R"("energy": {"s": 15})"), HasSubstr("energy"));
+}
+
 TEST(UnitAppearance, NormalsAreAreaWeighted) {
   TriangleMesh mesh = sphere(3, Rgba(1));
   mesh.normals.clear();

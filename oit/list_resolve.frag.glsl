@@ -1,17 +1,14 @@
-// Sorts and composites every pixel whose layers fit into registers and empties its list; counts the
+// Sorts and consumes every pixel whose layers fit into registers and empties its list; counts the
 // layers of the others, which are left to the passes that follow. What these do is kept out of this
 // shader: on llvmpipe a branch costs its time whether it is taken or not.
-#include "composite.glsl"
-#include "front_to_back.glsl"
-#include "list_sort.glsl"
+#include "list_consumer.glsl"
 
 layout(binding = 0) buffer Longest { uint longest; };
 
-vec4 composite_run() {
-  Composite c = nothing;
-  for (Node node = take_from_run(); node.id != 0u; node = take_from_run())
-    add_layer(c, imageLoad(colors, int(node.id)));
-  return over(c, behind());
+void consume_run(uint list) {
+  Consumer c = start(list);
+  for (Node node = take_from_run(); node.id != 0u; node = take_from_run()) consume(c, node.id);
+  finish(c);
 }
 
 void main() {
@@ -23,6 +20,6 @@ void main() {
     atomicMax(longest, uint(count(list)));
     discard;
   }
-  picture = composite_run();
+  consume_run(list);
   imageStore(heads, pixel, uvec4(0u));
 }

@@ -1,14 +1,12 @@
-// Sorts and composites the lists that are left, of at most `most_layers` layers, and empties them.
-#include "composite.glsl"
-#include "front_to_back.glsl"
-#include "list_sort.glsl"
+// Sorts and consumes the lists that are left, of at most `most_layers` layers, and empties them.
+#include "list_consumer.glsl"
 
 uniform int most_layers;
 
-vec4 composite_list(uint list) {
-  Composite c = nothing;
-  for (; list != 0u; list = load_node(list).next) add_layer(c, imageLoad(colors, int(list)));
-  return over(c, behind());
+void consume_list(uint list) {
+  Consumer c = start(list);
+  for (uint node = list; node != 0u; node = load_node(node).next) consume(c, node);
+  finish(c);
 }
 
 // `n` nodes in all.
@@ -29,6 +27,6 @@ void main() {
   uint list = imageLoad(heads, pixel).r;
   int n = count(list);
   if (n == 0 || n > most_layers) discard;
-  picture = composite_list(sort_list(list, n));
+  consume_list(sort_list(list, n));
   imageStore(heads, pixel, uvec4(0u));
 }
