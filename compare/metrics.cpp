@@ -1,8 +1,6 @@
 #include "compare/metrics.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "compare/image_file.h"
 #include "compare/ssim.h"
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
@@ -63,7 +62,7 @@ Difference join(const Difference& left, const Difference& right) {
 /// The same to the last bit for any number of threads: the tree of sums depends on the size alone.
 Difference difference(const Image& reference, const Image& test) {
   using Range = tbb::blocked_range<std::size_t>;
-  return tbb::parallel_deterministic_reduce(
+  return parallel_sum(
       Range(0, reference.pixels.size(), 1 << 14), Difference{},
       [&](const Range& range, Difference sum) {
         for (std::size_t i = range.begin(); i < range.end(); ++i)

@@ -1,13 +1,13 @@
 #include "compare/ssim.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "core/parallel.h"
 
 // The loops over a row vectorize; each machine runs the widest version it has. No version contracts
 // or reorders, so all give the same bits. Sanitizers cannot start a resolver that they instrument.
@@ -187,7 +187,7 @@ double mean_ssim(const Image& x, const Image& y) {
   const Taps taps = gaussian_taps();
   const int bands = (pair.rows() + band_rows - 1) / band_rows;
   std::vector<double> sums(bands);
-  tbb::parallel_for(0, bands, [&](int band) {
+  parallel_for(0, bands, [&](int band) {
     const int first = band * band_rows;
     sums[band] = band_sum(pair, taps, first, std::min(first + band_rows, pair.rows()));
   });

@@ -7,9 +7,9 @@
 #include "fields/derived_scalar.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "core/names.h"
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 template <class Compute>
 ScalarLevel for_each_sample(const VectorLevel& v, const Compute& compute) {
   ScalarLevel out{v.origin, v.width, v.size, std::vector<float>(v.samples.size())};
-  tbb::parallel_for(0, v.size[2], [&](int k) {
+  parallel_for(0, v.size[2], [&](int k) {
     for (int j = 0; j < v.size[1]; ++j)
       for (int i = 0; i < v.size[0]; ++i) out.samples[v.index(i, j, k)] = float(compute(i, j, k));
   });

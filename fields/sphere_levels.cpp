@@ -1,12 +1,12 @@
 #include "fields/sphere_levels.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <array>
 #include <cmath>
 
 #include "core/names.h"
+#include "core/parallel.h"
 #include "fields/make_field.h"
 
 namespace pellucid {
@@ -57,7 +57,7 @@ VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
         int(std::lround(coarsest_width * (nest.max[axis] - nest.min[axis]) / width));
   level.samples.resize(std::size_t(level.size[0]) * std::size_t(level.size[1]) *
                        std::size_t(level.size[2]));
-  tbb::parallel_for(0, level.size[2], [&](int k) {
+  parallel_for(0, level.size[2], [&](int k) {
     const auto sampler = field.sampler();
     for (int j = 0; j < level.size[1]; ++j)
       for (int i = 0; i < level.size[0]; ++i) {

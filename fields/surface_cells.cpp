@@ -1,8 +1,8 @@
 #include "fields/surface_cells.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
@@ -75,7 +75,7 @@ std::vector<LatticeCell> surface_cells(const LevelField& field, double value) {
     const auto first = field.cell_at(level, domain.min).low;
     const auto last = field.cell_at(level, domain.max).low;
     std::vector<std::vector<LatticeCell>> slices(std::size_t(last[2] - first[2] + 1));
-    tbb::parallel_for(first[2], last[2] + 1, [&](int k) {
+    parallel_for(first[2], last[2] + 1, [&](int k) {
       for (int j = first[1]; j <= last[1]; ++j)
         for (int i = first[0]; i <= last[0]; ++i)
           if (const LatticeCell cell{level, {i, j, k}}; picker.picks(cell))

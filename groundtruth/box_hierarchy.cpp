@@ -5,11 +5,17 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
 
+/// Embree asks for boxes from threads of its own, in libraries that the thread sanitizer does not
+/// see into.
+TaskFence embree_tasks;
+
 void give_box(const RTCBoundsFunctionArguments* args) {
+  embree_tasks.enter();
   const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
   const Box3 box = object.geometry->box(args->primID);
   const Vec3 low = box.min - object.center, high = box.max - object.center;
@@ -20,6 +26,7 @@ void give_box(const RTCBoundsFunctionArguments* args) {
   out.upper_x = float(high.x) + BoxHierarchy::margin;
   out.upper_y = float(high.y) + BoxHierarchy::margin;
   out.upper_z = float(high.z) + BoxHierarchy::margin;
+  embree_tasks.leave();
 }
 
 void throw_embree_error(void*, RTCError code, const char* text) {
@@ -51,7 +58,9 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
   }
+  embree_tasks.open();
   rtcCommitScene(scene_);
+  embree_tasks.join();
 }
 
 RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) const {

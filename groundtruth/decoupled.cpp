@@ -1,11 +1,10 @@
 #include "groundtruth/decoupled.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <optional>
 
+#include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "groundtruth/fourier_sum.h"
 #include "groundtruth/ray_sums.h"
@@ -60,7 +59,7 @@ class Decoupled final : public Renderer {
     result.image = Image(scene_.width, scene_.height);
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     const Stopwatch watch;
-    result.stats.fragments = tbb::parallel_reduce(
+    result.stats.fragments = parallel_sum(
         tbb::blocked_range<int>(0, scene_.height), std::uint64_t(0),
         [&](const tbb::blocked_range<int>& rows, std::uint64_t fragments) {
           for (int y = rows.begin(); y < rows.end(); ++y)

@@ -1,11 +1,10 @@
 #include "groundtruth/ray_sums.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "groundtruth/crossing_geometry.h"
 
 namespace pellucid {
@@ -43,7 +42,7 @@ RaySums RayProbe::at(double x, double y) const {
 std::vector<RaySums> RayProbe::at(std::span<const Vec2> places) const {
   std::vector<RaySums> found(places.size());
   const std::size_t packets = (places.size() + RayPacket::width - 1) / RayPacket::width;
-  tbb::parallel_for(std::size_t(0), packets, [&](std::size_t packet) {
+  parallel_for(std::size_t(0), packets, [&](std::size_t packet) {
     thread_local std::array<std::vector<Crossing>, RayPacket::width> crossings;
     const std::size_t first = packet * RayPacket::width;
     std::vector<PictureRay> rays;

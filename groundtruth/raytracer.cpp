@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "groundtruth/composite.h"
 #include "groundtruth/crossing_finder.h"
@@ -42,10 +42,10 @@ class Raytracer : public Renderer {
     std::atomic<std::uint64_t> fragments = 0;
     tbb::enumerable_thread_specific<Buffers> crossings;
     const Stopwatch watch;
-    tbb::parallel_for(tbb::blocked_range2d<int>(0, scene_.height, tile, 0, scene_.width, tile),
-                      [&](const tbb::blocked_range2d<int>& range) {
-                        fragments += trace(range, crossings.local(), result);
-                      });
+    parallel_ranges(tbb::blocked_range2d<int>(0, scene_.height, tile, 0, scene_.width, tile),
+                    [&](const tbb::blocked_range2d<int>& range) {
+                      fragments += trace(range, crossings.local(), result);
+                    });
     result.stats.steps = {{"trace", watch.seconds()}};
     if (options_.adaptive > 1) {
       const Stopwatch again;
@@ -142,9 +142,8 @@ class Raytracer : public Renderer {
       const auto pixels = mark_contrasts(result.image, options_.contrast, marked);
       if (pixels.empty()) return count;
       refined_ += pixels.size();
-      tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
-        count += retrace(pixels[i], crossings.local(), result);
-      });
+      parallel_for(std::size_t(0), pixels.size(),
+                   [&](std::size_t i) { count += retrace(pixels[i], crossings.local(), result); });
     }
   }
 

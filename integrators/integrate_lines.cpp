@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/names.h"
+#include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "integrators/counting_sampler.h"
 #include "integrators/surface_parameters.h"
@@ -138,9 +138,8 @@ IntegratedLines run_all(const LineRequest& request, const Parameters& parameters
   tbb::enumerable_thread_specific<CountingSampler> samplers(
       [&] { return CountingSampler(*request.field); });
   std::vector<Line> lines(request.seeds.size());
-  tbb::parallel_for(std::size_t(0), lines.size(), [&](std::size_t i) {
-    lines[i] = one(options, request.seeds[i], samplers.local());
-  });
+  parallel_for(std::size_t(0), lines.size(),
+               [&](std::size_t i) { lines[i] = one(options, request.seeds[i], samplers.local()); });
   IntegratedLines result;
   result.lines = joined(lines, result.stats);
   for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;

@@ -1,11 +1,10 @@
 #include "integrators/surface_error.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "integrators/mesh_samples.h"
 #include "integrators/surface_parameters.h"
 #include "integrators/surface_particles.h"
@@ -140,7 +139,7 @@ SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& reque
   ExactSurface truth(request, options);
   const std::vector<MeshSample> chosen = sample_mesh(mesh, samples);
   std::vector<Deviation> deviations(chosen.size());
-  tbb::parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
+  parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
     deviations[i] = truth.deviation(sample_of(mesh, chosen[i], request.seed.closed));
   });
   SurfaceError error = summary(chosen, deviations);

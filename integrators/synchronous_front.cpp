@@ -5,13 +5,12 @@
 // the surface's normals; the shorter one would fold where the front leans.
 #include "integrators/synchronous_front.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.h"
 #include "integrators/front_line.h"
 #include "integrators/surface_parameters.h"
 
@@ -96,7 +95,7 @@ double SynchronousFront::next_row(std::span<const int> moving) {
   if (rows_ > 0)
     return std::min(duration, duration * (std::round(t_ / duration * rows_) + 1) / rows_);
   std::vector<double> steps(moving.size());
-  tbb::parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
+  parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
     FrontParticle& particle = front_.at(moving[i]);
     const auto head = [&](int q) { return q < 0 ? nullptr : &head_of(q); };
     steps[i] = allowed_step(refinement_, particle.path, particle.head, head(particle.left),
@@ -109,7 +108,7 @@ double SynchronousFront::next_row(std::span<const int> moving) {
 }
 
 void SynchronousFront::advance(std::span<const int> moving, double t) {
-  tbb::parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
+  parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
     FrontParticle& particle = front_.at(moving[i]);
     particle.path.release(particle.head.t);
     particle.path.reach(t, run_.sampler());

@@ -1,11 +1,11 @@
 #include "oit/line_seeds.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
@@ -34,7 +34,7 @@ void bisect(std::vector<Sample>& samples, const Importance& importance) {
   });
   order.resize(std::max<std::size_t>(order.size() / 2, 1));
   std::vector<Sample> middles(order.size());
-  tbb::parallel_for(std::size_t(0), order.size(), [&](std::size_t k) {
+  parallel_for(std::size_t(0), order.size(), [&](std::size_t k) {
     const double s = 0.5 * (samples[order[k] - 1].s + samples[order[k]].s);
     middles[k] = {s, importance(s)};
   });
@@ -49,7 +49,7 @@ LineSeeds::LineSeeds() : s_{0, 1}, fraction_{0, 1} {}
 
 LineSeeds::LineSeeds(const Importance& importance) : LineSeeds() {
   std::vector<Sample> samples(first_intervals + 1);
-  tbb::parallel_for(0, first_intervals + 1, [&](int i) {
+  parallel_for(0, first_intervals + 1, [&](int i) {
     const double s = double(i) / first_intervals;
     samples[i] = {s, importance(s)};
   });

@@ -1,11 +1,10 @@
 #include "oit/surface_strips.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/parallel.h"
 #include "integrators/front_particle.h"
 #include "integrators/surface_parameters.h"
 
@@ -149,8 +148,8 @@ TriangleMesh SurfaceStrips::line(const LineSeeds::Seed& seed) {
 
 TriangleMesh SurfaceStrips::lines(std::uint64_t first, std::uint64_t count) {
   std::vector<TriangleMesh> strips(count);
-  tbb::parallel_for(std::uint64_t(0), count,
-                    [&](std::uint64_t i) { strips[i] = line(seeds_.seed(first + i)); });
+  parallel_for(std::uint64_t(0), count,
+               [&](std::uint64_t i) { strips[i] = line(seeds_.seed(first + i)); });
   TriangleMesh all;
   for (const TriangleMesh& strip : strips) append(strip, all);
   return all;

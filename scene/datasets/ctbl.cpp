@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "scene/datasets/point_clouds.h"
 #include "scene/datasets/stand_in.h"
 
@@ -48,8 +49,8 @@ Dataset make(const Parameters& values, const Progress&) {
     return random.in_box(0, layer);
   });
   std::vector<double> w(set.positions.size());
-  tbb::parallel_for(std::size_t(0), w.size(),
-                    [&](std::size_t i) { w[i] = updraft(thermals, set.positions[i]); });
+  parallel_for(std::size_t(0), w.size(),
+               [&](std::size_t i) { w[i] = updraft(thermals, set.positions[i]); });
   set_importance("updraft", std::move(w), {.none = 0.9, .full = 0.995}, set);
   return set;
 }

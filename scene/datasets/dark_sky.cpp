@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/parallel.h"
 #include "scene/datasets/point_clouds.h"
 #include "scene/datasets/stand_in.h"
 
@@ -97,8 +98,8 @@ std::vector<double> log_density(const std::vector<Vec3>& points) {
   std::vector<std::uint32_t> counts(std::size_t(n) * n * n);
   for (const Vec3& x : points) ++counts[cell_of(x)];
   std::vector<double> density(points.size());
-  tbb::parallel_for(std::size_t(0), points.size(),
-                    [&](std::size_t i) { density[i] = std::log(counts[cell_of(points[i])]); });
+  parallel_for(std::size_t(0), points.size(),
+               [&](std::size_t i) { density[i] = std::log(counts[cell_of(points[i])]); });
   return density;
 }
 

@@ -1,7 +1,6 @@
 #include "scene/datasets/flow_quantity.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
@@ -22,7 +21,7 @@ double measure(FlowQuantity quantity, const Vec3& x, FieldSampler& sampler) {
 std::vector<double> measure_flow(FlowQuantity quantity, const VectorField& field,
                                  const std::vector<Vec3>& positions) {
   std::vector<double> values(positions.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1024), [&](auto& range) {
+  parallel_ranges(tbb::blocked_range<std::size_t>(0, positions.size(), 1024), [&](auto& range) {
     const auto sampler = field.sampler();
     for (std::size_t i = range.begin(); i < range.end(); ++i)
       values[i] = measure(quantity, positions[i], *sampler);

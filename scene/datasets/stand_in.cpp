@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "scene/colormap.h"
 
 namespace pellucid {
@@ -33,7 +34,7 @@ void set_importance(std::string_view name, std::vector<double> values,
   const ColormapRow& map = find_colormap("coolwarm");
   vertices.importance.resize(values.size());
   vertices.colors.resize(values.size());
-  tbb::parallel_for(std::size_t(0), values.size(), [&](std::size_t i) {
+  parallel_for(std::size_t(0), values.size(), [&](std::size_t i) {
     values[i] =
         high > low ? std::clamp((values[i] - low) / (high - low), 0.0, 1.0) : values[i] > low;
     vertices.importance[i] = float(values[i]);

@@ -1,8 +1,7 @@
 #pragma once
 // What the stand-ins share: data sets that take the place of data that were never published.
 
-#include <tbb/parallel_for.h>
-
+#include "core/parallel.h"
 #include "scene/dataset.h"
 #include "scene/datasets/indexed_random.h"
 
@@ -48,8 +47,8 @@ inline std::size_t count_of(const Parameters& values) {
 template <class Make>
 auto make_elements(std::size_t n, std::uint64_t seed, const Make& make) {
   std::vector<decltype(make(IndexedRandom(0, 0)))> elements(n);
-  tbb::parallel_for(std::size_t(0), n,
-                    [&](std::size_t i) { elements[i] = make(IndexedRandom(seed, i)); });
+  parallel_for(std::size_t(0), n,
+               [&](std::size_t i) { elements[i] = make(IndexedRandom(seed, i)); });
   return elements;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/parallel.h"
 #include "scene/datasets/point_clouds.h"
 #include "scene/datasets/stand_in.h"
 
@@ -53,8 +54,8 @@ Dataset make(const Parameters& values, const Progress&) {
     return Vec3(in_disc(random, 0), random.uniform(2, 0, height));
   });
   std::vector<double> c(set.positions.size());
-  tbb::parallel_for(std::size_t(0), c.size(),
-                    [&](std::size_t i) { c[i] = concentration(fingers, set.positions[i]); });
+  parallel_for(std::size_t(0), c.size(),
+               [&](std::size_t i) { c[i] = concentration(fingers, set.positions[i]); });
   set_importance("concentration", std::move(c), {.none = 0.8, .full = 0.97}, set);
   return set;
 }
