@@ -34,6 +34,7 @@ void throw_embree_error(void*, RTCError code, const char* text) {
 }
 
 bool count_memory(void* counter, ssize_t bytes, bool) {
+  embree_tasks.enter();
   *static_cast<std::atomic<std::int64_t>*>(counter) += bytes;
   return true;
 }

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "fields/derived_scalar.h"
 #include "fields/level_field.h"
 #include "fields/sphere_levels.h"
+#include "fields/surface_extraction.h"
 #include "fields/vdb_levels.h"
 
 namespace pellucid {
@@ -31,6 +35,19 @@ std::vector<ScalarLevel> read_levels(const JsonNode& node, const std::filesystem
   return levels;
 }
 
+/// Triangles with a corner in the hole are left out.
+TriangleMesh mesh_of(const Isosurface& surface) {
+  ExtractedSurface extracted = extract_surface(*surface.field, surface.value);
+  TriangleMesh mesh;
+  mesh.positions = std::move(extracted.positions);
+  mesh.normals = std::move(extracted.normals);
+  std::ranges::copy_if(extracted.triangles, std::back_inserter(mesh.triangles), [&](const auto& t) {
+    return std::ranges::none_of(
+        t, [&](std::uint32_t corner) { return surface.cuts_away(mesh.positions[corner]); });
+  });
+  return mesh;
+}
+
 std::string describe(const LevelField& field, const std::string& scalar) {
   std::vector<std::string> sizes;
   for (const ScalarLevel& level : field.levels())
@@ -41,9 +58,10 @@ std::string describe(const LevelField& field, const std::string& scalar) {
 
 }  // namespace
 
-Isosurface read_isosurface(const JsonNode& node, const std::filesystem::path& folder,
-                           std::string& how) {
-  node.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole"});
+std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
+                                                       const std::filesystem::path& folder,
+                                                       std::string& how) {
+  node.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh"});
   const auto& reconstruction = at_place(node, [&]() -> const ReconstructionRow& {
     return find_reconstruction(node.has("reconstruction") ? node["reconstruction"].string()
                                                           : "blend");
@@ -60,7 +78,11 @@ Isosurface read_isosurface(const JsonNode& node, const std::filesystem::path& fo
     surface.hole = {hole["center"].vec3(), hole["radius"].number(0, any)};
   }
   how = describe(*surface.field, node["scalar"].string());
-  return surface;
+  if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
+  TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });
+  if (mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
+  how += fmt::format(", {} triangles", mesh.triangles.size());
+  return mesh;
 }
 
 }  // namespace pellucid

@@ -198,7 +198,8 @@ class ObjectReader {
     for (const char* key : {"radius", "profile", "importance"})
       if (node_.has(key)) node_[key].fail("an isosurface has none");
     std::string how;
-    object_.shape = read_isosurface(node, context_.folder, how);
+    std::visit([&](auto surface) { object_.shape = std::move(surface); },
+               read_isosurface(node, context_.folder, how));
     note(std::move(how));
   }
 

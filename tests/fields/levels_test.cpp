@@ -10,25 +10,13 @@
 #include "fields/derived_scalar.h"
 #include "fields/level_field.h"
 #include "fields/surface_cells.h"
+#include "tests/support/levels.h"
 
 namespace pellucid {
 namespace {
 
-template <class T, class Function>
-Level<T> sampled(const Vec3& origin, double width, std::array<int, 3> size, const Function& f) {
-  Level<T> level{origin, width, size, {}};
-  for (int k = 0; k < size[2]; ++k)
-    for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i) level.samples.push_back(T(f(level.world(Vec3(i, j, k)))));
-  return level;
-}
-
-/// [0, 8]³ in cells of 1, and [2, 6]³ in cells of a half.
-template <class Function>
-std::vector<ScalarLevel> nested(const Function& f) {
-  return {sampled<float>(Vec3(0.5), 1, {8, 8, 8}, f),
-          sampled<float>(Vec3(2.25), 0.5, {8, 8, 8}, f)};
-}
+using testing::nested;
+using testing::sampled;
 
 double abc_q(const Vec3& p) {
   // Without divergence Q = -tr(J²)/2. A = B = C = 1.

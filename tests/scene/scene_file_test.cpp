@@ -245,6 +245,22 @@ TEST_F(UnitSceneFile, EnergyWeightsAreOptional) {
   EXPECT_THAT(refusal(sheet, R"("energy": {"s": 15})"), HasSubstr("energy"));
 }
 
+TEST_F(UnitSceneFile, AnIsosurfaceMayBeAMesh) {
+  const auto text = [](const std::string& keys) {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude", "mesh": true)" +
+           keys + R"(}, "color": [1, 0, 0], "opacity": 0.25})";
+  };
+  const TriangleMesh whole = with(text("")).objects.front().mesh();
+  EXPECT_EQ(whole.normals.size(), whole.positions.size());
+  EXPECT_EQ(whole.colors.front(), Rgba(1, 0, 0, 0.25));
+  const TriangleMesh cut =
+      with(text(R"(, "hole": {"center": [0, 0, 0], "radius": 1.5})")).objects.front().mesh();
+  EXPECT_LT(cut.triangles.size(), whole.triangles.size());
+  for (const auto& triangle : cut.triangles)
+    for (const std::uint32_t corner : triangle) EXPECT_GE(glm::length(cut.positions[corner]), 1.5);
+}
+
 TEST(UnitAppearance, NormalsAreAreaWeighted) {
   TriangleMesh mesh = sphere(3, Rgba(1));
   mesh.normals.clear();
