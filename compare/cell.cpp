@@ -61,10 +61,17 @@ bool is_complete(const CellFiles& files, const ResultRow& row) {
 std::vector<Cell> expand_cells(const Study& study) {
   std::vector<Cell> cells;
   for (const fs::path& scene : study.scenes) {
-    cells.push_back(
-        {study.reference_scene.value_or(scene), scene_name(scene), study.reference, true});
-    for (const MethodCall& call : study.methods)
-      cells.push_back({scene, scene_name(scene), call, false});
+    const std::string name = scene_name(scene);
+    const auto probes = study.probes.find(name);
+    Cell cell{study.reference_scene.value_or(scene), name, study.reference, true, study.measures};
+    if (probes != study.probes.end()) cell.probes = probes->second;
+    cells.push_back(cell);
+    cell.reference = false;
+    cell.scene_file = scene;
+    for (const MethodCall& call : study.methods) {
+      cell.call = call;
+      cells.push_back(cell);
+    }
   }
   return cells;
 }
@@ -116,6 +123,8 @@ std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& c
   add_call(cell.call, hash);
   add_call(reference, hash);
   hash.add(context.gl);
+  for (const std::string& measure : cell.measures) hash.add(measure);
+  for (const Pixel& pixel : cell.probes) hash.add(fmt::format("{} {}", pixel.x, pixel.y));
   return hash.hex();
 }
 

@@ -16,6 +16,8 @@ struct Cell {
   std::string scene;
   MethodCall call;
   bool reference = false;
+  std::vector<std::string> measures = {};  // names of FurtherMeasure
+  std::vector<Pixel> probes = {};          // rays to look along
 
   /// "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }

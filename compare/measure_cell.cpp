@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "compare/ray_curves.h"
 #include "core/error.h"
 #include "core/machine.h"
 #include "core/stopwatch.h"
@@ -95,6 +96,7 @@ CellMeasurement measure_cell(const Cell& cell, const Scene& scene, int repeats,
   time_renderings(*renderer, repeats, result);
   describe(*renderer, scene, result.row);
   take_findings(renderer->findings(), result);
+  add_ray_curves(cell, scene, *renderer, result);
   return result;
 }
 

@@ -103,6 +103,19 @@ json pictures_json(const ResultRow& row) {
   return list;
 }
 
+json curves_json(const ResultRow& row) {
+  json list = json::array();
+  for (const RowCurve& c : row.curves)
+    list.push_back({{"name", c.name},
+                    {"label", c.label},
+                    {"title", c.title},
+                    {"x_title", c.x_title},
+                    {"y_title", c.y_title},
+                    {"x", c.x},
+                    {"y", c.y}});
+  return list;
+}
+
 void add_results(const ResultRow& row, json& j) {
   j["metrics"] = to_json(row.metrics);
   j["seconds"] = seconds_json(row);
@@ -113,6 +126,7 @@ void add_results(const ResultRow& row, json& j) {
   if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
   j["measures"] = measures_json(row);
   j["pictures"] = pictures_json(row);
+  j["curves"] = curves_json(row);
   j["explanation"] = row.explanation;
   j["scene_provenance"] = row.scene_provenance;
 }
@@ -129,6 +143,9 @@ void results_from(const json& j, ResultRow& row) {
   for (const json& measure : j.at("measures")) row.measures.push_back(measure_from(measure));
   for (const json& p : j.at("pictures"))
     row.pictures.push_back({p.at("name"), p.at("title"), p.at("min"), p.at("max")});
+  for (const json& c : j.at("curves"))
+    row.curves.push_back({c.at("name"), c.at("label"), c.at("title"), c.at("x_title"),
+                          c.at("y_title"), c.at("x"), c.at("y")});
   row.explanation = j.at("explanation");
   row.scene_provenance = j.at("scene_provenance");
 }

@@ -34,6 +34,15 @@ struct RowPicture {
   double min = 0, max = 1;  // ends of its logarithmic scale
 };
 
+/// Numbers over numbers. The report draws those of one name in one plot, whichever rows they are
+/// of.
+struct RowCurve {
+  std::string name;
+  std::string label;  // of the curve; empty: its row's name
+  std::string title, x_title, y_title;
+  std::vector<double> x, y;
+};
+
 /// What one cell of a study found out.
 struct ResultRow {
   std::string scene, method, parameters;  // parameters as given: "bands=5"
@@ -54,6 +63,7 @@ struct ResultRow {
   std::optional<CoverageCheck> coverage;
   std::vector<Measure> measures;  // that only some methods have
   std::vector<RowPicture> pictures;
+  std::vector<RowCurve> curves;
   std::vector<std::string> explanation;                 // what the method modelled, and why
   std::map<std::string, std::string> scene_provenance;  // how the scene was made
   std::map<std::string, std::string> machine;           // with the method's own facts: driver, …

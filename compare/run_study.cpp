@@ -8,11 +8,13 @@
 
 #include "compare/cell.h"
 #include "compare/error_map.h"
+#include "compare/further_measures.h"
 #include "compare/image_file.h"
 #include "compare/measure_cell.h"
 #include "compare/report.h"
 #include "compare/tables.h"
 #include "core/error.h"
+#include "core/names.h"
 #include "core/output_file.h"
 #include "scene/scene_file.h"
 
@@ -101,12 +103,15 @@ class SceneAtHand {
   CountImage layers_;
 };
 
-void write_pictures(const CellFiles& files, const CellMeasurement& measured) {
+void write_picture(const CellFiles& files, const CellMeasurement& measured) {
   write_image(files.picture(), measured.image);
   write_image(files.preview(), measured.image);
+  if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
+}
+
+void write_further(const CellFiles& files, const CellMeasurement& measured) {
   for (std::size_t i = 0; i < measured.further.size(); ++i)
     write_image(files.further(measured.row.pictures[i].name), measured.further[i]);
-  if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
 }
 
 void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHand& at_hand) {
@@ -142,9 +147,13 @@ ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
   const bool beside_layers =
       job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
   if (makes_layers(job.cell.call) || beside_layers) add_layer_picture(measured);
-  write_pictures(job.files, measured);
+  write_picture(job.files, measured);
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, measured, at_hand);
+  for (const std::string& name : job.cell.measures)
+    find_row("measure", name, further_measures())
+        .measure(at_hand.scene(), at_hand.reference(), measured);
+  write_further(job.files, measured);
   measured.row.fingerprint = job.fingerprint;
   return measured.row;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compare/further_measures.h"
 #include "compare/sweep.h"
 #include "core/error.h"
 #include "core/names.h"
@@ -147,16 +148,36 @@ Crop read_crop(const JsonNode& node) {
           numbers[2].integer(1, max_side), numbers[3].integer(1, max_side)};
 }
 
-std::map<std::string, Crop> read_crops(const JsonNode& node,
-                                       const std::vector<std::string>& names) {
-  std::map<std::string, Crop> crops;
+std::vector<Pixel> read_pixels(const JsonNode& node) {
+  std::vector<Pixel> pixels;
+  for (const JsonNode& element : node.elements()) {
+    const std::vector<JsonNode> numbers = element.elements();
+    if (numbers.size() != 2) element.fail("accepted: [column, row] from the top left");
+    pixels.push_back({numbers[0].integer(0, max_side), numbers[1].integer(0, max_side)});
+  }
+  return pixels;
+}
+
+/// {SCENE: what `read` makes of it, …}
+template <class Read>
+auto read_by_scene(const JsonNode& node, const std::vector<std::string>& names, const Read& read) {
+  std::map<std::string, decltype(read(node))> by_scene;
   for (const auto& item : node.value().items()) {
     if (std::find(names.begin(), names.end(), item.key()) == names.end())
       node.fail(unknown_name("scene", item.key(),
                              std::vector<std::string_view>(names.begin(), names.end())));
-    crops.emplace(item.key(), read_crop(node[item.key()]));
+    by_scene.emplace(item.key(), read(node[item.key()]));
   }
-  return crops;
+  return by_scene;
+}
+
+std::vector<std::string> read_measures(const JsonNode& node) {
+  std::vector<std::string> names;
+  for (const JsonNode& element : node.elements())
+    names.emplace_back(at_place(element, [&]() -> std::string_view {
+      return find_row("measure", element.string(), further_measures()).name;
+    }));
+  return names;
 }
 
 /// The text of a call that the study has.
@@ -196,7 +217,8 @@ Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& me
   root["format"].one_of({"pellucid-study"});
   root["version"].integer(1, 1);
   root.accept_keys({"format", "version", "title", "source", "scenes", "reference",
-                    "reference_scene", "integrators", "methods", "repeats", "crops", "claims"});
+                    "reference_scene", "integrators", "methods", "repeats", "crops", "claims",
+                    "measures", "probes"});
   Study study;
   study.name = file.stem().string();
   study.file = file;
@@ -209,7 +231,10 @@ Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& me
   if (root.has("integrators")) add_calls(root["integrators"], integrators, study);
   if (root.has("methods") || !root.has("integrators")) add_calls(root["methods"], methods, study);
   if (root.has("repeats")) study.repeats = root["repeats"].integer(1, max_repeats);
-  if (root.has("crops")) study.crops = read_crops(root["crops"], scene_names(study));
+  if (root.has("crops")) study.crops = read_by_scene(root["crops"], scene_names(study), read_crop);
+  if (root.has("probes"))
+    study.probes = read_by_scene(root["probes"], scene_names(study), read_pixels);
+  if (root.has("measures")) study.measures = read_measures(root["measures"]);
   if (root.has("claims"))
     for (const JsonNode& element : root["claims"].elements())
       study.claims.push_back(read_claim(element, study));

@@ -25,6 +25,11 @@ struct MethodCall {
   std::string slug() const;
 };
 
+/// In its column and row, from the top left.
+struct Pixel {
+  int x = 0, y = 0;
+};
+
 /// A part of a picture, in pixels from the top left.
 struct Crop {
   int x = 0, y = 0, width = 0, height = 0;
@@ -43,8 +48,10 @@ struct Study {
   std::optional<std::filesystem::path> reference_scene;
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
-  std::map<std::string, Crop> crops;  // by scene
-  std::vector<Claim> claims;          // of the source
+  std::map<std::string, Crop> crops;                 // by scene
+  std::vector<Claim> claims;                         // of the source
+  std::vector<std::string> measures;                 // names of FurtherMeasure, for each picture
+  std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
 };
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is

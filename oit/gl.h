@@ -36,7 +36,8 @@
   X(TextureStorage2D, TEXTURESTORAGE2D) X(TextureStorage3D, TEXTURESTORAGE3D)                   \
   X(TextureBuffer, TEXTUREBUFFER) X(TextureParameteri, TEXTUREPARAMETERI)                       \
   X(BindTextureUnit, BINDTEXTUREUNIT) X(BindImageTexture, BINDIMAGETEXTURE)                     \
-  X(GetTextureImage, GETTEXTUREIMAGE) X(ClearTexImage, CLEARTEXIMAGE)                           \
+  X(GetTextureImage, GETTEXTUREIMAGE) X(GetTextureSubImage, GETTEXTURESUBIMAGE)                 \
+  X(ClearTexImage, CLEARTEXIMAGE)                                                               \
   X(CreateFramebuffers, CREATEFRAMEBUFFERS) X(DeleteFramebuffers, DELETEFRAMEBUFFERS)           \
   X(BindFramebuffer, BINDFRAMEBUFFER) X(NamedFramebufferTexture, NAMEDFRAMEBUFFERTEXTURE)       \
   X(NamedFramebufferTextureLayer, NAMEDFRAMEBUFFERTEXTURELAYER)                                 \

@@ -72,6 +72,11 @@ void Texture::read(GLenum format, GLenum type, std::size_t bytes, void* data) co
   name_.gl().GetTextureImage(id(), 0, format, type, GLsizei(bytes), data);
 }
 
+void Texture::read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
+                         void* data) const {
+  name_.gl().GetTextureSubImage(id(), 0, x, y, 0, 1, 1, layers, format, type, GLsizei(bytes), data);
+}
+
 Buffer::Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags)
     : name_(gl, create([&](GLuint* id) { gl.CreateBuffers(1, id); })), bytes_(bytes) {
   // A buffer of no bytes is an error in OpenGL; an empty scene needs none of them.

@@ -53,6 +53,9 @@ class Texture {
   void bind_image(GLuint unit) const;
   void clear(std::uint32_t value) const;  // every component of an unsigned integer format
   void read(GLenum format, GLenum type, std::size_t bytes, void* data) const;
+  /// One pixel of all `layers`, the first layer first.
+  void read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
+                  void* data) const;
 
  private:
   GlName<&Gl::DeleteTextures> name_;

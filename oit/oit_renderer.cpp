@@ -49,6 +49,10 @@ class OitRenderer final : public Renderer {
   std::map<std::string, std::string> facts() const override {
     return {{"driver", stage_.context().driver()}};
   }
+  std::optional<OpticalDepth> optical_depth(int x, int y, std::span<const double> d) override {
+    stage_.make_current();
+    return method_->optical_depth(x, y, d);
+  }
 
  private:
   /// Draws the picture once for each of a pixel's samples and averages.

@@ -54,6 +54,11 @@ class OitMethod {
   /// The layers per pixel that the last picture was made of, where the method makes layers of its
   /// own; otherwise they are the geometry's crossings.
   virtual std::optional<CountImage> count_layers() { return std::nullopt; }
+  /// See Renderer.
+  virtual std::optional<OpticalDepth> optical_depth(int /*x*/, int /*y*/,
+                                                    std::span<const double> /*d*/) const {
+    return std::nullopt;
+  }
   /// What the method modelled for this scene; a line each.
   virtual std::vector<std::string> explain() const { return {}; }
 };

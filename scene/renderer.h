@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/parameters.h"
@@ -86,6 +88,12 @@ struct Findings {
   std::vector<MeasurePicture> pictures;
 };
 
+/// The optical depth along a pixel's ray, as a method approximated it for its last picture.
+struct OpticalDepth {
+  std::vector<double> values;                        // τ(d) at the depths that were asked for
+  std::vector<std::pair<double, double>> harmonics;  // a_k, b_k of a Fourier series, k from 0
+};
+
 /// One method over one scene: made once (geometry uploaded, hierarchies built), rendered as often
 /// as a timing needs. The scene has to outlive it.
 class Renderer {
@@ -98,6 +106,12 @@ class Renderer {
   virtual std::map<std::string, std::string> facts() const { return {}; }
   /// Measured when asked for, and not timed.
   virtual Findings findings() { return {}; }
+  /// At the depths `d` in [0, 1] of the pixel in column x, row y. Nothing where the method has no
+  /// such function, or has not rendered yet.
+  virtual std::optional<OpticalDepth> optical_depth(int /*x*/, int /*y*/,
+                                                    std::span<const double> /*d*/) {
+    return std::nullopt;
+  }
 };
 
 /// What a method is given beside its scene.

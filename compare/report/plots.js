@@ -69,6 +69,8 @@ function plotsOf(rows, holder) {
     ["Error against time", (width, colors) => tradeOffSpec(rows, msOf, "ms", width, colors)],
     ["Error against memory", (width, colors) => tradeOffSpec(rows, megabytesOf, "MB", width, colors)],
     ["Where the time goes", (width, colors) => stepsSpec(rows, width, colors)],
+    ...sweepPlots(rows),
+    ...curvePlots(rows),
   ].map(([title, spec]) => ({ title, spec, place: make("div") }));
   holder.append(...plots.map(({ title, place }) => make("div", { class: "plot" }, make("h3", {}, title), place)));
   return () => {

@@ -1,5 +1,8 @@
 #include "oit/methods/binning.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "oit/optical_depth_passes.h"
 #include "oit_glsl.h"
 
@@ -23,9 +26,28 @@ class Binning final : public OitMethod {
     passes_.weight_and_composite(frame);
   }
 
+  // As the weight pass does it.
+  std::optional<OpticalDepth> optical_depth(int x, int y,
+                                            std::span<const double> d) const override {
+    std::vector<float> tau(std::size_t(bins_) + 1);  // at the bins' edges, from d = 0 on
+    static_assert(sizeof(float) == sizeof(std::uint32_t));
+    passes_.coefficients(0).read_pixel(x, y, bins_, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                                       std::size_t(bins_) * sizeof(float), tau.data() + 1);
+    OpticalDepth result;
+    for (const double depth : d) {
+      const double at = depth * bins_;
+      const std::size_t bin = std::min(std::size_t(at), std::size_t(bins_ - 1));
+      const double share = linear_ ? at - double(bin) : 1;
+      result.values.push_back(std::lerp(double(tau[bin]), double(tau[bin + 1]), share));
+    }
+    return result;
+  }
+
  private:
   Binning(Stage& stage, const Parameters& parameters, const Defines& defines)
       : stage_(stage),
+        bins_(parameters.integer("bins")),
+        linear_(parameters.text("mode") == "linear"),
         no_targets_(stage.gl(), stage.width(), stage.height()),
         project_(clamped_geometry_program(stage, oit_glsl::binning_project_frag_glsl(), defines,
                                           parameters)),
@@ -46,6 +68,8 @@ class Binning final : public OitMethod {
   void finish_stores() const { stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT); }
 
   const Stage& stage_;
+  int bins_;
+  bool linear_;
   Framebuffer no_targets_;
   GeometryProgram project_;
   Program accumulate_;

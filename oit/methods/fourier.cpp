@@ -1,8 +1,18 @@
 #include "oit/methods/fourier.h"
 
+#include <glm/vec2.hpp>
+#include <optional>
+
 #include "oit/fourier_projection.h"
 #include "oit/optical_depth_passes.h"
 #include "oit_glsl.h"
+
+namespace pellucid::fourier_glsl {
+
+using namespace glm;
+#include "oit/fourier_series.glsl"
+
+}  // namespace pellucid::fourier_glsl
 
 namespace pellucid {
 namespace {
@@ -10,20 +20,45 @@ namespace {
 class Fourier final : public OitMethod {
  public:
   Fourier(Stage& stage, const Parameters& parameters)
-      : passes_(stage, coefficients(parameters), weight_program(stage, parameters),
+      : bands_(parameters.integer("bands")),
+        margin_(float(parameters.real("margin"))),
+        target_(fourier_target(bands_, parameters)),
+        passes_(stage, {{"Fourier coefficients", target_.format, target_.layers}},
+                weight_program(stage, parameters),
                 stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
                                      {{"NORMALIZE", parameters.flag("normalize")}})),
-        projection_(stage, passes_.coefficients(0), parameters.integer("bands"), parameters) {}
+        projection_(stage, passes_.coefficients(0), bands_, parameters) {}
 
   void draw(Frame& frame) override {
     frame.step("project", [&] { projection_.project(); });
     passes_.weight_and_composite(frame);
   }
 
+  // As the weight pass does it, in the same formulas.
+  std::optional<OpticalDepth> optical_depth(int x, int y,
+                                            std::span<const double> d) const override {
+    std::vector<glm::vec2> coefficients(std::size_t(2 * target_.layers));
+    passes_.coefficients(0).read_pixel(x, y, target_.layers, GL_RGBA, GL_FLOAT,
+                                       coefficients.size() * sizeof coefficients[0],
+                                       coefficients.data());
+    OpticalDepth result;
+    for (int k = 0; k <= bands_; ++k)
+      result.harmonics.emplace_back(coefficients[std::size_t(k)].x, coefficients[std::size_t(k)].y);
+    for (const double depth : d)
+      result.values.push_back(tau_at((float(depth) + margin_) / (1 + 2 * margin_), coefficients));
+    return result;
+  }
+
  private:
-  static std::vector<OpticalDepthPasses::Target> coefficients(const Parameters& parameters) {
-    const FourierTarget target = fourier_target(parameters.integer("bands"), parameters);
-    return {{"Fourier coefficients", target.format, target.layers}};
+  float tau_at(float d, const std::vector<glm::vec2>& coefficients) const {
+    const glm::vec2 one_band = fourier_glsl::first_wave(d);
+    glm::vec2 wave(1, 0);
+    float tau = 0;
+    for (int k = 0; k <= bands_; ++k) {
+      tau += fourier_glsl::fourier_integral(k, coefficients[std::size_t(k)], d, wave);
+      wave = fourier_glsl::add_angles(wave, one_band);
+    }
+    return tau;
   }
 
   static GeometryProgram weight_program(const Stage& stage, const Parameters& parameters) {
@@ -34,6 +69,9 @@ class Fourier final : public OitMethod {
                            parameters);
   }
 
+  int bands_;
+  float margin_;
+  FourierTarget target_;
   OpticalDepthPasses passes_;
   FourierProjection projection_;
 };

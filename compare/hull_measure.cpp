@@ -1,0 +1,62 @@
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "compare/error_map.h"
+#include "compare/further_measures.h"
+#include "compare/hull_distance.h"
+#include "groundtruth/ray_sums.h"
+
+namespace pellucid {
+namespace {
+
+/// Half a step of an 8-bit channel: what is farther off than this can show.
+constexpr double visible = 0.5 / 255;
+
+/// 0 where the method saw another number of layers than there are crossings: at the very edge of a
+/// triangle it may have drawn other colours than the ray's.
+Raster<double> hull_distances(const Scene& scene, const CellMeasurement& cell) {
+  const RayProbe probe(scene);
+  Raster<double> distances(scene.width, scene.height);
+  tbb::parallel_for(0, scene.height, [&](int y) {
+    std::vector<Vec3> colors;
+    for (int x = 0; x < scene.width; ++x) {
+      const RaySums ray = probe.at(x + 0.5, y + 0.5);
+      const bool same_layers =
+          cell.layers.pixels.empty() || cell.layers.at(x, y) == ray.layers.size();
+      if (!same_layers) continue;
+      colors.assign(1, scene.background);
+      for (const RayLayer& layer : ray.layers) colors.push_back(layer.color);
+      distances.at(x, y) = hull_distance(Vec3(cell.image.at(x, y)), colors);
+    }
+  });
+  return distances;
+}
+
+void measure(const Scene& scene, const Image&, CellMeasurement& cell) {
+  const Raster<double> distances = hull_distances(scene, cell);
+  const auto& values = distances.pixels;
+  const auto outside =
+      std::count_if(values.begin(), values.end(), [](double d) { return d > visible; });
+  cell.row.measures.push_back({"outside_hull", "Pixels outside the hull of their colours", "",
+                               double(outside), Measure::Better::lower});
+  cell.row.measures.push_back({"hull_distance_max", "Largest distance to the hull", "",
+                               *std::max_element(values.begin(), values.end()),
+                               Measure::Better::lower});
+  cell.row.pictures.push_back({"hull", "Distance of the colour to the hull of the pixel's colours",
+                               ErrorScale::min, ErrorScale::max});
+  Image picture(scene.width, scene.height);
+  std::transform(values.begin(), values.end(), picture.pixels.begin(),
+                 [](double d) { return Rgba(glm::vec3(ErrorScale::color(d)), 1); });
+  cell.further.push_back(std::move(picture));
+}
+
+}  // namespace
+
+const FurtherMeasure& hull_measure() {
+  static constexpr FurtherMeasure row{"hull", "Distance to the convex hull of a pixel's colours",
+                                      measure};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,90 @@
+// Numbers over numbers: what studies ask for along rays and over depths, and every number over a swept parameter.
+
+/** More curves than these in one plot can't be told apart. */
+const mostCurves = 6;
+
+/** So many of a list, first and last among them. */
+function spread(list, most) {
+  if (list.length <= most) return list;
+  return Array.from({ length: most }, (_, i) => list[Math.round((i * (list.length - 1)) / (most - 1))]);
+}
+
+const curveSymbols = ({ x, y }, label) => x.map((at, i) => ({ label, x: at, y: y[i] }));
+
+/** Curves `{label, x, y}`; that of the reference, if there is one, is drawn in ink. */
+function curvesSpec(curves, axes, reference, width, colors, { logarithmic, points } = {}) {
+  const labels = curves.map(({ label }) => label);
+  const scheme = ["#3b6fb6", "#d1742c", "#3f9b62", "#8a5bb5", "#c2418a", "#7d8a2e", "#20a0a8"];
+  const range = labels.map((label, i) => (label === reference ? colors.ink : scheme[i % scheme.length]));
+  const place = { x: { scale: "x", field: "x" }, y: { scale: "y", field: "y" } };
+  const stroke = { stroke: { scale: "color", field: "label" } };
+  const line = mark("line", "series", { ...place, ...stroke, strokeWidth: { value: 1.5 } });
+  const dots = mark("symbol", "series", { ...place, ...stroke, fill: { scale: "color", field: "label" }, size: { value: 24 } });
+  const groups = { type: "group", from: { facet: { name: "series", data: "values", groupby: "label" } }, marks: points ? [line, dots] : [line] };
+  const axis = { grid: true, format: "~g", tickCount: 5, labelOverlap: true };
+  const yScale = logarithmic ? { type: "log", nice: true } : { type: "linear", nice: true, zero: true };
+  return {
+    width, height: 300, autosize: { type: "fit", contains: "padding" }, config: plotConfig(colors),
+    data: [{ name: "values", values: curves.flatMap((curve) => curveSymbols(curve, curve.label)) }],
+    scales: [
+      { name: "x", type: "linear", range: "width", domain: { data: "values", field: "x" }, zero: false },
+      { name: "y", range: "height", domain: { data: "values", field: "y" }, ...yScale },
+      { name: "color", type: "ordinal", domain: labels, range },
+    ],
+    axes: [
+      { orient: "bottom", scale: "x", title: axes.x_title, ...axis },
+      { orient: "left", scale: "y", title: axes.y_title, ...axis },
+    ],
+    legends: curves.length > 1 ? [{ stroke: "color", orient: "bottom", columns: 2, symbolType: "stroke", labelLimit: 200, offset: 2 }] : [],
+    marks: [groups],
+  };
+}
+
+/** The curves of one name, the reference's first; of one label the last row's, which is the longest series. */
+function curvesNamed(rows, name) {
+  const byLabel = new Map();
+  for (const row of rows)
+    for (const curve of (row.curves ?? []).filter((c) => c.name === name)) {
+      const label = curve.label || (row.reference ? "exact" : row.name);
+      byLabel.set(label, { ...curve, label });
+    }
+  const curves = [...byLabel.values()];
+  const exact = curves.filter(({ label }) => label === "exact");
+  return [...exact, ...spread(curves.filter(({ label }) => label !== "exact"), mostCurves)];
+}
+
+/** [title, spec of width and colours] for each name of a curve. */
+function curvePlots(rows) {
+  const names = [...new Set(rows.flatMap((row) => (row.curves ?? []).map(({ name }) => name)))];
+  return names.map((name) => {
+    const curves = curvesNamed(rows, name);
+    const points = curves.some(({ x }) => x.length < 100);
+    return [curves[0].title, (width, colors) => curvesSpec(curves, curves[0], "exact", width, colors, { points })];
+  });
+}
+
+/** The one parameter of a method that takes many numbers while the others stay: [name, rows by its value]; null if there is none. */
+function sweepOf(rows) {
+  const values = (name) => new Set(rows.map((row) => row.parameter_values[name]));
+  const varied = Object.keys(rows[0].parameter_values).filter((name) => values(name).size > 1);
+  if (varied.length !== 1 || rows.length < 4) return null;
+  const at = (row) => Number(row.parameter_values[varied[0]]);
+  if (rows.some((row) => Number.isNaN(at(row)))) return null;
+  return { name: varied[0], rows: [...rows].sort((a, b) => at(a) - at(b)), at };
+}
+
+/** Error and time over the swept parameter of each method. */
+function sweepPlots(rows) {
+  const methods = [...new Set(rows.filter((row) => !row.reference).map((row) => row.method))];
+  return methods.flatMap((method) => {
+    const sweep = sweepOf(rows.filter((row) => row.method === method && !row.reference));
+    if (!sweep) return [];
+    const plot = (y_title, value, logarithmic) => {
+      const curve = { label: method, x: sweep.rows.map(sweep.at), y: sweep.rows.map(value) };
+      const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { logarithmic, points: true });
+      return [`${method}: ${y_title} over ${sweep.name}`, spec];
+    };
+    return [plot("RMSE", (row) => Math.max(row.metrics.rmse, smallestError), true), plot("SSIM", (row) => row.metrics.ssim),
+            plot("ms", msOf)];
+  });
+}
