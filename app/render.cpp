@@ -51,7 +51,9 @@ nlohmann::json to_json(const MethodRow& row, const Parameters& parameters, const
   json["bytes"]["total"] = stats.total_bytes();
   for (const NamedBytes& part : stats.bytes) json["bytes"][part.name] = part.bytes;
   json["fragments"] = stats.fragments;
+  json["stored"] = stats.stored;
   json["dropped"] = stats.dropped;
+  json["truncated_pixels"] = stats.truncated;
   json["max_layers"] = stats.max_layers;
   for (const FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
   json["machine"] = machine_facts();

@@ -49,6 +49,8 @@ constexpr CsvColumn result_columns[] = {
     {"seconds_max", [](const ResultRow& r) { return digits(r.seconds.max); }},
     {"setup_seconds", [](const ResultRow& r) { return digits(r.setup_seconds); }},
     {"dropped", [](const ResultRow& r) { return fmt::format("{}", r.dropped); }},
+    {"stored", [](const ResultRow& r) { return fmt::format("{}", r.stored); }},
+    {"truncated_pixels", [](const ResultRow& r) { return fmt::format("{}", r.truncated); }},
     {"layers_differ", differing_layers},
     {"rmse_equal_layers", rmse_equal_layers}};
 

@@ -59,7 +59,9 @@ void warm_up(Renderer& renderer, CellMeasurement& result) {
   result.layers = std::move(rendering.layers);
   result.row.fragments = rendering.stats.fragments;
   result.row.max_layers = rendering.stats.max_layers;
+  result.row.stored = rendering.stats.stored;
   result.row.dropped = rendering.stats.dropped;
+  result.row.truncated = rendering.stats.truncated;
 }
 
 void time_renderings(Renderer& renderer, int repeats, CellMeasurement& result) {

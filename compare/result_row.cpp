@@ -121,7 +121,9 @@ void add_results(const ResultRow& row, json& j) {
   j["seconds"] = seconds_json(row);
   j["bytes"] = bytes_json(row);
   j["fragments"] = row.fragments;
+  j["stored"] = row.stored;
   j["dropped"] = row.dropped;
+  j["truncated_pixels"] = row.truncated;
   j["max_layers"] = row.max_layers;
   if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
   j["measures"] = measures_json(row);
@@ -137,7 +139,9 @@ void results_from(const json& j, ResultRow& row) {
   for (const json& part : j.at("bytes").at("parts"))
     row.bytes.push_back({part.at("name"), part.at("bytes")});
   row.fragments = j.at("fragments");
+  row.stored = j.at("stored");
   row.dropped = j.at("dropped");
+  row.truncated = j.at("truncated_pixels");
   row.max_layers = j.at("max_layers");
   if (j.contains("coverage")) row.coverage = coverage_from(j.at("coverage"));
   for (const json& measure : j.at("measures")) row.measures.push_back(measure_from(measure));

@@ -58,7 +58,7 @@ struct ResultRow {
   double setup_seconds = 0;  // geometry uploaded, hierarchies built
   std::vector<NamedBytes> bytes;
   std::uint64_t fragments = 0;
-  std::uint64_t dropped = 0;
+  std::uint64_t stored = 0, dropped = 0, truncated = 0;  // see RenderStats
   std::uint32_t max_layers = 0;
   std::optional<CoverageCheck> coverage;
   std::vector<Measure> measures;  // that only some methods have

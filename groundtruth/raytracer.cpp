@@ -54,7 +54,7 @@ class Raytracer : public Renderer {
     }
     for (const std::uint32_t count : result.layers.pixels)
       result.stats.max_layers = std::max(result.stats.max_layers, count);
-    result.stats.fragments = fragments;
+    result.stats.fragments = result.stats.stored = fragments;
     result.stats.bytes = {{"hierarchy", finder_.bytes()}};
     std::uint64_t hit_bytes = 0;
     for (const Buffers& buffers : crossings)

@@ -78,8 +78,10 @@ Rendering OitRenderer::render(const RenderRequest& request) {
   const std::optional<CountImage> of_method = method_->count_layers();
   rendering.layers = of_method ? *of_method : count_layers();
   const auto& counts = rendering.layers.pixels;
-  if (!of_method)
+  if (!of_method) {
     rendering.stats.fragments = std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+    method_->account(rendering.layers, rendering.stats);
+  }
   rendering.stats.max_layers = *std::max_element(counts.begin(), counts.end());
   return rendering;
 }

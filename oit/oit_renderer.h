@@ -54,6 +54,9 @@ class OitMethod {
   /// The layers per pixel that the last picture was made of, where the method makes layers of its
   /// own; otherwise they are the geometry's crossings.
   virtual std::optional<CountImage> count_layers() { return std::nullopt; }
+  /// Of the geometry's crossings per pixel, which of them the method keeps apart or loses: fills
+  /// `stored` and `truncated`.
+  virtual void account(const CountImage& /*crossings*/, RenderStats& /*stats*/) const {}
   /// See Renderer.
   virtual std::optional<OpticalDepth> optical_depth(int /*x*/, int /*y*/,
                                                     std::span<const double> /*d*/) const {

@@ -43,7 +43,9 @@ struct RenderStats {
   std::vector<StepTime> steps;
   std::vector<NamedBytes> bytes;
   std::uint64_t fragments = 0;     // crossings seen
-  std::uint64_t dropped = 0;       // crossings that did not reach the picture
+  std::uint64_t stored = 0;        // of them kept apart by depth; the others were summed up
+  std::uint64_t dropped = 0;       // of them that did not reach the picture
+  std::uint64_t truncated = 0;     // pixels that lost some of theirs
   std::uint32_t max_layers = 0;    // crossings in one pixel
   std::vector<FrameStats> frames;  // of a progressive method
 
@@ -58,7 +60,8 @@ struct Rendering {
 };
 
 struct RenderRequest {
-  bool layers = false;  // also fill Rendering::layers, fragments and max_layers; not timed
+  /// Also fill Rendering::layers, and of the stats all that is counted; not timed.
+  bool layers = false;
   Progress progress = {};
 };
 

@@ -40,7 +40,7 @@ function coverageNote(row) {
 
 function droppedNote(row) {
   if (!row.dropped) return null;
-  return make("p", { class: "note" }, `${count(row.dropped)} fragments did not reach the picture.`);
+  return make("p", { class: "note" }, `${count(row.dropped)} fragments of ${count(row.truncated_pixels)} pixels did not reach the picture.`);
 }
 
 function failedCard(row) {

@@ -10,7 +10,7 @@ const columns = [
   { title: "SSIM, 8 bits", value: (row) => row.metrics.displayed.ssim, text: similarity, better: Math.max },
   { title: "Time [ms]", value: (row) => row.seconds.median, text: milliseconds, better: Math.min, tip: timeTip },
   { title: "Memory [MB]", value: (row) => row.bytes.total, text: megabytes, better: Math.min, tip: memoryTip },
-  { title: "Fragments", value: (row) => row.fragments, text: count },
+  { title: "Fragments", value: (row) => row.fragments, text: count, tip: fragmentsTip },
   { title: "Layers", value: (row) => row.max_layers, text: count },
 ];
 
@@ -20,6 +20,10 @@ function timeTip({ seconds }) {
 
 function memoryTip({ bytes }) {
   return bytes.parts.map((part) => `${part.name}: ${megabytes(part.bytes)} MB`).join("\n");
+}
+
+function fragmentsTip({ fragments, stored, dropped, truncated_pixels }) {
+  return `${count(fragments)} seen, ${count(stored)} kept apart, ${count(dropped)} dropped in ${count(truncated_pixels)} pixels`;
 }
 
 /** The best value of a column in a scene, the reference left out. */

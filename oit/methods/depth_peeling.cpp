@@ -47,6 +47,13 @@ class DepthPeeling final : public OitMethod {
     if (left > 0) frame.stats().dropped = count_left();
   }
 
+  void account(const CountImage& crossings, RenderStats& stats) const override {
+    for (const std::uint32_t n : crossings.pixels) {
+      stats.stored += std::min<std::uint64_t>(n, std::uint64_t(most_peels_));
+      stats.truncated += n > std::uint64_t(most_peels_);
+    }
+  }
+
  private:
   void depth_test(bool on) const {
     on ? stage_.gl().Enable(GL_DEPTH_TEST) : stage_.gl().Disable(GL_DEPTH_TEST);

@@ -10,6 +10,7 @@ class KBuffer final : public OitMethod {
  public:
   KBuffer(Stage& stage, const Parameters& parameters)
       : stage_(stage),
+        layers_(std::uint32_t(parameters.integer("layers"))),
         depths_(stage.target("nearest depths", GL_R32UI, parameters.integer("layers"))),
         colors_(stage.target("nearest colours", GL_RGBA32F, parameters.integer("layers"))),
         tail_(stage.target("sums of the tail", GL_RGBA32F)),
@@ -46,10 +47,16 @@ class KBuffer final : public OitMethod {
     });
   }
 
+  // The tail is summed up: nothing is lost.
+  void account(const CountImage& crossings, RenderStats& stats) const override {
+    for (const std::uint32_t n : crossings.pixels) stats.stored += std::min(n, layers_);
+  }
+
  private:
   void finish_stores() const { stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT); }
 
   const Stage& stage_;
+  std::uint32_t layers_;
   Texture depths_, colors_, tail_, transmittance_;
   Framebuffer no_targets_, tail_target_;
   GeometryProgram nearest_, color_;

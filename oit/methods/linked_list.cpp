@@ -20,7 +20,7 @@ class LinkedList final : public OitMethod {
     frame.step("count", [&] { lists_.reserve(); });
     frame.step("build", [&] { lists_.build(build_); });
     frame.step("sort and composite", [&] { lists_.consume(composite_, frame.picture()); });
-    frame.stats().fragments = lists_.fragments();
+    frame.stats().fragments = frame.stats().stored = lists_.fragments();
   }
 
   std::vector<std::string> explain() const override {

@@ -87,6 +87,7 @@ class Tree final : public OitMethod {
     else
       draw_lines(frame);
     frame.stats().fragments = trees_.fragments();
+    frame.stats().stored = trees_.layers();
   }
 
   std::optional<CountImage> count_layers() override {

@@ -123,7 +123,7 @@ TEST(UnitRunStudy, AFailingCellIsARowAndTheOthersGoOn) {
   EXPECT_DOUBLE_EQ(row_of(outcome, "two", "shifted").metrics.linear.rmse, 0.25);
   const std::string csv = read_text(folder / "results/results.csv");
   EXPECT_THAT(csv,
-              HasSubstr("one,broken,,,,,,,,,,,,,,,,,,,,\"the driver lacks \"\"everything\"\""));
+              HasSubstr("one,broken,,,,,,,,,,,,,,,,,,,,,,\"the driver lacks \"\"everything\"\""));
   EXPECT_THAT(read_text(folder / "results/table.md"), HasSubstr("failed: the driver lacks"));
   EXPECT_THAT(read_text(folder / "results/table.tex"), HasSubstr("failed: the driver lacks"));
 }

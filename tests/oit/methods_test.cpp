@@ -100,8 +100,11 @@ TEST(UnitMethods, SliversOfDepthAreToldApart) {
 TEST(UnitMethods, PeelingReportsWhatItsBudgetLeaves) {
   const auto layers = random_layers(9, 0.5f, 4);
   const Scene scene = stack(3, 2, layers);
-  const Rendering rendering = render(method("depth-peeling"), scene, {{"peels", "4"}});
+  const Rendering rendering = render(method("depth-peeling"), scene, {{"peels", "4"}}, true);
+  EXPECT_EQ(rendering.stats.fragments, 9u * 6);
+  EXPECT_EQ(rendering.stats.stored, 4u * 6);
   EXPECT_EQ(rendering.stats.dropped, 5u * 6);
+  EXPECT_EQ(rendering.stats.truncated, 6u);
   const std::vector<Rgba> nearest(layers.begin(), layers.begin() + 4);
   EXPECT_LE(max_difference(rendering.image, composite(nearest, scene.background)), 1e-5);
 }

@@ -76,6 +76,38 @@ TEST(PropertyMethods, ColoursStayInTheirHull) {
   }
 }
 
+/// The defaults of a row, and budgets that its layers exceed, if it has any.
+std::vector<RawOptions> with_small_budgets(const MethodRow& row) {
+  std::vector<RawOptions> options{{}};
+  for (const ParameterSpec& spec : row.parameters)
+    if (spec.name == "peels" || spec.name == "layers" || spec.name == "subset")
+      options.push_back({{std::string(spec.name), "3"}});
+  return options;
+}
+
+// A layer that the picture does not depend on was dropped: then the stats say so.
+TEST(PropertyMethods, NothingIsDroppedInSilence) {
+  constexpr int n = 9;
+  const std::vector<Rgba> layers(n, Rgba(0.2f, 0.4f, 0.1f, 0.2f));
+  const Scene scene = stack(8, 8, layers);
+  for (const MethodRow& row : oit_methods())
+    for (const RawOptions& options : with_small_budgets(row)) {
+      SCOPED_TRACE(std::string(row.name) + (options.empty() ? "" : ":" + options.begin()->first));
+      const Rendering all = render(row, scene, options, true);
+      EXPECT_EQ(all.stats.fragments, 64u * n);
+      EXPECT_LE(all.stats.stored + all.stats.dropped, all.stats.fragments);
+      EXPECT_EQ(all.stats.dropped > 0, all.stats.truncated > 0);
+      std::uint64_t without_effect = 0;
+      for (const int changed : {0, 4, 8}) {
+        std::vector<Rgba> others = layers;
+        others[std::size_t(changed)].r = 0.9f;
+        const Image image = render(row, stack(8, 8, others), options).image;
+        without_effect += max_difference(image, all.image) < 1e-5;
+      }
+      EXPECT_EQ(without_effect > 0, all.stats.dropped > 0) << without_effect << " of 3";
+    }
+}
+
 TEST(PropertyMethods, FixedMemoryDependsOnThePictureAlone) {
   for (const MethodRow& row : oit_methods()) {
     if (!row.promises.fixed_memory) continue;
