@@ -16,10 +16,14 @@
 namespace pellucid {
 namespace {
 
-/// `layers` wavy sheets of 2 x 100 x 100 triangles over the whole picture, in an order of no
-/// meaning.
-Scene wavy_sheets(int layers, int size) {
-  constexpr unsigned cells = 100;
+struct Sheets {
+  int layers, size;      // of the picture: pixels each way
+  unsigned cells = 100;  // each way, of two triangles
+};
+
+/// Wavy sheets over the whole picture, in an order of no meaning.
+Scene wavy_sheets(const Sheets& sheets) {
+  const auto [layers, size, cells] = sheets;
   Scene scene;
   scene.width = scene.height = size;
   scene.camera.fov = 25;
@@ -204,7 +208,7 @@ class BareRenderer {
 };
 
 void against_bare_passes(benchmark::State& state, const Case& what, int layers, int size) {
-  const Scene scene = wavy_sheets(layers, size);
+  const Scene scene = wavy_sheets({layers, size});
   const NameAndOptions call = parse_name_and_options(what.method);
   const MethodRow& row = find_row("method", call.name, oit_methods());
   const auto method = row.make(scene, Parameters(row.name, row.parameters, call.options), {});
@@ -222,16 +226,16 @@ void against_bare_passes(benchmark::State& state, const Case& what, int layers, 
   state.counters["ratio"] = method_seconds / bare_seconds;
 }
 
-/// Time of every method of the table over the number of layers, for the curve of cost.
-void over_layers(benchmark::State& state, const MethodRow& row) {
-  const int layers = int(state.range(0));
-  const Scene scene = wavy_sheets(layers, 250);
+/// Time of a method over the number of layers, for the curve of cost.
+void over_layers(benchmark::State& state, const MethodRow& row, const Sheets& sheets) {
+  const Scene scene = wavy_sheets(sheets);
   const auto method = row.make(scene, Parameters(row.name, row.parameters, {}), {});
-  method->render({});
+  const std::uint64_t bytes = method->render({}).stats.total_bytes();
   for (auto _ : state) state.SetIterationTime(method->render({}).stats.seconds());
   state.counters["ns_per_fragment"] = benchmark::Counter(
-      layers * 250.0 * 250.0 * 1e-9,
+      double(sheets.layers) * sheets.size * sheets.size * 1e-9,
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["MB"] = 1e-6 * double(bytes);
 }
 
 /// A stream surface of the ABC flow, drawn by lines alone.
@@ -275,9 +279,21 @@ void register_all() {
           })
           ->UseManualTime()
           ->Unit(benchmark::kMillisecond);
+  // Lists of three lengths with as many fragments each, and a pool of 1.4 GB; few triangles, so
+  // that fragments are what takes the time.
+  for (const auto& [layers, size] : {std::pair(8, 1000), {64, 354}, {500, 126}, {45, 1000}})
+    benchmark::RegisterBenchmark(
+        ("lists/layers:" + std::to_string(layers)).c_str(),
+        [layers = layers, size = size](benchmark::State& state) {
+          over_layers(state, find_row("method", "linked-list", oit_methods()), {layers, size, 10});
+        })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
   for (const MethodRow& row : oit_methods())
     benchmark::RegisterBenchmark(("layers/" + std::string(row.name)).c_str(),
-                                 [&row](benchmark::State& state) { over_layers(state, row); })
+                                 [&row](benchmark::State& state) {
+                                   over_layers(state, row, {int(state.range(0)), 250});
+                                 })
         ->RangeMultiplier(4)
         ->Range(1, 256)
         ->UseManualTime()
