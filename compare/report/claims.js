@@ -10,9 +10,9 @@ function verdict({ against }) {
 function claimBlock({ text, by, checks }) {
   if (checks.length === 0) return null;
   const calls = checks[0].values.map(({ call }) => make("th", { scope: "col" }, call.replace(":", ": ")));
-  const head = make("tr", {}, make("th", {}, by), calls, make("th", {}));
+  const head = make("tr", {}, make("th", {}, by), make("th", {}), calls);
   const body = checks.map((check) =>
-    make("tr", {}, make("td", {}, check.scene), check.values.map(({ text: value }) => make("td", {}, value)), verdict(check)));
+    make("tr", {}, make("td", {}, check.scene), verdict(check), check.values.map(({ text: value }) => make("td", {}, value))));
   return make("div", {}, make("p", {}, text),
               make("div", { class: "wide claims" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }

@@ -12,7 +12,7 @@ function spread(list, most) {
 const curveSymbols = ({ x, y }, label) => x.map((at, i) => ({ label, x: at, y: y[i] }));
 
 /** Curves `{label, x, y}`; that of the reference, if there is one, is drawn in ink. */
-function curvesSpec(curves, axes, reference, width, colors, { logarithmic, points } = {}) {
+function curvesSpec(curves, axes, reference, width, colors, { logarithmic, points, zero = true } = {}) {
   const labels = curves.map(({ label }) => label);
   const scheme = ["#3b6fb6", "#d1742c", "#3f9b62", "#8a5bb5", "#c2418a", "#7d8a2e", "#20a0a8"];
   const range = labels.map((label, i) => (label === reference ? colors.ink : scheme[i % scheme.length]));
@@ -22,7 +22,7 @@ function curvesSpec(curves, axes, reference, width, colors, { logarithmic, point
   const dots = mark("symbol", "series", { ...place, ...stroke, fill: { scale: "color", field: "label" }, size: { value: 24 } });
   const groups = { type: "group", from: { facet: { name: "series", data: "values", groupby: "label" } }, marks: points ? [line, dots] : [line] };
   const axis = { grid: true, format: "~g", tickCount: 5, labelOverlap: true };
-  const yScale = logarithmic ? { type: "log", nice: true } : { type: "linear", nice: true, zero: true };
+  const yScale = logarithmic ? { type: "log", nice: true } : { type: "linear", nice: true, zero };
   return {
     width, height: 300, autosize: { type: "fit", contains: "padding" }, config: plotConfig(colors),
     data: [{ name: "values", values: curves.flatMap((curve) => curveSymbols(curve, curve.label)) }],
@@ -79,12 +79,12 @@ function sweepPlots(rows) {
   return methods.flatMap((method) => {
     const sweep = sweepOf(rows.filter((row) => row.method === method && !row.reference));
     if (!sweep) return [];
-    const plot = (y_title, value, logarithmic) => {
+    const plot = (y_title, value, options) => {
       const curve = { label: method, x: sweep.rows.map(sweep.at), y: sweep.rows.map(value) };
-      const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { logarithmic, points: true });
+      const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { ...options, points: true });
       return [`${method}: ${y_title} over ${sweep.name}`, spec];
     };
-    return [plot("RMSE", (row) => Math.max(row.metrics.rmse, smallestError), true), plot("SSIM", (row) => row.metrics.ssim),
+    return [plot("RMSE", (row) => Math.max(row.metrics.rmse, smallestError), { logarithmic: true }), plot("SSIM", (row) => row.metrics.ssim, { zero: false }),
             plot("ms", msOf)];
   });
 }
