@@ -53,7 +53,7 @@ class DecoupledLists final : public OitMethod {
     }
     frame.step("list colours", [&] { lists_.build(build_); });
     frame.step("composite", [&] { lists_.consume(*composite_, frame.picture()); });
-    frame.stats().fragments = lists_.fragments();
+    frame.stats().fragments = frame.stats().stored = lists_.fragments();
   }
 
   std::vector<std::string> explain() const override {
