@@ -1,11 +1,9 @@
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 
 #include "compare/error_map.h"
 #include "compare/further_measures.h"
-#include "groundtruth/ray_sums.h"
+#include "groundtruth/picture_sums.h"
 
 namespace pellucid {
 namespace {
@@ -17,11 +15,12 @@ constexpr int classes = 220;
 Raster<double> nearest_depths(const Scene& scene) {
   const RayProbe probe(scene);
   Raster<double> depths(scene.width, scene.height, std::numeric_limits<double>::quiet_NaN());
-  tbb::parallel_for(0, scene.height, [&](int y) {
+  for (int y = 0; y < scene.height; ++y) {
+    const std::vector<RaySums> rays = row_sums(scene, probe, y);
     for (int x = 0; x < scene.width; ++x)
-      if (const RaySums ray = probe.at(x + 0.5, y + 0.5); !ray.layers.empty())
-        depths.at(x, y) = ray.layers.front().d;
-  });
+      if (const auto& layers = rays[std::size_t(x)].layers; !layers.empty())
+        depths.at(x, y) = layers.front().d;
+  }
   return depths;
 }
 

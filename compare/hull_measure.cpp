@@ -1,11 +1,10 @@
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "compare/error_map.h"
 #include "compare/further_measures.h"
 #include "compare/hull_distance.h"
-#include "groundtruth/ray_sums.h"
+#include "core/parallel.h"
+#include "groundtruth/picture_sums.h"
 
 namespace pellucid {
 namespace {
@@ -18,18 +17,17 @@ constexpr double visible = 0.5 / 255;
 Raster<double> hull_distances(const Scene& scene, const CellMeasurement& cell) {
   const RayProbe probe(scene);
   Raster<double> distances(scene.width, scene.height);
-  tbb::parallel_for(0, scene.height, [&](int y) {
-    std::vector<Vec3> colors;
-    for (int x = 0; x < scene.width; ++x) {
-      const RaySums ray = probe.at(x + 0.5, y + 0.5);
-      const bool same_layers =
-          cell.layers.pixels.empty() || cell.layers.at(x, y) == ray.layers.size();
-      if (!same_layers) continue;
-      colors.assign(1, scene.background);
-      for (const RayLayer& layer : ray.layers) colors.push_back(layer.color);
+  for (int y = 0; y < scene.height; ++y) {
+    const std::vector<RaySums> rays = row_sums(scene, probe, y);
+    parallel_for(0, scene.width, [&](int x) {
+      const std::vector<RayLayer>& layers = rays[std::size_t(x)].layers;
+      const bool same_layers = cell.layers.pixels.empty() || cell.layers.at(x, y) == layers.size();
+      if (!same_layers) return;
+      std::vector<Vec3> colors{scene.background};
+      for (const RayLayer& layer : layers) colors.push_back(layer.color);
       distances.at(x, y) = hull_distance(Vec3(cell.image.at(x, y)), colors);
-    }
-  });
+    });
+  }
   return distances;
 }
 

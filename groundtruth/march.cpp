@@ -29,12 +29,7 @@ constexpr ParameterSpec parameters[] = {
      .default_value = "blocks",
      .choices = "blocks|none",
      .help = "blocks: pass over 8 x 8 x 8 cells without the value; the picture stays the same"},
-    {.name = "stop-below",
-     .kind = ParameterSpec::Kind::real,
-     .default_value = "0",
-     .min = 0,
-     .max = 1,
-     .help = "a ray ends where less than this shows"}};
+    stop_below_parameter};
 
 std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
   TraceOptions options;

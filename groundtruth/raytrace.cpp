@@ -16,12 +16,7 @@ constexpr ParameterSpec parameters[] = {
      .help =
          "exact: signs of exact arithmetic, each crossing once; double: signs as rounded; fast: "
          "meshes as Embree intersects them, in float: shared edges count twice, or not"},
-    {.name = "stop-below",
-     .kind = ParameterSpec::Kind::real,
-     .default_value = "0",
-     .min = 0,
-     .max = 1,
-     .help = "a ray ends where less than this shows: no pixel then errs by more"},
+    stop_below_parameter,
     {.name = "adaptive",
      .kind = ParameterSpec::Kind::integer,
      .default_value = "1",

@@ -8,6 +8,14 @@
 
 namespace pellucid {
 
+inline constexpr ParameterSpec stop_below_parameter = {
+    .name = "stop-below",
+    .kind = ParameterSpec::Kind::real,
+    .default_value = "0",
+    .min = 0,
+    .max = 1,
+    .help = "a ray ends where less than this shows: no pixel then errs by more"};
+
 struct TraceOptions {
   Precision precision = Precision::exact;
   double stop_below = 0;                   // a ray ends where less than this shows
