@@ -9,6 +9,7 @@
 #include "compare/study.h"
 #include "core/names.h"
 #include "fields/catalogue.h"
+#include "fields/sphere_levels.h"
 #include "integrators/integrate_lines.h"
 #include "integrators/integrate_surface.h"
 #include "scene/dataset.h"
@@ -72,13 +73,20 @@ nlohmann::ordered_json list_fields() {
   return rows;
 }
 
+template <class Row>
+nlohmann::ordered_json to_json(const Row& row, std::string_view scene_key) {
+  return {{"name", row.name},
+          {"title", row.title},
+          {"citation", row.citation},
+          {"scene key", scene_key},
+          {"parameters", to_json(row.parameters)}};
+}
+
 nlohmann::ordered_json list_datasets() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const DatasetRow& row : datasets())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"parameters", to_json(row.parameters)}});
+  for (const DatasetRow& row : datasets()) rows.push_back(to_json(row, "dataset"));
+  for (const LevelDatasetRow& row : level_datasets())
+    rows.push_back(to_json(row, "isosurface.dataset"));
   return rows;
 }
 

@@ -13,6 +13,7 @@
 #include "fields/flows/rotor_wake.h"
 #include "fields/flows/saddle.h"
 #include "fields/flows/shear.h"
+#include "fields/flows/shed_wake.h"
 #include "fields/flows/sphere.h"
 #include "fields/flows/step.h"
 #include "fields/flows/tornado.h"
@@ -43,6 +44,7 @@ constexpr FieldRow rows[] = {
     row<flow::RotorWake>(),
     row<flow::Step>(),
     row<flow::Sphere>(),
+    row<flow::ShedWake>(),
     row<flow::Rotation>(),
     row<flow::Saddle>(),
     row<flow::Shear>(),

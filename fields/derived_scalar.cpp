@@ -50,6 +50,7 @@ ScalarLevel q_criterion(const VectorLevel& v) {
 
 constexpr DerivedScalarRow rows[] = {
     {"magnitude", "Speed |v|", "Li, Chen 2023, Sect. 3.1", magnitude},
+    {"speed", "Speed |v|, by the name that lines give it", "", magnitude},
     {"q", "Q-criterion", "Li, Chen 2023, Eq. 1; Hunt, Wray, Moin 1988", q_criterion}};
 
 }  // namespace

@@ -30,7 +30,14 @@ constexpr ParameterSpec parameters[] = {
      .min = 1e-3,
      .max = 1e3,
      .unit = "1",
-     .help = "Reynolds number of the flow past a sphere of radius 1"}};
+     .help = "Reynolds number of the flow past a sphere of radius 1"},
+    {.name = "rings",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "0",
+     .min = 0,
+     .max = 16,
+     .unit = "rings",
+     .help = "vortex rings in the wake, see the field shed-wake; 5 reach its end"}};
 
 /// From the coarsest to the finest, in units of the coarsest cell, so that cells of one level hold
 /// whole cells of the next.
@@ -42,11 +49,6 @@ constexpr std::array<Nest, 4> nests{{{{-16, -12, -12}, {40, 12, 12}},
                                      {{-10, -8, -8}, {24, 8, 8}},
                                      {{-7, -6, -6}, {12, 6, 6}},
                                      {{-6, -5, -5}, {6, 5, 5}}}};
-
-struct Named {
-  std::string_view name;
-};
-constexpr Named datasets[] = {{"sphere-levels"}};
 
 VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
   VectorLevel level;
@@ -69,20 +71,28 @@ VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
   return level;
 }
 
-}  // namespace
-
-std::span<const ParameterSpec> sphere_levels_parameters() { return parameters; }
-
-std::vector<VectorLevel> make_sphere_levels(std::string_view dataset) {
-  const NameAndOptions named = parse_name_and_options(dataset);
-  find_row("data set of levels", named.name, datasets);
-  const Parameters values(named.name, parameters, named.options);
-  const auto field = make_field(fmt::format("sphere:Re={}", values.text("Re")), {});
+std::vector<VectorLevel> make_sphere_levels(const Parameters& values) {
+  const auto field =
+      make_field(fmt::format("shed-wake:Re={},rings={}", values.text("Re"), values.text("rings")));
   double width = values.text("size") == "big" ? coarsest_width / 2 : coarsest_width;
   std::vector<VectorLevel> levels;
   for (int i = 0; i < values.integer("levels"); ++i, width /= 2)
     levels.push_back(sample(*field, nests[std::size_t(i)], width));
   return levels;
+}
+
+constexpr LevelDatasetRow rows[] = {
+    {"sphere-levels", "Velocity past a sphere on four nested resolutions",
+     "the fields sphere and shed-wake", parameters, make_sphere_levels}};
+
+}  // namespace
+
+std::span<const LevelDatasetRow> level_datasets() { return rows; }
+
+std::vector<VectorLevel> make_level_dataset(std::string_view dataset) {
+  const NameAndOptions named = parse_name_and_options(dataset);
+  const LevelDatasetRow& row = find_row("data set of levels", named.name, rows);
+  return row.make(Parameters(named.name, row.parameters, named.options));
 }
 
 }  // namespace pellucid

@@ -9,12 +9,20 @@
 
 namespace pellucid {
 
-/// Parameters of the data set `sphere-levels`.
-std::span<const ParameterSpec> sphere_levels_parameters();
+/// A row of the table of velocities that are generated on levels of samples.
+struct LevelDatasetRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view citation;
+  std::span<const ParameterSpec> parameters;
+  std::vector<VectorLevel> (*make)(const Parameters&);
+};
 
-/// The flow past a sphere (catalogue: sphere) at the samples of nested levels, the finest around
-/// the sphere, each coarser one twice as coarse. `dataset` is "sphere-levels[:key=value,…]". Throws
-/// InputError for another name, key or value.
-std::vector<VectorLevel> make_sphere_levels(std::string_view dataset);
+/// sphere-levels: the flow past a sphere at the samples of nested levels, the finest around the
+/// sphere, each coarser one twice as coarse.
+std::span<const LevelDatasetRow> level_datasets();
+
+/// `dataset` is "NAME[:key=value,…]". Throws InputError for another name, key or value.
+std::vector<VectorLevel> make_level_dataset(std::string_view dataset);
 
 }  // namespace pellucid

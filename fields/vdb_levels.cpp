@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <stdexcept>
 
 #include "core/error.h"
+#include "core/output_file.h"
 #include "fields/derived_scalar.h"
 #include "fields/vdb_open.h"
 
@@ -105,13 +108,66 @@ std::vector<ScalarLevel> read(const fs::path& path, std::string_view scalar) {
   return levels;
 }
 
+openvdb::Vec3s voxel_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+float voxel_of(float v) { return v; }
+
+template <class T>
+openvdb::GridBase::Ptr grid_of(const std::string& name, const Level<T>& level) {
+  using Voxel = decltype(voxel_of(T()));
+  using Tree = typename openvdb::tree::Tree4<Voxel, 5, 4, 3>::Type;
+  const auto grid = openvdb::Grid<Tree>::create();
+  grid->setName(name);
+  const auto transform = openvdb::math::Transform::createLinearTransform(level.width);
+  transform->postTranslate({level.origin.x, level.origin.y, level.origin.z});
+  grid->setTransform(transform);
+  auto accessor = grid->getAccessor();
+  for (int k = 0; k < level.size[2]; ++k)
+    for (int j = 0; j < level.size[1]; ++j)
+      for (int i = 0; i < level.size[0]; ++i)
+        accessor.setValueOn({i, j, k}, voxel_of(level.at(i, j, k)));
+  return grid;
+}
+
+template <class T>
+void write(const fs::path& path, const std::string& name, std::span<const Level<T>> levels) {
+  if (path.extension() != ".vdb")
+    fail(path, fmt::format("ending '{}'; accepted: .vdb", path.extension().string()));
+  if (levels.empty()) fail(path, "no level to write");
+  openvdb::initialize();
+  openvdb::GridPtrVec grids;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    check_level(fmt::format("level {}", i), levels[i]);
+    grids.push_back(grid_of(name, levels[i]));
+  }
+  OutputFile out(path);
+  try {
+    openvdb::io::File(out.temporary().string()).write(grids);
+  } catch (const openvdb::Exception& error) {
+    throw WorkError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+  out.commit();
+}
+
 }  // namespace
+
+void write_vdb_levels(const fs::path& path, const std::string& name,
+                      std::span<const ScalarLevel> levels) {
+  write(path, name, levels);
+}
+void write_vdb_levels(const fs::path& path, const std::string& name,
+                      std::span<const VectorLevel> levels) {
+  write(path, name, levels);
+}
 
 std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar) {
   try {
     return read(path, scalar);
   } catch (const openvdb::Exception& error) {
     fail(path, fmt::format("not a valid .vdb file: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    fail(path, "claims more data than this machine's memory holds");
+  } catch (const std::length_error&) {
+    fail(path, "claims more data than can be");
   }
 }
 

@@ -92,9 +92,20 @@ BoxHierarchy::Callbacks callbacks(Precision precision) {
   return {decide, decide_and_close, precision == Precision::fast ? take : nullptr};
 }
 
+std::vector<Isosurface::Ball> dilated_spheres(const Scene& scene, double by) {
+  std::vector<Isosurface::Ball> balls;
+  for (const SceneObject& object : scene.objects) {
+    const auto* points = std::get_if<PointObject>(&object.shape);
+    if (!points || !object.opaque || points->profile != PointObject::Profile::sphere) continue;
+    for (const Vec3& center : points->set.positions) balls.push_back({center, points->radius + by});
+  }
+  return balls;
+}
+
 std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame,
                                                const std::optional<MarchOptions>& march) {
-  const GeometryContext context{frame, scene.camera, scene.lighting, march};
+  GeometryContext context{frame, scene.camera, scene.lighting, march};
+  if (march && march->dilate) context.stops = dilated_spheres(scene, *march->dilate);
   std::vector<BoxHierarchy::Object> objects;
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
     objects.push_back({make_geometry(scene.objects[i], i, context), scene.objects[i].opaque});

@@ -78,7 +78,8 @@ struct GeometryContext {
   const ViewFrame& frame;
   const Camera& camera;
   Lighting lighting;
-  std::optional<MarchOptions> march = {};  // isosurfaces are marched; else crossed exactly
+  std::optional<MarchOptions> march = {};    // isosurfaces are marched; else crossed exactly
+  std::vector<Isosurface::Ball> stops = {};  // where marches end: see MarchOptions::dilate
 };
 
 /// Throws InputError when Crossing cannot count so many `what`: 2^32 or more.

@@ -39,13 +39,15 @@ bool IsosurfaceGeometry::append(const SceneRay& ray, const WorldRay& world, doub
     const double size = glm::length(gradient) * glm::length(world.direction);
     cosine = size > 0 ? glm::dot(gradient, world.direction) / size : 1;
   }
-  crossings.push_back({ray.start.z + t * ray.direction.z, 0, cosine, index_, primitive});
+  const double fraction = surface_.coloring ? surface_.coloring->fraction(x) : 0;
+  crossings.push_back({ray.start.z + t * ray.direction.z, fraction, cosine, index_, primitive});
   return true;
 }
 
 Fragment IsosurfaceGeometry::shade(const Crossing& crossing, const Vec3&) const {
-  const Rgba& color = surface_.corners.colors.front();
-  return {Vec3(color) * (lit_ ? std::abs(crossing.v) : 1), color.a};
+  const Rgba& own = surface_.corners.colors.front();
+  const Vec3 color = surface_.coloring ? surface_.coloring->color(crossing.u) : Vec3(own);
+  return {color * (lit_ ? std::abs(crossing.v) : 1), own.a};
 }
 
 }  // namespace pellucid

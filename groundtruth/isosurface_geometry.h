@@ -7,7 +7,8 @@
 namespace pellucid {
 
 /// What all ways of crossing an isosurface have in common: its place in the view and its light.
-/// Crossing::v is n · v, n the unit gradient and v the ray's direction.
+/// Crossing::v is n · v, n the unit gradient and v the ray's direction; Crossing::u is the place on
+/// the colour map, where there is one.
 class IsosurfaceGeometry : public RayByRayGeometry {
  public:
   IsosurfaceGeometry(const Isosurface& surface, std::uint32_t index,

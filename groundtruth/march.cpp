@@ -2,10 +2,19 @@
 // part: Li, Chen, Multi-Resolution Isosurface Rendering (2023), Sect. 3.5; see LevelMarch for what
 // differs. Crossings are composited in double as `raytrace` composites them, with all other objects
 // of the scene, which are crossed exactly. Depths are view depths, in units (see ViewFrame).
-// Accuracy: no bound. Pairs of crossings closer than a step are lost; see the study `isosurface`.
+// `filter=dilate:R` is the report's object filter, Sect. 3.6: a march ends where its ray enters an
+// opaque sphere grown by R. Erratum kept: rays that enter it and miss the sphere itself lose all
+// that lies behind, a ring of background; an isosurface's `hole` cuts the same shell away and no
+// more. Accuracy: no bound. Pairs of crossings closer than a step are lost; see the study
+// `isosurface`.
 
 #include "groundtruth/march.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.h"
 #include "groundtruth/raytracer.h"
 
 namespace pellucid {
@@ -29,7 +38,23 @@ constexpr ParameterSpec parameters[] = {
      .default_value = "blocks",
      .choices = "blocks|none",
      .help = "blocks: pass over 8 x 8 x 8 cells without the value; the picture stays the same"},
+    {.name = "filter",
+     .kind = ParameterSpec::Kind::text,
+     .default_value = "none",
+     .unit = "world units",
+     .help = "none, or dilate:R: rays end at opaque spheres grown by R, even where they miss them"},
     stop_below_parameter};
+
+std::optional<double> dilation(const std::string& filter) {
+  constexpr std::string_view prefix = "dilate:";
+  double by = 0;
+  if (filter == "none") return std::nullopt;
+  if (!filter.starts_with(prefix) || !parse_number(filter.substr(prefix.size()), by) ||
+      !(by >= 0) || !std::isfinite(by))
+    throw InputError(
+        fmt::format("march: filter={}; accepted: none, dilate:R with R at least 0", filter));
+  return by;
+}
 
 std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
   TraceOptions options;
@@ -37,7 +62,7 @@ std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, con
   options.march = {
       double(values.integer("step")),
       values.text("refine") == "linear" ? HitRefinement::linear : HitRefinement::bisection,
-      options.stop_below, values.text("skip") == "blocks"};
+      options.stop_below, values.text("skip") == "blocks", dilation(values.text("filter"))};
   return make_raytracer(scene, options);
 }
 

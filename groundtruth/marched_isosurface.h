@@ -7,7 +7,7 @@ namespace pellucid {
 
 /// An isosurface as a ray march finds it (see LevelMarch): one box, the field's bounds. A march
 /// ends where less than `stop_below` of what lies behind shows through the surface alone, and at
-/// the first crossing with an opaque one.
+/// the first crossing with an opaque one, or where the ray enters one of `context.stops`.
 class MarchedIsosurface final : public IsosurfaceGeometry {
  public:
   MarchedIsosurface(const Isosurface& surface, bool opaque, std::uint32_t index,
@@ -22,6 +22,7 @@ class MarchedIsosurface final : public IsosurfaceGeometry {
   LevelMarch march_;
   double transmittance_;  // of one crossing
   double stop_below_;
+  std::vector<Isosurface::Ball> stops_;
 };
 
 }  // namespace pellucid

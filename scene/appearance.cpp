@@ -20,11 +20,6 @@ const std::vector<double>& find_scalar(const Vertices& vertices, const std::stri
   throw InputError(unknown_name("scalar", name, known));
 }
 
-/// 0 at range.x, 1 at range.y; a range of one single value maps to 0.
-double fraction_of(double value, const Vec2& range) {
-  return range.y > range.x ? (value - range.x) / (range.y - range.x) : 0;
-}
-
 void set_rgb(Rgba& color, const Vec3& rgb) { color = Rgba(Vec3(rgb), color.a); }
 
 void color_by_scalar(const ScalarColor& by, Vertices& vertices) {
@@ -46,6 +41,10 @@ void fade_by_scalar(const ScalarOpacity& by, Vertices& vertices) {
 }
 
 }  // namespace
+
+double fraction_of(double value, const Vec2& range) {
+  return range.y > range.x ? (value - range.x) / (range.y - range.x) : 0;
+}
 
 Vec2 finite_range(const std::vector<double>& values) {
   Vec2 range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());

@@ -37,6 +37,9 @@ struct Appearance {
 /// that the vertices do not have, with those they have.
 void apply_appearance(const Appearance& appearance, Vertices& vertices);
 
+/// 0 at range.x, 1 at range.y; a range of one single value maps to 0.
+double fraction_of(double value, const Vec2& range);
+
 /// Smallest and largest finite value; (inf, -inf) when there is none.
 Vec2 finite_range(const std::vector<double>& values);
 

@@ -8,11 +8,13 @@
 
 namespace pellucid {
 
-/// A named colour map: 256 colours, interpolated linearly.
+/// A named colour map: colours at even distances, interpolated linearly.
 struct ColormapRow {
   std::string_view name;
   std::string_view citation;
   const std::uint8_t (*table)[3];
+  int count = 256;    // of colours
+  double unit = 255;  // a channel's 1 in the table
 
   /// Colour at x, clamped to [0, 1]; x that is not finite gives the first colour.
   Vec3 operator()(double x) const;

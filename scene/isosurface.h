@@ -8,18 +8,30 @@
 namespace pellucid {
 
 class LevelField;
+struct ColormapRow;
 
-/// Where a scalar on levels of samples takes a value. Of one colour.
+/// Where a scalar on levels of samples takes a value.
 struct Isosurface {
   struct Ball {
     Vec3 center{0};
     double radius = 0;  // world
   };
 
+  /// Colour by a scalar where the surface is, reconstructed as the surface's own.
+  struct Coloring {
+    std::shared_ptr<const LevelField> field;  // on the same levels
+    const ColormapRow* map = nullptr;
+    Vec2 range{0, 1};  // mapped to the ends of the map
+
+    double fraction(const Vec3& x) const;  // of the map
+    Vec3 color(double fraction) const;
+  };
+
   std::shared_ptr<const LevelField> field;
   double value = 0;
-  std::optional<Ball> hole;  // nothing of the surface is drawn within
-  Vertices corners;          // the eight of its field's bounds; each has the surface's colour
+  std::optional<Coloring> coloring;  // none: the colour of `corners`
+  std::optional<Ball> hole;          // nothing of the surface is drawn within
+  Vertices corners;  // the eight of its field's bounds: the surface's colour and opacity
 
   bool cuts_away(const Vec3& x) const {
     return hole && glm::length(x - hole->center) < hole->radius;

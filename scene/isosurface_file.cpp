@@ -5,34 +5,65 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
+#include "core/parallel.h"
 #include "fields/derived_scalar.h"
 #include "fields/level_field.h"
 #include "fields/sphere_levels.h"
 #include "fields/surface_extraction.h"
 #include "fields/vdb_levels.h"
+#include "scene/colormap.h"
 
 namespace pellucid {
 namespace {
 
 constexpr double any = std::numeric_limits<double>::max();
 
-std::vector<ScalarLevel> read_levels(const JsonNode& node, const std::filesystem::path& folder) {
-  const std::string scalar = node["scalar"].string();
-  if (node.has("dataset") == node.has("file")) node.fail("accepted: one of the keys file, dataset");
-  if (node.has("dataset")) {
-    const JsonNode dataset = node["dataset"];
-    const auto levels = at_place(dataset, [&] { return make_sphere_levels(dataset.string()); });
-    return at_place(node["scalar"], [&] { return scalars_of(levels, scalar); });
-  }
-  const JsonNode file = node["file"];
-  std::vector<ScalarLevel> levels;
+using Levels = std::vector<ScalarLevel>;
+
+/// Levels of each of the scalars, the surface's own first.
+std::vector<Levels> generate(const JsonNode& node, std::span<const std::string> scalars) {
+  const JsonNode dataset = node["dataset"];
+  const auto velocity = at_place(dataset, [&] { return make_level_dataset(dataset.string()); });
+  std::vector<Levels> all;
+  for (const std::string& scalar : scalars)
+    all.push_back(at_place(all.empty() ? node["scalar"] : node,
+                           [&] { return scalars_of(velocity, scalar); }));
+  return all;
+}
+
+std::vector<Levels> read_files(const JsonNode& file, const std::filesystem::path& folder,
+                               std::span<const std::string> scalars) {
+  std::vector<Levels> all(scalars.size());
   for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file})
     at_place(name, [&] {
-      for (ScalarLevel& level : read_vdb_levels(folder / name.string(), scalar))
-        levels.push_back(std::move(level));
+      for (std::size_t i = 0; i < scalars.size(); ++i)
+        for (ScalarLevel& level : read_vdb_levels(folder / name.string(), scalars[i]))
+          all[i].push_back(std::move(level));
     });
-  return levels;
+  return all;
+}
+
+bool on_same_samples(const LevelField& a, const LevelField& b) {
+  return std::ranges::equal(a.levels(), b.levels(), [](const auto& p, const auto& q) {
+    return p.origin == q.origin && p.width == q.width && p.size == q.size;
+  });
+}
+
+Vec2 range_of(const LevelField& field) {
+  Vec2 range(any, -any);
+  for (const ScalarLevel& level : field.levels())
+    for (const double sample : level.samples)
+      range = {std::min(range.x, sample), std::max(range.y, sample)};
+  return range;
+}
+
+void color_vertices(const Isosurface::Coloring& coloring, TriangleMesh& mesh) {
+  mesh.colors.resize(mesh.positions.size());
+  parallel_for(std::size_t(0), mesh.positions.size(), [&](std::size_t i) {
+    mesh.colors[i] = Rgba(coloring.color(coloring.fraction(mesh.positions[i])), 1);
+  });
 }
 
 /// Triangles with a corner in the hole are left out.
@@ -45,6 +76,7 @@ TriangleMesh mesh_of(const Isosurface& surface) {
     return std::ranges::none_of(
         t, [&](std::uint32_t corner) { return surface.cuts_away(mesh.positions[corner]); });
   });
+  if (surface.coloring) color_vertices(*surface.coloring, mesh);
   return mesh;
 }
 
@@ -56,27 +88,84 @@ std::string describe(const LevelField& field, const std::string& scalar) {
                      field.reconstruction().name);
 }
 
+Isosurface::Ball read_hole(const JsonNode& node) {
+  node.accept_keys({"center", "radius"});
+  return {node["center"].vec3(), node["radius"].number(0, any)};
+}
+
+class IsosurfaceReader {
+ public:
+  IsosurfaceReader(const JsonNode& node, const std::filesystem::path& folder,
+                   const std::optional<ScalarColor>& color)
+      : node_(node), folder_(folder), color_(color), reconstruction_(&reconstruction()) {}
+
+  Isosurface read() {
+    node_.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh"});
+    Isosurface surface;
+    surface.value = node_["value"].number(-any, any);
+    std::vector<Levels> levels = read_levels();
+    surface.field = field_on(std::move(levels.front()));
+    surface.corners = corners_of(surface.field->bounds());
+    if (color_) surface.coloring = coloring(std::move(levels.back()), *surface.field);
+    if (node_.has("hole")) surface.hole = read_hole(node_["hole"]);
+    return surface;
+  }
+
+ private:
+  const ReconstructionRow& reconstruction() const {
+    return at_place(node_, [&]() -> const ReconstructionRow& {
+      return find_reconstruction(node_.has("reconstruction") ? node_["reconstruction"].string()
+                                                             : "blend");
+    });
+  }
+
+  /// Of the surface's scalar first, then of its colour's.
+  std::vector<Levels> read_levels() const {
+    if (node_.has("dataset") == node_.has("file"))
+      node_.fail("accepted: one of the keys file, dataset");
+    std::vector<std::string> scalars{node_["scalar"].string()};
+    if (color_) scalars.push_back(color_->scalar);
+    return node_.has("dataset") ? generate(node_, scalars)
+                                : read_files(node_["file"], folder_, scalars);
+  }
+
+  std::shared_ptr<const LevelField> field_on(Levels levels) const {
+    return at_place(node_, [&] {
+      return std::make_shared<const LevelField>(std::move(levels), *reconstruction_);
+    });
+  }
+
+  Isosurface::Coloring coloring(Levels levels, const LevelField& surface) const {
+    const auto field = field_on(std::move(levels));
+    if (!on_same_samples(*field, surface))
+      node_.fail(
+          fmt::format("its grids are not those of the colour's scalar '{}'; accepted: the "
+                      "same boxes and widths",
+                      color_->scalar));
+    const auto& map =
+        at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); });
+    return {field, &map, color_->range.value_or(range_of(*field))};
+  }
+
+  const JsonNode& node_;
+  const std::filesystem::path& folder_;
+  const std::optional<ScalarColor>& color_;
+  const ReconstructionRow* reconstruction_;
+};
+
 }  // namespace
+
+double Isosurface::Coloring::fraction(const Vec3& x) const {
+  return fraction_of(field->value(x).value_or(range.x), range);
+}
+
+Vec3 Isosurface::Coloring::color(double fraction) const { return (*map)(fraction); }
 
 std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
                                                        const std::filesystem::path& folder,
+                                                       const std::optional<ScalarColor>& color,
                                                        std::string& how) {
-  node.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh"});
-  const auto& reconstruction = at_place(node, [&]() -> const ReconstructionRow& {
-    return find_reconstruction(node.has("reconstruction") ? node["reconstruction"].string()
-                                                          : "blend");
-  });
-  Isosurface surface;
-  surface.value = node["value"].number(-any, any);
-  std::vector<ScalarLevel> levels = read_levels(node, folder);
-  surface.field = at_place(
-      node, [&] { return std::make_shared<const LevelField>(std::move(levels), reconstruction); });
-  surface.corners = corners_of(surface.field->bounds());
-  if (node.has("hole")) {
-    const JsonNode hole = node["hole"];
-    hole.accept_keys({"center", "radius"});
-    surface.hole = {hole["center"].vec3(), hole["radius"].number(0, any)};
-  }
+  Isosurface surface = IsosurfaceReader(node, folder, color).read();
   how = describe(*surface.field, node["scalar"].string());
   if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
   TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });

@@ -189,6 +189,41 @@ TEST_F(UnitCommandLine, ListsEveryTableAsJsonToo) {
   }
 }
 
+TEST_F(UnitCommandLine, WritesDataThatDrawTheSamePicture) {
+  const auto isosurface = [&](const std::string& data) {
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [40, 24],
+        "objects": [{"isosurface": {)" +
+                            data +
+                            R"(, "scalar": "q", "value": 0.05}, "color": {"by": "speed"},
+                             "opacity": 0.5}]})");
+  };
+  const std::string name = "sphere-levels:levels=2,rings=2";
+  const Outcome outcome = run("data " + name + " -o " + (folder_ / "wake.vdb").string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("56"));  // samples of the coarsest level along x: 14 / 0.25
+  isosurface(R"("dataset": ")" + name + "\"");
+  ASSERT_EQ(run(render("raytrace", "generated.exr")).exit_code, 0);
+  isosurface(R"("file": "wake.vdb")");
+  ASSERT_EQ(run(render("raytrace", "read.exr")).exit_code, 0);
+  EXPECT_THAT(run("compare " + (folder_ / "generated.exr").string() + " " +
+                  (folder_ / "read.exr").string() + " --json")
+                  .out,
+              HasSubstr("\"max_error\": 0.0"));
+}
+
+TEST_F(UnitCommandLine, WritesDataOfEveryKindAndRefusesOthers) {
+  for (const char* call : {"data stack:layers=2 -o ", "data trefoil:count=3 -o "})
+    EXPECT_EQ(run(call + (folder_ / "a.ply").string()).exit_code, 0) << call;
+  EXPECT_EQ(run("data ctbl:count=50 -o " + (folder_ / "points.ply").string()).exit_code, 0);
+  EXPECT_THAT(read_text(folder_ / "points.ply"), HasSubstr("element vertex 50\n"));
+  const std::string vdb = (folder_ / "b.vdb").string();
+  EXPECT_THAT(refusal("data sphere-level -o " + vdb), HasSubstr("known: sphere-levels"));
+  EXPECT_THAT(refusal("data ctbl:count=50 -o " + vdb), HasSubstr("accepted for ctbl: .ply"));
+  EXPECT_THAT(refusal("data sphere-levels -o " + (folder_ / "b.ply").string()),
+              HasSubstr("accepted for sphere-levels: .vdb"));
+  EXPECT_THAT(refusal("data sphere-levels:rings=-1 -o " + vdb), HasSubstr("rings"));
+}
+
 TEST_F(UnitCommandLine, TunesWithinABoundAndSaysWhenNothingIs) {
   const std::string tune = "tune " + scene().string() + " --quiet --repeats 1 ";
   const Outcome outcome = run(tune + "--max-rmse 1e-4");  // one layer: most methods are exact

@@ -183,5 +183,26 @@ TEST(UnitFlows, SphereHasItsWakeDownstream) {
   EXPECT_GT(velocity_of("sphere:Re=20", {10, 5, 0}).x, 0.98);
 }
 
+TEST(UnitFlows, ShedWakeIsTheSphereAndItsRings) {
+  const auto of_rings = [](const Vec3& x) {
+    return velocity_of("shed-wake:rings=1,gamma=0.8", x) - velocity_of("sphere", x);
+  };
+  EXPECT_EQ(velocity_of("shed-wake:rings=0", {3, 0.5, 0}), velocity_of("sphere", {3, 0.5, 0}));
+  // g = -Γ/2 and g_z = 0 on the circle s = R²: v = -Γ n; at the centre -Γ exp(-R²/8σ²) n. n as the
+  // flow has it, R = 0.75, σ = 0.2.
+  const Vec3 center(2.2, 0.35, 0), n(std::cos(0.6), std::sin(0.6), 0);
+  EXPECT_NEAR_VEC(of_rings(center + 0.75 * Vec3(0, 0, 1)), -0.8 * n, 1e-14);
+  EXPECT_NEAR_VEC(of_rings(center), -0.8 * std::exp(-0.75 * 0.75 / (8 * 0.04)) * n, 1e-14);
+  EXPECT_EQ(velocity_of("shed-wake", {0.9, 0.2, 0}), Vec3(0));
+  double largest = 0;  // on the sphere
+  for (double angle = 0; angle < 1.6; angle += 0.01)
+    for (double turn = 0; turn < 6.3; turn += 0.1)
+      largest =
+          std::max(largest, glm::length(of_rings(1.000001 * Vec3(cos(angle), sin(angle) * cos(turn),
+                                                                 sin(angle) * sin(turn)))));
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(largest, 0.002 * 0.8);
+}
+
 }  // namespace
 }  // namespace pellucid

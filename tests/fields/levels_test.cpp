@@ -188,6 +188,18 @@ TEST_P(PropertyReconstruction, IdenticalAndDisjointLevelsAreWhatTheyAreAlone) {
   EXPECT_FALSE(all.value(Vec3(50)));
 }
 
+TEST_P(PropertyReconstruction, ACoarserLevelWithinItsParentChangesNothing) {
+  // Where levels overlap the finest rules, wherever the coarser one lies.
+  const auto f = [](const Vec3& x) { return x.x * x.y - x.z; };
+  const ScalarLevel parent = sampled<float>(Vec3(0), 0.5, {17, 17, 17}, f);
+  const ScalarLevel within = sampled<float>(Vec3(3), 1, {3, 3, 3}, [](const Vec3&) { return 99; });
+  const LevelField alone({parent}, GetParam()), both({within, parent}, GetParam());
+  for (double x = 0.1; x < 8; x += 0.1)
+    EXPECT_EQ(*both.value(Vec3(x, 3.8, 4.2)), *alone.value(Vec3(x, 3.8, 4.2)));
+  const auto cells = surface_cells(both, 2);
+  EXPECT_EQ(cells.size(), surface_cells(alone, 2).size());
+}
+
 TEST(UnitLevelField, TheHatBasisErrsByTheKnownFractionAtAJump) {
   // Along the middle of a face at x = 2: coarse samples at 1.5, fine ones at 2.25. At x = 2 the
   // coarse hat is 1/2 and the fine one 1/2; across the face both kinds sum to 1. So the value is

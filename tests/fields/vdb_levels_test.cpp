@@ -6,11 +6,14 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "core/error.h"
+#include "fields/derived_scalar.h"
 #include "fields/sphere_levels.h"
 #include "fields/vdb_levels.h"
 #include "tests/fields/grid_files.h"
+#include "tests/support/levels.h"
 
 namespace pellucid {
 namespace {
@@ -91,16 +94,96 @@ TEST(UnitVdbLevels, TruncatedFilesAreRefused) {
   EXPECT_THROW(read_vdb_levels(folder / "missing.vdb", "p"), InputError);
 }
 
+TEST(UnitVdbLevels, MutatedFilesAreRefusedOrWhole) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "needs std::bad_alloc";
+#endif
+  const TemporaryFolder folder;
+  openvdb::io::File((folder / "levels.vdb").string())
+      .write({scalar_grid("p", 8, 1), scalar_grid("p", 5, 0.5)});
+  const std::string bytes = read_bytes(folder / "levels.vdb");
+  std::mt19937_64 random(5);
+  int refused = 0;
+  for (int round = 0; round < 150; ++round) {
+    std::string mutated = bytes;
+    const std::size_t where = round % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 900);
+    for (int i = 0; i < 3; ++i) mutated[random() % where] = char(random() % 256);
+    write_bytes(folder / "mutated.vdb", mutated);
+    try {
+      for (const ScalarLevel& level : read_vdb_levels(folder / "mutated.vdb", "p"))
+        check_level("level", level);
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_THAT(error.what(), HasSubstr("mutated.vdb"));
+      EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("\n")));
+    }
+  }
+  EXPECT_GT(refused, 20);
+}
+
+template <class T>
+void expect_same(const Level<T>& a, const Level<T>& b) {
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.size, b.size);
+  EXPECT_EQ(a.samples, b.samples);
+}
+
+TEST(UnitVdbLevels, WhatIsWrittenIsReadBitForBit) {
+  const TemporaryFolder folder;
+  // Widths and origins that are no binary fractions, a constant level, -0 and the smallest numbers.
+  const auto wave = [](const Vec3& x) { return std::sin(3 * x.x) * std::exp(x.y) - x.z; };
+  std::vector<ScalarLevel> levels{
+      testing::sampled(Vec3(0.1, -0.7, 1e5), 0.3, {9, 17, 4}, wave),
+      testing::sampled(Vec3(1e-3), 0.1, 8, [](const Vec3&) { return 0.0; }),
+      testing::sampled(Vec3(-1), 7e-5, 3, wave)};
+  levels[0].samples[5] = -0.0f;
+  levels[0].samples[6] = std::numeric_limits<float>::denorm_min();
+  write_vdb_levels(folder / "p.vdb", "p", std::span<const ScalarLevel>(levels));
+  const auto read = read_vdb_levels(folder / "p.vdb", "p");
+  ASSERT_EQ(read.size(), levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) expect_same(read[i], levels[i]);
+  EXPECT_TRUE(std::signbit(read[0].samples[5]));
+}
+
+TEST(UnitVdbLevels, WrittenVelocitiesGiveTheSameScalars) {
+  const TemporaryFolder folder;
+  const auto levels = make_level_dataset("sphere-levels:levels=2,rings=2");
+  write_vdb_levels(folder / "v.vdb", "velocity", std::span<const VectorLevel>(levels));
+  for (const char* scalar : {"q", "magnitude", "speed"}) {
+    const auto expected = scalars_of(levels, scalar);
+    const auto read = read_vdb_levels(folder / "v.vdb", scalar);
+    ASSERT_EQ(read.size(), expected.size());
+    for (std::size_t i = 0; i < read.size(); ++i) expect_same(read[i], expected[i]);
+  }
+}
+
+TEST(UnitVdbLevels, WhatCannotBeWrittenLeavesNothing) {
+  const TemporaryFolder folder;
+  std::vector levels{testing::sampled(Vec3(0), 1, 3, [](const Vec3&) { return 1.0; })};
+  const auto write = [&](const char* name) {
+    write_vdb_levels(folder / name, "p", std::span<const ScalarLevel>(levels));
+  };
+  EXPECT_THROW(write("p.ply"), InputError);
+  EXPECT_THROW(write("none/p.vdb"), InputError);
+  levels[0].samples[3] = NAN;
+  EXPECT_THROW(write("p.vdb"), InputError);
+  levels.clear();
+  EXPECT_THROW(write("p.vdb"), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty((folder / "p").parent_path()));
+}
+
 TEST(UnitSphereLevels, AreNested) {
-  const auto levels = make_sphere_levels("sphere-levels");
+  const auto levels = make_level_dataset("sphere-levels");
   ASSERT_EQ(levels.size(), 4u);
   for (std::size_t i = 1; i < levels.size(); ++i) {
     EXPECT_EQ(levels[i].width, levels[i - 1].width / 2);
     const Box3 outer = levels[i - 1].box(0.5), inner = levels[i].box(0.5);
     EXPECT_TRUE(outer.contains(inner.min) && outer.contains(inner.max));
   }
-  EXPECT_THROW(make_sphere_levels("sphere-levels:levels=5"), InputError);
-  EXPECT_THROW(make_sphere_levels("cube-levels"), InputError);
+  EXPECT_THROW(make_level_dataset("sphere-levels:levels=5"), InputError);
+  EXPECT_THROW(make_level_dataset("cube-levels"), InputError);
+  EXPECT_THROW(make_level_dataset("sphere-levels:rings=17"), InputError);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "groundtruth/level_march.h"
 #include "groundtruth/raytrace.h"
+#include "scene/colormap.h"
 #include "tests/groundtruth/levels.h"
 #include "tests/support/scenes.h"
 
@@ -203,6 +204,95 @@ TEST(AgreementMarch, ComesCloserToTheExactCompositeWithShorterSteps) {
     EXPECT_LT(largest_difference(
                   drawn(march_method(), scene, {{"step", "16"}, {"refine", "bisection"}}), exact),
               1e-6);
+  }
+}
+
+/// The plane x = z, seen along -z, in the colour of y from 0 (y = -1) to 1 (y = 1).
+Scene colored_plane() {
+  Scene scene = testing::orthographic_scene(16, 16);
+  const auto levels = [](const auto& f) {
+    return std::vector{sampled(Vec3(-4), 0.5, 17, f), sampled(Vec3(-0.5), 0.25, 9, f)};
+  };
+  const auto& blend = find_reconstruction("blend");
+  Isosurface surface;
+  surface.field =
+      std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.x - x.z; }), blend);
+  surface.coloring = {
+      std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.y; }), blend),
+      &find_colormap("four-color"), Vec2(-1, 1)};
+  surface.corners = corners_of(surface.field->bounds());
+  surface.corners.colors.assign(8, Rgba(0, 0, 0, 1));
+  scene.objects.push_back({"plane", surface});
+  return scene;
+}
+
+TEST(UnitMarch, ASurfaceHasTheColourOfItsScalarWhereItIsCrossed) {
+  const Scene scene = colored_plane();
+  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+    const Image image = drawn(*row, scene);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const Vec3 expected = find_colormap("four-color")(1 - (y + 0.5) / 16);
+        // Sums of floats near 1 of samples that floats hold.
+        EXPECT_LT(glm::length(Vec3(image.at(x, y)) - expected), 1e-6) << x << ' ' << y;
+      }
+  }
+}
+
+/// A ball of radius 1, and the plane z = -3 behind and z = 3 before it, seen along -z.
+Scene ball_between_planes() {
+  Scene scene = testing::orthographic_scene(40, 40);
+  scene.camera.height = 4;
+  scene.camera.eye = Vec3(0, 0, 10);
+  scene.camera.target = Vec3(0);
+  Isosurface surface;
+  surface.field = std::make_shared<const LevelField>(
+      std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& x) { return std::abs(x.z); })},
+      find_reconstruction("trilinear"));
+  surface.value = 3;
+  surface.corners = corners_of(surface.field->bounds());
+  surface.corners.colors.assign(8, Rgba(1, 0, 0, 0.5));
+  scene.objects.push_back({"planes", surface});
+  PointObject ball;
+  ball.set.positions = {Vec3(0)};
+  ball.set.colors = {Rgba(0, 0, 1, 1)};
+  ball.radius = 1;
+  ball.profile = PointObject::Profile::sphere;
+  scene.objects.push_back({"ball", ball, true});
+  return scene;
+}
+
+TEST(UnitMarch, ADilatedSphereEndsRaysEvenWhereTheyMissIt) {
+  const Scene scene = ball_between_planes();
+  const Image all = drawn(march_method(), scene);
+  const Image filtered = drawn(march_method(), scene, {{"filter", "dilate:0.5"}});
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const double r = std::hypot((x + 0.5) / 10 - 2, (y + 0.5) / 10 - 2);
+      if (std::abs(r - 1.5) < 1e-9 || std::abs(r - 1) < 1e-9) continue;
+      // Half of red before: white behind; red and white; blue.
+      const Rgba through(1, 0.25, 0.25, 0.75), once(1, 0.5, 0.5, 0.5), ball(0.5, 0, 0.5, 1);
+      EXPECT_EQ(all.at(x, y), r < 1 ? ball : through) << x << ' ' << y;
+      EXPECT_EQ(filtered.at(x, y), r < 1 ? ball : r < 1.5 ? once : through) << x << ' ' << y;
+    }
+}
+
+TEST(UnitMarch, RefusesAFilterItDoesNotKnow) {
+  for (const char* filter :
+       {"dilate", "dilate:", "dilate:-1", "dilate:nan", "erode:1", "dilate:1 m"})
+    EXPECT_THROW(drawn(march_method(), balls(false), {{"filter", filter}}), InputError) << filter;
+}
+
+TEST(AgreementMarch, ACameraInsideTheVolumeSeesWhatLiesBefore) {
+  // Within the surface x² + y² + z² = 4 of both levels: each ray leaves it once.
+  Scene scene = balls(false);
+  scene.objects.pop_back();
+  scene.lighting = Lighting::none;
+  scene.camera.eye = Vec3(0.3, 0.1, 0.2);
+  scene.camera.target = Vec3(1, 0.5, -2);
+  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+    const Image image = drawn(*row, scene);
+    for (const Rgba& pixel : image.pixels) EXPECT_FLOAT_EQ(pixel.a, 0.4f);
   }
 }
 

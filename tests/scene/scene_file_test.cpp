@@ -261,6 +261,42 @@ TEST_F(UnitSceneFile, AnIsosurfaceMayBeAMesh) {
     for (const std::uint32_t corner : triangle) EXPECT_GE(glm::length(cut.positions[corner]), 1.5);
 }
 
+TEST_F(UnitSceneFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
+  const auto text = [](const std::string& color, const std::string& keys = "") {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude")" +
+           keys + R"(}, "opacity": 0.25, "color": {"by": )" + color + "}}";
+  };
+  const ColormapRow& map = find_colormap("four-color");
+  // Its own scalar is 0.9 all over it.
+  const Scene scene = with(text(R"("speed", "map": "four-color", "range": [0, 1.8])"));
+  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  ASSERT_TRUE(surface.coloring);
+  EXPECT_EQ(surface.corners.colors.front().a, 0.25f);
+  EXPECT_EQ(surface.coloring->fraction(Vec3(3, 0.5, 0)),
+            *surface.field->value(Vec3(3, 0.5, 0)) / 1.8);
+  EXPECT_EQ(surface.coloring->color(0.5), map(0.5));
+  const TriangleMesh mesh =
+      with(text(R"("speed", "map": "four-color", "range": [0, 1.8])", R"(, "mesh": true)"))
+          .objects.front()
+          .mesh();
+  for (const Rgba& color : mesh.colors) {
+    EXPECT_LT(glm::length(Vec3(color) - map(0.5)), 1e-5);  // vertices lie on it to some 1e-6
+    EXPECT_EQ(color.a, 0.25f);
+  }
+  // Without a range that of all samples.
+  const Scene free = with(text(R"("q")"));
+  const auto& coloring = *std::get<Isosurface>(free.objects.front().shape).coloring;
+  float low = 1e9f, high = -1e9f;
+  for (const float q : coloring.field->levels().front().samples) {
+    low = std::min(low, q);
+    high = std::max(high, q);
+  }
+  EXPECT_EQ(coloring.range, Vec2(low, high));
+  EXPECT_THAT(refusal(text(R"("vorticity")")), HasSubstr("unknown scalar 'vorticity'"));
+  EXPECT_THAT(refusal(text(R"("speed", "map": "rainbow")")), HasSubstr("unknown colour map"));
+}
+
 TEST(UnitAppearance, NormalsAreAreaWeighted) {
   TriangleMesh mesh = sphere(3, Rgba(1));
   mesh.normals.clear();
@@ -277,6 +313,14 @@ TEST(UnitColormap, EndsAndMiddleAreMatplotlibs) {
   EXPECT_EQ(viridis(1) * 255.0, Vec3(253, 231, 37));
   EXPECT_EQ(viridis(-5), viridis(0));
   EXPECT_EQ(viridis(7), viridis(1));
+}
+
+TEST(UnitColormap, FourColoursPartTheRangeInThree) {
+  const ColormapRow& map = find_colormap("four-color");
+  const Vec3 knots[] = {{0, 0.9, 0.2}, {0.8, 0.8, 0}, {1, 0, 0}, {0.4, 0.6, 0}};
+  for (int i = 0; i < 4; ++i) EXPECT_LT(glm::length(map(i / 3.0) - knots[i]), 1e-15);
+  EXPECT_LT(glm::length(map(0.5) - 0.5 * (knots[1] + knots[2])), 1e-15);
+  EXPECT_EQ(map(2), map(1));
 }
 
 }  // namespace

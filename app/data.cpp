@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/names.h"
+#include "fields/sphere_levels.h"
+#include "fields/vdb_levels.h"
+#include "geometry/mesh_file.h"
+#include "scene/dataset.h"
+
+namespace pellucid {
+namespace {
+
+bool is_on_levels(const std::string& dataset) {
+  const std::string name = parse_name_and_options(dataset).name;
+  return std::ranges::any_of(level_datasets(), [&](const auto& row) { return row.name == name; });
+}
+
+/// Throws InputError with the names of both tables, or the endings that the data set takes: before
+/// the work that would be in vain.
+void check(const std::string& dataset, const std::string& output) {
+  const std::string name = parse_name_and_options(dataset).name;
+  std::vector<std::string_view> known;
+  for (const DatasetRow& row : datasets()) known.push_back(row.name);
+  for (const LevelDatasetRow& row : level_datasets()) known.push_back(row.name);
+  if (std::ranges::find(known, name) == known.end())
+    throw InputError(unknown_name("data set", name, known));
+  const std::string ending = std::filesystem::path(output).extension().string();
+  const bool fits = is_on_levels(dataset)
+                        ? ending == ".vdb"
+                        : ending == ".ply" || ending == ".obj" || ending == ".vtp";
+  if (!fits)
+    throw InputError(fmt::format("{}: ending '{}'; accepted for {}: {}", output, ending, name,
+                                 is_on_levels(dataset) ? ".vdb" : ".ply, .obj, .vtp"));
+}
+
+nlohmann::ordered_json write_levels(const std::string& dataset, const std::string& output) {
+  const std::vector<VectorLevel> levels = make_level_dataset(dataset);
+  write_vdb_levels(output, "velocity", levels);
+  nlohmann::ordered_json grids = nlohmann::ordered_json::array();
+  for (const VectorLevel& level : levels)
+    grids.push_back({{"size", level.size},
+                     {"width", level.width},
+                     {"first", {level.origin.x, level.origin.y, level.origin.z}}});
+  return {{"grids", grids}};
+}
+
+nlohmann::ordered_json write(const TriangleMesh& mesh, const std::string& output) {
+  write_mesh(output, mesh);
+  return {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
+}
+
+nlohmann::ordered_json write(const LineSet& lines, const std::string& output) {
+  write_lines(output, lines);
+  return {{"lines", lines.line_count()}, {"points", lines.positions.size()}};
+}
+
+/// The vertices of a mesh without triangles.
+nlohmann::ordered_json write(const PointSet& points, const std::string& output) {
+  if (std::filesystem::path(output).extension() != ".ply")
+    throw InputError(output + ": accepted for points: .ply");
+  write_mesh(output, TriangleMesh{Vertices(points), {}});
+  return {{"points", points.positions.size()}};
+}
+
+void make(const std::string& dataset, const std::string& output, const GlobalOptions& globals) {
+  check(dataset, output);
+  const nlohmann::ordered_json json =
+      is_on_levels(dataset) ? write_levels(dataset, output)
+                            : std::visit([&](const auto& set) { return write(set, output); },
+                                         make_dataset(dataset, console_progress(globals)));
+  if (globals.json)
+    std::cout << json.dump(2) << '\n';
+  else if (!globals.quiet)
+    for (const auto& [key, value] : json.items()) std::cout << key << ": " << value << '\n';
+}
+
+}  // namespace
+
+void add_data_command(CLI::App& app, GlobalOptions& globals) {
+  CLI::App* command = app.add_subcommand("data", "Write a generated data set into a file");
+  const auto dataset = std::make_shared<std::string>(), output = std::make_shared<std::string>();
+  command->add_option("NAME", *dataset, "NAME[:key=value,...]; see 'list datasets'")->required();
+  command
+      ->add_option("-o,--output", *output,
+                   "Levels: .vdb; surfaces and lines: .ply, .obj or .vtp; points: .ply")
+      ->required();
+  add_global_options(*command, globals);
+  command->callback([dataset, output, &globals] { make(*dataset, *output, globals); });
+}
+
+}  // namespace pellucid
