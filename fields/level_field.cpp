@@ -35,6 +35,18 @@ std::vector<LevelRegion> regions_of(std::span<const ScalarLevel> levels, Reconst
   return regions;
 }
 
+/// As std::floor, which a plain x86-64 has to call.
+int floor_of(double x) {
+  const int toward_zero = int(x);
+  return toward_zero - (toward_zero > x ? 1 : 0);
+}
+
+/// Without the upper faces, as in RegionTree.
+bool inside(const Box3& box, const Vec3& x) {
+  return x.x >= box.min.x && x.y >= box.min.y && x.z >= box.min.z && x.x < box.max.x &&
+         x.y < box.max.y && x.z < box.max.z;
+}
+
 }  // namespace
 
 const ReconstructionRow& find_reconstruction(std::string_view name) {
@@ -66,14 +78,18 @@ Box3 LevelField::bounds() const {
 LatticeCell LevelField::cell_at(std::uint32_t level, const Vec3& x) const {
   const Vec3 at = levels_[level].to_lattice(x);
   const int margin = hat() ? 1 : 0;
-  LatticeCell cell{level};
+  LatticeCell cell{level, {}};
   for (int axis = 0; axis < 3; ++axis)
     cell.low[axis] =
-        std::clamp(int(std::floor(at[axis])), -margin, levels_[level].size[axis] - 2 + margin);
+        std::clamp(floor_of(at[axis]), -margin, levels_[level].size[axis] - 2 + margin);
   return cell;
 }
 
 std::size_t LevelField::cells_at(const Vec3& x, Cells& cells) const {
+  if (inside(regions_.front().alone, x)) {  // as the tree would say, of most samples of a surface
+    cells[0] = cell_at(0, x);
+    return 1;
+  }
   std::size_t count = 0;
   bool owned = false;
   for (const std::uint32_t level : tree_.levels_at(x)) {
