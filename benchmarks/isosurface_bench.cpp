@@ -5,6 +5,9 @@
 //   sample/…   one trilinear sample of a field on levels, and of a velocity grid, against OpenVDB's
 //   BoxSampler
 //              on one reused accessor at the same places
+//   scalar/q   the Q-criterion of the big field's finest level against the barest scalar, the sum
+//   of the
+//              three components: what reading and writing alone take on the same threads
 //   memory/…   what a loaded and indexed field keeps, and the peak on the way, against its grids as
 //   OpenVDB
 //              keeps them; both as the process's resident pages
@@ -23,6 +26,7 @@
 
 #include "compare/metrics.h"
 #include "core/output_file.h"
+#include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "fields/derived_scalar.h"
 #include "fields/level_field.h"
@@ -99,19 +103,26 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void in_pairs(benchmark::State& state, const std::vector<Vec3>& points, const auto& ours,
-              const auto& bare) {
-  nanoseconds_of(points, ours), nanoseconds_of(points, bare);  // warm-up
+/// Times `ours` and `bare`, which return nanoseconds per item, in turn.
+void in_pairs(benchmark::State& state, const auto& ours, const auto& bare) {
+  ours(), bare();  // warm-up
   std::vector<double> ratios, ours_ns, bare_ns;
   for (auto _ : state) {
-    ours_ns.push_back(nanoseconds_of(points, ours));
-    bare_ns.push_back(nanoseconds_of(points, bare));
+    ours_ns.push_back(ours());
+    bare_ns.push_back(bare());
     ratios.push_back(ours_ns.back() / bare_ns.back());
     state.SetIterationTime(1e-9 * ours_ns.back());
   }
   state.counters["ratio"] = median(ratios);
   state.counters["ns"] = median(ours_ns);
   state.counters["bare_ns"] = median(bare_ns);
+}
+
+void in_pairs(benchmark::State& state, const std::vector<Vec3>& points, const auto& ours,
+              const auto& bare) {
+  in_pairs(
+      state, [&] { return nanoseconds_of(points, ours); },
+      [&] { return nanoseconds_of(points, bare); });
 }
 
 template <class Grid>
@@ -172,6 +183,29 @@ void sample_velocity(benchmark::State& state, const testing::TemporaryFolder& fo
         return v;
       },
       bare_sampler(*grid));
+}
+
+// Derived scalars
+
+ScalarLevel sum_of_components(const VectorLevel& v) {
+  ScalarLevel out{v.origin, v.width, v.size, std::vector<float>(v.samples.size())};
+  parallel_for(0, v.size[2], [&](int k) {
+    for (std::size_t i = v.index(0, 0, k); i < v.index(0, 0, k + 1); ++i)
+      out.samples[i] = v.samples[i].x + v.samples[i].y + v.samples[i].z;
+  });
+  return out;
+}
+
+void derive(benchmark::State& state) {
+  const VectorLevel level = make_level_dataset(big_field).back();
+  const auto time = [&](const auto& compute) {
+    const Stopwatch watch;
+    benchmark::DoNotOptimize(compute(level).samples.data());
+    return 1e9 * watch.seconds() / double(level.samples.size());
+  };
+  in_pairs(
+      state, [&] { return time(find_derived_scalar("q").compute); },
+      [&] { return time(sum_of_components); });
 }
 
 // Memory
@@ -291,6 +325,7 @@ int main(int argc, char** argv) {
          memory(state, scene, scalar);
        });
   add_samples(folder, velocity, scalar);
+  once("scalar/q", benchmark::kNanosecond, 15, derive);
   for (const std::string name :
        {"multi-big-1080p-filtered", "multi-big-4k-filtered", "transparent-4k"})
     once("picture/" + name, benchmark::kSecond, 1, [=](benchmark::State& state) {

@@ -9,7 +9,7 @@ namespace pellucid {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int block_side = 8;  // lattice cells
+constexpr int block_side = 4;  // lattice cells
 constexpr int halvings = 52;   // of a step: to the last bits of a double
 
 /// The block that holds a lattice cell; the cells of a hat basis begin at -1.
@@ -88,21 +88,21 @@ double LevelMarch::refined(const WorldRay& ray, std::span<const std::uint32_t> l
   return 0.5 * (low + high);
 }
 
-double LevelMarch::empty_until(const WorldRay& ray, std::span<const std::uint32_t> levels,
-                               double t) const {
-  double until = infinity;
+LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
+                                           std::span<const std::uint32_t> levels, double t) const {
+  Stretch stretch{true, infinity};
   for (const std::uint32_t level : levels) {
     const ScalarLevel& l = field_.levels()[level];
     const auto block = block_of(field_.cell_at(level, ray.at(t)).low);
-    if (blocks_[level].occupied[block_index(level, block)]) return t;
+    if (blocks_[level].occupied[block_index(level, block)]) stretch.empty = false;
     for (int axis = 0; axis < 3; ++axis) {
       if (ray.direction[axis] == 0) continue;
       const int face = (block[axis] + (ray.direction[axis] > 0 ? 1 : 0)) * block_side - 1;
       const double plane = l.origin[axis] + l.width * face;
-      until = std::min(until, (plane - ray.start[axis]) / ray.direction[axis]);
+      stretch.end = std::min(stretch.end, (plane - ray.start[axis]) / ray.direction[axis]);
     }
   }
-  return until;
+  return stretch;
 }
 
 void LevelMarch::visit_crossings(const WorldRay& ray,
@@ -118,13 +118,15 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
     Sample at{part.begin, height_at(ray.at(part.begin), part.levels)};
     // A reconstruction that jumps crosses on the face.
     if (last.t == at.t && differ(last.height, at.height) && !visit(at.t)) return;
+    Stretch stretch{false, blocks_.empty() ? infinity : part.begin};
     for (double i = 0; at.t < part.end; ++i) {
       last = at;
-      if (!blocks_.empty())
-        if (const double until = std::min(empty_until(ray, part.levels, at.t), part.end);
-            until > at.t)
-          // To the last sample within the empty blocks, whose sign is that of this one.
-          i = std::max(i, std::ceil((until - part.begin) / step) - 2);
+      if (at.t >= stretch.end) {
+        stretch = stretch_at(ray, part.levels, at.t);
+        // To the last sample within empty blocks, whose sign is that of this one.
+        if (stretch.empty)
+          i = std::max(i, std::ceil((std::min(stretch.end, part.end) - part.begin) / step) - 2);
+      }
       at.t = std::min(part.begin + step * (i + 1), part.end);
       at.height = height_at(ray.at(at.t), part.levels);
       if (differ(last.height, at.height) && !visit(refined(ray, part.levels, last, at))) return;

@@ -32,7 +32,7 @@ struct MarchOptions {
 /// Differs from the report: steps start anew where the levels that take part change, so that the
 /// samples of k steps a cell are among those of 2k; where the report counts the first sample
 /// inside as the hit, this one is refined; both ways through the surface count. Empty space is
-/// passed over in blocks of 8³ lattice cells without a change of the samples that a march takes
+/// passed over in blocks of 4³ lattice cells without a change of the samples that a march takes
 /// elsewhere: every crossing stays.
 class LevelMarch {
  public:
@@ -54,8 +54,12 @@ class LevelMarch {
   std::optional<double> height_at(const Vec3& x, std::span<const std::uint32_t> levels) const;
   double refined(const WorldRay& ray, std::span<const std::uint32_t> levels, const Sample& a,
                  const Sample& b) const;
-  /// How far the ray from t on meets no lattice cell with the surface; t itself where it may.
-  double empty_until(const WorldRay& ray, std::span<const std::uint32_t> levels, double t) const;
+  /// Of a ray: within the same blocks of all levels that take part.
+  struct Stretch {
+    bool empty;  // of the surface
+    double end;  // the ray's parameter
+  };
+  Stretch stretch_at(const WorldRay& ray, std::span<const std::uint32_t> levels, double t) const;
   std::size_t block_index(std::uint32_t level, const std::array<int, 3>& block) const;
 
   /// Blocks of lattice cells of a level, x fastest.

@@ -37,7 +37,7 @@ constexpr ParameterSpec parameters[] = {
      .kind = ParameterSpec::Kind::choice,
      .default_value = "blocks",
      .choices = "blocks|none",
-     .help = "blocks: pass over 8 x 8 x 8 cells without the value; the picture stays the same"},
+     .help = "blocks: pass over 4 x 4 x 4 cells without the value; the picture stays the same"},
     {.name = "filter",
      .kind = ParameterSpec::Kind::text,
      .default_value = "none",
@@ -73,7 +73,7 @@ constexpr MethodRow row{
     .equations = "Sect. 3.5, with Eqs. 2, 3",
     .parameters = parameters,
     .promises = {.order_independent = true, .convex_hull = true},
-    .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 512 cells",
+    .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
     .sweep = "step=2|8|16",
     .make = make};
 
