@@ -73,7 +73,8 @@ void decide_and_close(const RTCIntersectFunctionNArguments* args) {
   }
 }
 
-/// Takes every hit of a mesh as it is, and rejects it, so that the traversal goes on.
+/// Takes every hit of a mesh as it is, its depth from the ray's float parameter, and rejects it, so
+/// that the traversal goes on.
 void take(const RTCFilterFunctionNArguments* args) {
   const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
   const auto& mesh = static_cast<const TriangleGeometry&>(*object.geometry);
@@ -82,9 +83,10 @@ void take(const RTCFilterFunctionNArguments* args) {
     if (!args->valid[i]) continue;
     args->valid[i] = 0;
     const unsigned lane = RTCRayN_id(args->ray, args->N, i);
-    context.rays.crossings[lane]->push_back(mesh.crossing_at(RTCHitN_primID(args->hit, args->N, i),
-                                                             RTCHitN_u(args->hit, args->N, i),
-                                                             RTCHitN_v(args->hit, args->N, i)));
+    const double t = context.begins[lane] + RTCRayN_tfar(args->ray, args->N, i);
+    context.rays.crossings[lane]->push_back(
+        {t * context.rays.rays[lane].direction.z, RTCHitN_u(args->hit, args->N, i),
+         RTCHitN_v(args->hit, args->N, i), mesh.index(), RTCHitN_primID(args->hit, args->N, i)});
   }
 }
 

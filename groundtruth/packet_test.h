@@ -25,7 +25,7 @@ class PacketTest {
 
  private:
   std::array<const CrossingTest*, width> tests_{};
-  alignas(64) std::array<double, width> x_{}, y_{};
+  alignas(64) std::array<double, width> x_{}, y_{}, bound_{};
 };
 
 }  // namespace pellucid

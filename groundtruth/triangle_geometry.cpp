@@ -29,19 +29,13 @@ double headlight(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3&
   return length > 0 ? std::abs(glm::dot(n, world_direction)) / length : 0;
 }
 
-/// At the weights u and v of b and c.
-Crossing at_weights(const Vec3& a, const Vec3& b, const Vec3& c, double u, double v,
-                    std::uint32_t object, std::uint32_t primitive) {
-  return {a.z + u * (b.z - a.z) + v * (c.z - a.z), u, v, object, primitive};
-}
-
 /// Where the ray with the edge functions `edges`, which crosses the triangle, does so.
 Crossing to_crossing(const EdgeFunctions& edges, const Vec3& a, const Vec3& b, const Vec3& c,
                      std::uint32_t object, std::uint32_t primitive) {
   const double sum = edges.e[0] + edges.e[1] + edges.e[2];
   // All zero: the unperturbed ray runs along the triangle; its centre stands for the crossing.
   const double u = sum != 0 ? edges.e[1] / sum : 1.0 / 3, v = sum != 0 ? edges.e[2] / sum : 1.0 / 3;
-  return at_weights(a, b, c, u, v, object, primitive);
+  return {a.z + u * (b.z - a.z) + v * (c.z - a.z), u, v, object, primitive};
 }
 
 }  // namespace
@@ -107,11 +101,6 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
       packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
     }
   }
-}
-
-Crossing TriangleGeometry::crossing_at(std::uint32_t t, double u, double v) const {
-  const auto& [a, b, c] = mesh_.triangles[t];
-  return at_weights(positions_[a], positions_[b], positions_[c], u, v, index_, t);
 }
 
 Fragment TriangleGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {

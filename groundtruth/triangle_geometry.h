@@ -23,13 +23,12 @@ class TriangleGeometry final : public CrossingGeometry {
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t k) const override;
   void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const override;
-  /// Of triangle t, at the weights u and v of its second and third vertex.
-  Crossing crossing_at(std::uint32_t t, double u, double v) const;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing& crossing) const override;
   double largest_coordinate() const override { return largest_; }
   std::uint64_t bytes() const override;
 
+  std::uint32_t index() const { return index_; }                  // in Scene::objects
   std::span<const Vec3> positions() const { return positions_; }  // view coordinates
   const auto& triangles() const { return mesh_.triangles; }
 

@@ -1,7 +1,6 @@
 #include "groundtruth/raytrace.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "core/error.h"
 #include "tests/support/scenes.h"
@@ -186,49 +185,6 @@ TEST(UnitRaytrace, PerspectiveInterpolationIsLinearOnTheSurface) {
     // The ray y = s t, z = 2 - t meets z = -y at t = 2 / (1 - s).
     const double s = half * (1 - 2 * (row + 0.5) / 33), y = s * 2 / (1 - s);
     EXPECT_NEAR(rendering.image.at(5, row).r, y / 3 + 0.5, 2 * float_rounding);
-  }
-}
-
-TEST(PropertyRaytrace, SamePictureForAnyThreadCount) {
-  Scene scene;
-  scene.width = scene.height = 64;
-  scene.objects = {{"", random_triangles(300, 1)}};
-  const Image many = trace(scene).image;
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(trace(scene).image.pixels, many.pixels);
-}
-
-TEST(PropertyRaytrace, SamePictureForAnyPrimitiveOrder) {
-  Scene scene;
-  scene.width = scene.height = 64;
-  scene.objects = {{"", random_triangles(300, 2)}};
-  const Image picture = trace(scene).image;
-  std::mt19937 random(3);
-  auto& triangles = scene.objects[0].mesh().triangles;
-  std::shuffle(triangles.begin(), triangles.end(), random);
-  EXPECT_EQ(trace(scene).image.pixels, picture.pixels);
-}
-
-TEST(PropertyRaytrace, ScaleAndShiftChangeNothing) {
-  Scene scene;
-  scene.width = scene.height = 48;
-  scene.camera = {.eye = {0, 0, 6}, .target = {0, 0, 0}};
-  scene.objects = {{"", random_triangles(100, 4)}};
-  const Image picture = trace(scene).image;
-  const std::pair<double, double> cases[] = {{1e10, 0}, {1e-10, 0}, {1, 1e7}, {1e10, 1e17}};
-  for (const auto& [scale, shift] : cases) {
-    Scene moved = scene;
-    for (Vec3& x : moved.objects[0].mesh().positions) x = x * scale + shift;
-    moved.camera.eye = scene.camera.eye * scale + shift;
-    moved.camera.target = scene.camera.target * scale + shift;
-    const Image other = trace(moved).image;
-    // A shift by 1e7 rounds vertices by 1e-9: pixels within 1e-9 of an edge may change sides, which
-    // random triangles at 48² do not have.
-    double largest = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-      for (int c = 0; c < 4; ++c)
-        largest = std::max<double>(largest, std::abs(other.pixels[i][c] - picture.pixels[i][c]));
-    EXPECT_LE(largest, 1e-6) << scale << " " << shift;
   }
 }
 
