@@ -121,7 +121,7 @@ struct CrossingFinder::State {
   Precision precision;
   BoxHierarchy hierarchy;
   double largest = 0;  // coordinate
-  bool any_union = false, any_opaque = false;
+  bool any_union = false, any_opaque = false, any_repeats = false;
   bool may_close = false;  // an opaque object may shorten rays
 
   State(const Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
@@ -132,6 +132,7 @@ struct CrossingFinder::State {
     for (const BoxHierarchy::Object& object : hierarchy.objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();
+      any_repeats |= object.geometry->repeats();
       any_opaque |= object.opaque;
       may_close |= object.opaque && !object.geometry->is_union();
     }
@@ -196,6 +197,9 @@ void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
   if (any_union) unite(crossings);
   std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
   order_crossings(crossings);
+  // To the last bit: each box's test is the same.
+  if (any_repeats)
+    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
   if (!any_opaque) return;
   const auto opaque = [this](const Crossing& c) { return hierarchy.objects()[c.object].opaque; };
   const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);

@@ -47,6 +47,8 @@ class CrossingGeometry {
   /// what box `k` holds, in any order, those behind the eye (depth ≤ 0) included or not.
   virtual void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const = 0;
 
+  /// True when several boxes may hold the same primitive, and bring the same crossing each.
+  virtual bool repeats() const { return false; }
   /// True when what the boxes hold are parts of solids, and only the surface of each solid counts:
   /// crossings within another part of the same solid are not the scene's (see solid_union.h).
   virtual bool is_union() const { return false; }

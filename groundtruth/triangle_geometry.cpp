@@ -9,9 +9,31 @@
 namespace pellucid {
 namespace {
 
+/// A slab as wide as a packet of rays is worth a box of its own: four pixels of a picture of 1000
+/// that shows the scene, which is about 2 wide.
+constexpr double narrowest_slab = 0.008;
+constexpr int most_slabs = 64;
+
 double half_area(const Box3& box) {
   const Vec3 d = box.max - box.min;
   return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
+int longest_axis(const Box3& box) {
+  const Vec3 d = box.max - box.min;
+  return d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+}
+
+/// Extends the box by the part of the edge (p, q) whose coordinate along the axis lies in [low,
+/// high].
+void extend_by_clipped(Box3& box, Vec3 p, Vec3 q, int axis, double low, double high) {
+  if (p[axis] > q[axis]) std::swap(p, q);
+  if (q[axis] < low || p[axis] > high) return;
+  const Vec3 edge = q - p;
+  if (p[axis] < low) p += (low - p[axis]) / edge[axis] * edge;
+  if (q[axis] > high) q -= (q[axis] - high) / edge[axis] * edge;
+  box.extend(p);
+  box.extend(q);
 }
 
 VertexBlend<3> blend_at(const TriangleMesh& mesh, const Crossing& crossing) {
@@ -67,32 +89,74 @@ TriangleGeometry::TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index
 void TriangleGeometry::group_triangles() {
   constexpr double worth_it = 0.7;  // of the sum of the areas; a quadrilateral has 0.5
   const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
+  const auto area = [this](std::uint32_t first, std::uint8_t triangles) {
+    return half_area(whole_box({first, triangles, 0, 1}));
+  };
   for (std::uint32_t t = 0; t < count;) {
-    groups_.push_back(t);
-    const bool pair =
-        t + 1 < count && half_area(box_of(t, t + 2)) < worth_it * (half_area(box_of(t, t + 1)) +
-                                                                   half_area(box_of(t + 1, t + 2)));
+    const bool pair = t + 1 < count && area(t, 2) < worth_it * (area(t, 1) + area(t + 1, 1));
+    add_pieces(t, pair ? 2 : 1);
     t += pair ? 2 : 1;
   }
-  groups_.push_back(count);
 }
 
-Box3 TriangleGeometry::box_of(std::uint32_t first, std::uint32_t last) const {
+/// Halves the slabs as long as that takes away much of what their boxes hold in vain.
+void TriangleGeometry::add_pieces(std::uint32_t first, std::uint8_t count) {
+  constexpr double worth_it = 0.7;  // of the area; a diagonal's halves have 0.5
+  Piece piece{first, count, 0, 1};
+  const Box3 whole = whole_box(piece);
+  const int axis = longest_axis(whole);
+  const double length = whole.max[axis] - whole.min[axis];
+  double area = half_area(whole);
+  while (2 * piece.slabs <= most_slabs && length > 2 * piece.slabs * narrowest_slab) {
+    const Piece halved{first, count, 0, std::uint8_t(2 * piece.slabs)};
+    const double halved_area = total_area(halved);
+    if (halved_area > worth_it * area) break;
+    piece = halved;
+    area = halved_area;
+  }
+  any_slabs_ |= piece.slabs > 1;
+  for (; piece.slab < piece.slabs; ++piece.slab) pieces_.push_back(piece);
+}
+
+double TriangleGeometry::total_area(Piece piece) const {
+  double area = 0;
+  for (; piece.slab < piece.slabs; ++piece.slab) area += half_area(box(piece));
+  return area;
+}
+
+Box3 TriangleGeometry::whole_box(const Piece& piece) const {
   Box3 box;
-  for (std::uint32_t t = first; t < last; ++t)
+  for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t)
     for (const std::uint32_t v : mesh_.triangles[t]) box.extend(positions_[v]);
   return box;
 }
 
-std::uint32_t TriangleGeometry::box_count() const {
-  return static_cast<std::uint32_t>(groups_.size() - 1);
+/// A triangle's part in a slab is spanned by its edges' parts there.
+Box3 TriangleGeometry::box(const Piece& piece) const {
+  const Box3 whole = whole_box(piece);
+  if (piece.slabs == 1) return whole;
+  const int axis = longest_axis(whole);
+  const double width = (whole.max[axis] - whole.min[axis]) / piece.slabs;
+  const double low = whole.min[axis] + piece.slab * width, high = low + width;
+  Box3 box;
+  for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t) {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      extend_by_clipped(box, positions_[p], positions_[q], axis, low, high);
+  }
+  return box;
 }
 
-Box3 TriangleGeometry::box(std::uint32_t k) const { return box_of(groups_[k], groups_[k + 1]); }
+std::uint32_t TriangleGeometry::box_count() const {
+  return static_cast<std::uint32_t>(pieces_.size());
+}
+
+Box3 TriangleGeometry::box(std::uint32_t k) const { return box(pieces_[k]); }
 
 void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
   std::array<EdgeFunctions, RayPacket::width> edges;
-  for (std::uint32_t t = groups_[k]; t < groups_[k + 1]; ++t) {
+  const Piece& piece = pieces_[k];
+  for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t) {
     const auto& [ia, ib, ic] = mesh_.triangles[t];
     const Vec3 &a = positions_[ia], &b = positions_[ib], &c = positions_[ic];
     for (std::uint32_t crossed = packet.test.crosses(a, b, c, lanes, edges); crossed != 0;
@@ -115,7 +179,7 @@ double TriangleGeometry::importance(const Crossing& crossing) const {
 }
 
 std::uint64_t TriangleGeometry::bytes() const {
-  return positions_.size() * sizeof(Vec3) + groups_.size() * sizeof(std::uint32_t);
+  return positions_.size() * sizeof(Vec3) + pieces_.size() * sizeof(Piece);
 }
 
 }  // namespace pellucid

@@ -25,6 +25,7 @@ class TriangleGeometry final : public CrossingGeometry {
   void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const override;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing& crossing) const override;
+  bool repeats() const override { return any_slabs_; }
   double largest_coordinate() const override { return largest_; }
   std::uint64_t bytes() const override;
 
@@ -33,7 +34,17 @@ class TriangleGeometry final : public CrossingGeometry {
   const auto& triangles() const { return mesh_.triangles; }
 
  private:
-  Box3 box_of(std::uint32_t first, std::uint32_t last) const;
+  /// What a box holds: one or two triangles, or, where they are long and their box is mostly empty,
+  /// the part of them in one of `slabs` equal slabs across the longest side of their box.
+  struct Piece {
+    std::uint32_t first;  // triangle
+    std::uint8_t count, slab, slabs;
+  };
+
+  Box3 whole_box(const Piece& piece) const;
+  Box3 box(const Piece& piece) const;
+  double total_area(Piece piece) const;
+  void add_pieces(std::uint32_t first, std::uint8_t count);
   void group_triangles();
 
   const TriangleMesh& mesh_;
@@ -41,8 +52,8 @@ class TriangleGeometry final : public CrossingGeometry {
   bool lit_;
   double largest_ = 0;
   std::vector<Vec3> positions_;
-  /// Box k holds the triangles groups_[k] … groups_[k + 1] - 1.
-  std::vector<std::uint32_t> groups_;
+  std::vector<Piece> pieces_;
+  bool any_slabs_ = false;
 };
 
 }  // namespace pellucid
