@@ -50,9 +50,10 @@ void refuse_absurd_extent(vtkAlgorithm* reader, const std::filesystem::path& pat
 
 void prepare(vtkAlgorithm*) {}
 
-/// A legacy reader hides all but the first vectors unless asked.
+/// A legacy reader hides all but the first vectors and scalars unless asked.
 void prepare(vtkDataSetReader* reader) {
   reader->ReadAllVectorsOn();
+  reader->ReadAllScalarsOn();
   reader->ReadAllFieldsOn();
 }
 

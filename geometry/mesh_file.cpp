@@ -21,13 +21,42 @@ std::string ending(const fs::path& path) {
   return text;
 }
 
+/// One row per kind of file; what it cannot hold has no reader.
+struct Format {
+  std::string_view ending;
+  TriangleMesh (*mesh)(const fs::path&) = nullptr;
+  LineSet (*lines)(const fs::path&) = nullptr;
+  PointSet (*points)(const fs::path&) = nullptr;
+};
+
+constexpr Format formats[] = {
+    {".ply", read_ply, read_ply_lines, read_ply_points},
+    {".obj", read_obj, read_obj_lines},
+    {".vtp", read_vtk_mesh, read_vtk_lines, read_vtk_points},
+    {".vtu", read_vtk_mesh, read_vtk_lines, read_vtk_points},
+    {".vtk", read_vtk_mesh, read_vtk_lines, read_vtk_points},
+    {".binlines", nullptr, read_binlines},
+    {".csv", nullptr, nullptr, read_csv_points},
+};
+
+constexpr std::string_view written_endings = ".ply, .obj, .vtp";
+
 [[noreturn]] void unknown_ending(const fs::path& path, std::string_view kind,
                                  std::string_view accepted) {
   throw InputError(fmt::format("{}: unknown kind of {} file '{}'; accepted: {}", path.string(),
                                kind, path.extension().string(), accepted));
 }
 
-constexpr std::string_view mesh_endings = ".ply, .obj, .vtp";
+/// What the reader of the file's row returns. Throws InputError that names the endings with one.
+auto read_with(auto Format::*reader, const fs::path& path, std::string_view kind) {
+  std::string accepted;
+  for (const Format& format : formats) {
+    if (!(format.*reader)) continue;
+    if (format.ending == ending(path)) return (format.*reader)(path);
+    accepted += (accepted.empty() ? "" : ", ") + std::string(format.ending);
+  }
+  unknown_ending(path, kind, accepted);
+}
 
 bool has_all(const VertexAttributes& attributes, std::initializer_list<const char*> names) {
   return std::all_of(names.begin(), names.end(),
@@ -97,32 +126,20 @@ void check_mesh(const std::string& file, const TriangleMesh& mesh) {
 }
 
 TriangleMesh read_mesh(const fs::path& path) {
-  const std::string kind = ending(path);
-  TriangleMesh mesh = kind == ".ply"   ? read_ply(path)
-                      : kind == ".obj" ? read_obj(path)
-                      : kind == ".vtp"
-                          ? read_vtp(path)
-                          : (unknown_ending(path, "mesh", mesh_endings), TriangleMesh{});
+  TriangleMesh mesh = read_with(&Format::mesh, path, "mesh");
   check_mesh(path.string(), mesh);
   return mesh;
 }
 
 LineSet read_lines(const fs::path& path) {
-  const std::string kind = ending(path);
-  LineSet lines = kind == ".ply"   ? read_ply_lines(path)
-                  : kind == ".obj" ? read_obj_lines(path)
-                  : kind == ".vtp" ? read_vtp_lines(path)
-                                   : (unknown_ending(path, "line", mesh_endings), LineSet{});
+  LineSet lines = read_with(&Format::lines, path, "line");
   check_vertices(path.string(), lines);
   if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
   return lines;
 }
 
 PointSet read_points(const fs::path& path) {
-  const std::string kind = ending(path);
-  PointSet points = kind == ".ply"   ? read_ply_points(path)
-                    : kind == ".vtp" ? read_vtp_points(path)
-                                     : (unknown_ending(path, "point", ".ply, .vtp"), PointSet{});
+  PointSet points = read_with(&Format::points, path, "point");
   check_vertices(path.string(), points);
   if (points.positions.empty()) throw InputError(path.string() + ": the file holds no points");
   return points;
@@ -133,7 +150,7 @@ void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
   if (kind == ".ply") return write_text(path, encode_ply(mesh));
   if (kind == ".obj") return write_text(path, encode_obj(mesh));
   if (kind == ".vtp") return write_vtp(path, mesh);
-  unknown_ending(path, "mesh", mesh_endings);
+  unknown_ending(path, "mesh", written_endings);
 }
 
 void write_lines(const fs::path& path, const LineSet& lines) {
@@ -141,7 +158,7 @@ void write_lines(const fs::path& path, const LineSet& lines) {
   if (kind == ".ply") return write_text(path, encode_ply(lines));
   if (kind == ".obj") return write_text(path, encode_obj(lines));
   if (kind == ".vtp") return write_vtp(path, lines);
-  unknown_ending(path, "line", mesh_endings);
+  unknown_ending(path, "line", written_endings);
 }
 
 }  // namespace pellucid

@@ -8,7 +8,8 @@
 
 namespace pellucid {
 
-/// Reads triangles from .ply, .obj or .vtp by the file's ending. Polygons become triangle fans.
+/// Reads triangles from .ply, .obj, .vtp, .vtu or legacy .vtk by the file's ending. Polygons become
+/// triangle fans; of cells with a volume the faces on their boundary are taken.
 /// Vertex attributes `red green blue alpha` (float as they are, 8-bit as n/255) fill `colors`,
 /// `importance` fills `importance`, `nx ny nz` the normals; every other numeric vertex attribute
 /// becomes a scalar of its name. Throws InputError for a file that is missing, truncated, without
@@ -17,11 +18,12 @@ namespace pellucid {
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 /// Reads polylines from .ply (consecutive vertices of equal `line` are joined; without that
-/// attribute all of them), .obj (`l`) or .vtp. Attributes and refusals as for read_mesh(); lines of
-/// fewer than two points are kept.
+/// attribute all of them), .obj (`l`), .vtp, .vtu, .vtk or .binlines. Attributes and refusals as
+/// for read_mesh(); lines of fewer than two points are kept.
 LineSet read_lines(const std::filesystem::path& path);
 
-/// Reads the points of a .ply or .vtp file; what joins them there is left out.
+/// Reads the points of a .ply, .vtp, .vtu or .vtk file, where what joins them is left out, or of a
+/// .csv file whose first line names the columns.
 PointSet read_points(const std::filesystem::path& path);
 
 /// Writes .ply (binary, double positions, float attributes), .obj (positions, normals, triangles)

@@ -13,14 +13,16 @@ namespace pellucid {
 
 TriangleMesh read_ply(const std::filesystem::path& path);
 TriangleMesh read_obj(const std::filesystem::path& path);
-TriangleMesh read_vtp(const std::filesystem::path& path);
+TriangleMesh read_vtk_mesh(const std::filesystem::path& path);  // .vtp, .vtu, .vtk
 
 LineSet read_ply_lines(const std::filesystem::path& path);
 LineSet read_obj_lines(const std::filesystem::path& path);
-LineSet read_vtp_lines(const std::filesystem::path& path);
+LineSet read_vtk_lines(const std::filesystem::path& path);
+LineSet read_binlines(const std::filesystem::path& path);
 
 PointSet read_ply_points(const std::filesystem::path& path);
-PointSet read_vtp_points(const std::filesystem::path& path);
+PointSet read_vtk_points(const std::filesystem::path& path);
+PointSet read_csv_points(const std::filesystem::path& path);
 
 std::string encode_ply(const TriangleMesh& mesh);
 std::string encode_obj(const TriangleMesh& mesh);

@@ -171,7 +171,7 @@ TEST_F(UnitPly, NoTrianglesIsAnError) {
 }
 
 TEST(UnitMeshEnding, UnknownOnesAreRefusedWithTheKnown) {
-  EXPECT_THAT(refusal("mesh.stl"), HasSubstr("accepted: .ply, .obj, .vtp"));
+  EXPECT_THAT(refusal("mesh.stl"), HasSubstr("accepted: .ply, .obj, .vtp, .vtu, .vtk"));
   EXPECT_THAT(refusal("missing.ply"), HasSubstr("missing.ply: cannot read"));
   EXPECT_THAT(refusal("missing.vtp"), HasSubstr("missing.vtp: cannot read"));
 }

@@ -1,9 +1,12 @@
+// VTK's files: polygons and polylines of .vtp and legacy .vtk, the cells of an unstructured grid.
+
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkGeometryFilter.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -16,14 +19,14 @@
 
 #include "core/error.h"
 #include "core/output_file.h"
+#include "fields/vtk_file.h"
 #include "fields/vtk_messages.h"
 #include "geometry/mesh_formats.h"
 
 namespace pellucid {
 namespace {
 
-vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& path) {
-  read_text(path);  // a missing or unreadable file: the message of every other format
+vtkSmartPointer<vtkDataSet> load_vtp(const std::filesystem::path& path) {
   const VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
@@ -32,6 +35,22 @@ vtkSmartPointer<vtkPolyData> load(const std::filesystem::path& path) {
     throw InputError(
         fmt::format("{}: not a valid VTP file: {}", path.string(), messages.first_line()));
   return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkDataSet> load(const std::filesystem::path& path) {
+  read_text(path);  // a missing or unreadable file: the message of every other format
+  return path.extension() == ".vtp" ? load_vtp(path) : read_vtk_data_set(path);
+}
+
+/// Polygons and lines as they are; of other data the lines, and the faces that bound its cells.
+vtkSmartPointer<vtkPolyData> load_cells(const std::filesystem::path& path) {
+  const auto data = load(path);
+  if (const auto polygons = vtkPolyData::SafeDownCast(data)) return polygons;
+  const VtkMessages messages;
+  vtkNew<vtkGeometryFilter> filter;
+  filter->SetInputData(data);
+  filter->Update();
+  return filter->GetOutput();
 }
 
 using PointIds = std::vector<vtkIdType>;
@@ -63,7 +82,7 @@ void take_array(vtkDataArray& array, const PointIds& points, VertexAttributes& a
 }
 
 /// The points' attributes, in the order of `points`.
-VertexAttributes attributes_of(vtkPolyData& data, const PointIds& points) {
+VertexAttributes attributes_of(vtkDataSet& data, const PointIds& points) {
   VertexAttributes attributes;
   vtkPointData& arrays = *data.GetPointData();
   for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
@@ -75,7 +94,7 @@ VertexAttributes attributes_of(vtkPolyData& data, const PointIds& points) {
   return attributes;
 }
 
-PointIds every_point(vtkPolyData& data) {
+PointIds every_point(vtkDataSet& data) {
   PointIds points(static_cast<std::size_t>(data.GetNumberOfPoints()));
   std::iota(points.begin(), points.end(), vtkIdType(0));
   return points;
@@ -95,7 +114,7 @@ PointIds joined_points(vtkCellArray* cells, std::vector<std::uint64_t>& offsets)
   return points;
 }
 
-void take_positions(vtkPolyData& data, Vertices& vertices) {
+void take_positions(vtkDataSet& data, Vertices& vertices) {
   vertices.positions.resize(static_cast<std::size_t>(data.GetNumberOfPoints()));
   for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
     data.GetPoint(i, &vertices.positions[static_cast<std::size_t>(i)].x);
@@ -171,8 +190,8 @@ void save(const std::filesystem::path& path, vtkPolyData& data) {
 
 }  // namespace
 
-TriangleMesh read_vtp(const std::filesystem::path& path) {
-  const auto data = load(path);
+TriangleMesh read_vtk_mesh(const std::filesystem::path& path) {
+  const auto data = load_cells(path);
   TriangleMesh mesh;
   take_positions(*data, mesh);
   add_fans(data->GetPolys(), mesh);
@@ -181,8 +200,8 @@ TriangleMesh read_vtp(const std::filesystem::path& path) {
   return mesh;
 }
 
-LineSet read_vtp_lines(const std::filesystem::path& path) {
-  const auto data = load(path);
+LineSet read_vtk_lines(const std::filesystem::path& path) {
+  const auto data = load_cells(path);
   LineSet lines;
   const PointIds points = joined_points(data->GetLines(), lines.offsets);
   lines.positions.resize(points.size());
@@ -191,7 +210,7 @@ LineSet read_vtp_lines(const std::filesystem::path& path) {
   return lines;
 }
 
-PointSet read_vtp_points(const std::filesystem::path& path) {
+PointSet read_vtk_points(const std::filesystem::path& path) {
   const auto data = load(path);
   PointSet points;
   take_positions(*data, points);
