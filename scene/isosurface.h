@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "geometry/vertices.h"
 
 namespace pellucid {
 
 class LevelField;
+class SolidMesh;
 struct ColormapRow;
 
 /// Where a scalar on levels of samples takes a value.
@@ -15,6 +17,11 @@ struct Isosurface {
   struct Ball {
     Vec3 center{0};
     double radius = 0;  // world
+  };
+  /// A solid, and all within this distance of it.
+  struct Body {
+    std::shared_ptr<const SolidMesh> solid;
+    double distance = 0;  // world
   };
 
   /// Colour by a scalar where the surface is, reconstructed as the surface's own.
@@ -29,13 +36,11 @@ struct Isosurface {
 
   std::shared_ptr<const LevelField> field;
   double value = 0;
-  std::optional<Coloring> coloring;  // none: the colour of `corners`
-  std::optional<Ball> hole;          // nothing of the surface is drawn within
+  std::optional<Coloring> coloring;               // none: the colour of `corners`
+  std::variant<std::monostate, Ball, Body> hole;  // nothing of the surface is drawn within
   Vertices corners;  // the eight of its field's bounds: the surface's colour and opacity
 
-  bool cuts_away(const Vec3& x) const {
-    return hole && glm::length(x - hole->center) < hole->radius;
-  }
+  bool cuts_away(const Vec3& x) const;
 };
 
 /// Of the field's bounds.

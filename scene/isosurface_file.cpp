@@ -13,6 +13,8 @@
 #include "fields/sphere_levels.h"
 #include "fields/surface_extraction.h"
 #include "fields/vdb_levels.h"
+#include "geometry/mesh_file.h"
+#include "geometry/solid_mesh.h"
 #include "scene/colormap.h"
 
 namespace pellucid {
@@ -88,9 +90,18 @@ std::string describe(const LevelField& field, const std::string& scalar) {
                      field.reconstruction().name);
 }
 
-Isosurface::Ball read_hole(const JsonNode& node) {
-  node.accept_keys({"center", "radius"});
-  return {node["center"].vec3(), node["radius"].number(0, any)};
+decltype(Isosurface::hole) read_hole(const JsonNode& node, const std::filesystem::path& folder) {
+  if (!node.has("mesh")) {
+    node.accept_keys({"center", "radius", "mesh", "distance"});
+    return Isosurface::Ball{node["center"].vec3(), node["radius"].number(0, any)};
+  }
+  node.accept_keys({"mesh", "distance"});
+  const JsonNode mesh = node["mesh"];
+  return Isosurface::Body{
+      at_place(
+          mesh,
+          [&] { return std::make_shared<const SolidMesh>(read_mesh(folder / mesh.string())); }),
+      node.has("distance") ? node["distance"].number(0, any) : 0};
 }
 
 class IsosurfaceReader {
@@ -107,7 +118,7 @@ class IsosurfaceReader {
     surface.field = field_on(std::move(levels.front()));
     surface.corners = corners_of(surface.field->bounds());
     if (color_) surface.coloring = coloring(std::move(levels.back()), *surface.field);
-    if (node_.has("hole")) surface.hole = read_hole(node_["hole"]);
+    if (node_.has("hole")) surface.hole = read_hole(node_["hole"], folder_);
     return surface;
   }
 
@@ -154,12 +165,6 @@ class IsosurfaceReader {
 };
 
 }  // namespace
-
-double Isosurface::Coloring::fraction(const Vec3& x) const {
-  return fraction_of(field->value(x).value_or(range.x), range);
-}
-
-Vec3 Isosurface::Coloring::color(double fraction) const { return (*map)(fraction); }
 
 std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
                                                        const std::filesystem::path& folder,

@@ -297,6 +297,27 @@ TEST_F(UnitSceneFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
   EXPECT_THAT(refusal(text(R"("speed", "map": "rainbow")")), HasSubstr("unknown colour map"));
 }
 
+TEST_F(UnitSceneFile, AnIsosurfaceMayBeCutAlongABody) {
+  write_mesh(folder_ / "body.ply", sphere(4, Rgba(1)));  // facets within 0.005 of the unit sphere
+  const auto text = [](const std::string& hole) {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude", "hole": )" +
+           hole + "}}";
+  };
+  const Scene scene = with(text(R"({"mesh": "body.ply", "distance": 0.25})"));
+  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  EXPECT_TRUE(surface.cuts_away(Vec3(0.3, 0.2, 0.1)));
+  for (const Vec3 direction : {Vec3(1, 0, 0), Vec3(0.6, 0, -0.8), Vec3(0, -0.8, 0.6)}) {
+    EXPECT_TRUE(surface.cuts_away(1.24 * direction));
+    EXPECT_FALSE(surface.cuts_away(1.26 * direction));
+  }
+  write_mesh(folder_ / "open.ply", rectangle(0, 1, 0, 1, 0, Rgba(1)));
+  EXPECT_THAT(refusal(text(R"({"mesh": "open.ply"})")),
+              AllOf(HasSubstr("hole.mesh"), HasSubstr("closed mesh")));
+  EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "radius": 1})")), HasSubstr("radius"));
+  EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "distance": -1})")), HasSubstr("distance"));
+}
+
 TEST(UnitAppearance, NormalsAreAreaWeighted) {
   TriangleMesh mesh = sphere(3, Rgba(1));
   mesh.normals.clear();

@@ -1,0 +1,23 @@
+#include "scene/isosurface.h"
+
+#include "fields/level_field.h"
+#include "geometry/solid_mesh.h"
+#include "scene/appearance.h"
+#include "scene/colormap.h"
+
+namespace pellucid {
+
+double Isosurface::Coloring::fraction(const Vec3& x) const {
+  return fraction_of(field->value(x).value_or(range.x), range);
+}
+
+Vec3 Isosurface::Coloring::color(double fraction) const { return (*map)(fraction); }
+
+bool Isosurface::cuts_away(const Vec3& x) const {
+  if (const auto* ball = std::get_if<Ball>(&hole))
+    return glm::length(x - ball->center) < ball->radius;
+  const auto* body = std::get_if<Body>(&hole);
+  return body && body->solid->within(x, body->distance);
+}
+
+}  // namespace pellucid
