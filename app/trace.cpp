@@ -74,6 +74,7 @@ nlohmann::ordered_json to_json(const IntegratedSurface& surface, const MeshQuali
           {"evaluations", surface.stats.evaluations},
           {"seconds", surface.stats.seconds},
           {"bytes", surface.stats.bytes},
+          {"trimmed", surface.stats.trimmed},
           {"boundary_edges", quality.boundary_edges},
           {"non_manifold_edges", quality.non_manifold_edges},
           {"misoriented_edges", quality.misoriented_edges},

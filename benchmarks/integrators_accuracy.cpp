@@ -101,6 +101,41 @@ void tolerance_held(benchmark::State& state, const ClosedForm& form, std::string
   }
 }
 
+/// The worst facets of meshes by tolerances that are quarters of each other: their edges halve.
+void facet_tilt(benchmark::State& state, const ClosedForm& form, std::string_view integrator) {
+  for (auto _ : state)
+    for (const double tolerance : {1.6e-2, 4e-3, 1e-3, 2.5e-4, 6.25e-5, 1.5625e-5}) {
+      const auto swept = sweep(
+          form, fmt::format("{}:particles=2,tolerance={},facet-angle=180", integrator, tolerance));
+      state.counters[fmt::format("{:.3g}", tolerance)] =
+          testing::worst_facet(form, swept.surface.mesh);
+    }
+}
+
+/// Facets of the ABC surface, whose front leans along the flow, against the vertices' own normals,
+/// all of them; and against the exact surface, a sample.
+void abc_facets(benchmark::State& state, const std::string& integrator) {
+  const auto field = make_field("abc");
+  const SurfaceRequest request{
+      field.get(), segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1}), 9, 0, false, {}};
+  for (auto _ : state) {
+    const IntegratedSurface surface = integrate_surface(integrator, request);
+    const MeshQuality quality = measure_quality(surface.mesh);
+    state.counters["worst_degrees"] = quality.normal_degrees.max;
+    state.counters["p99_degrees"] = quality.normal_degrees.p99;
+    state.counters["sampled_degrees"] =
+        measure_error(surface.mesh, request, 4000).normal_max_degrees;
+    state.counters["triangles"] = double(surface.mesh.triangles.size());
+    state.counters["particles"] = double(surface.stats.particles);
+    state.counters["vertex_particles"] = surface.stats.ends.contains(EndReason::vertex)
+                                             ? double(surface.stats.ends.at(EndReason::vertex))
+                                             : 0;
+    state.counters["trimmed"] = double(surface.stats.trimmed);
+    state.counters["degenerate"] = double(quality.degenerate_triangles);
+    state.counters["seconds"] = surface.stats.seconds;
+  }
+}
+
 void crossing_saddle(benchmark::State& state) {
   const ClosedForm form{"", "saddle", testing::wave_seed(-1, 1, 0.2, 3), 5, false, testing::wave};
   for (auto _ : state) {
@@ -131,6 +166,16 @@ int main(int argc, char** argv) {
         if (row.promises.bounds_error)
           add(fmt::format("tolerance/{}/{}/{}", form.name, row.name, tolerance), tolerance_held,
               form, row.name, tolerance);
+  for (const ClosedForm& form : closed_forms())
+    for (const IntegratorRow& row : integrators())
+      if (row.promises.bounds_error)
+        add(fmt::format("facet tilt/{}/{}", form.name, row.name), facet_tilt, form, row.name);
+  for (const char* integrator :
+       {"hultquist:threshold=0.05", "hultquist:tolerance=0.002", "adaptive-front:tolerance=0.002",
+        "adaptive-front:particles=500,threshold=0.5"})
+    for (const char* rest : {",facet-angle=180", "", ",rip=1e-8,facet-angle=180", ",rip=1e-8"})
+      add(fmt::format("abc facets, T=9/{}{}", integrator, rest), abc_facets,
+          std::string(integrator) + rest);
   add("half saddle in 50000 triangles", tolerance_held, closed_forms()[1], "hultquist", 5e-5);
   add("crossing saddle, T=5", crossing_saddle);
   benchmark::Initialize(&argc, argv);

@@ -11,6 +11,7 @@
 
 #include "fields/cell_grid.h"
 #include "fields/finite.h"
+#include "fields/lazy.h"
 
 namespace pellucid {
 namespace {
@@ -88,13 +89,16 @@ class CellField final : public VectorField {
   Box3 domain() const override { return grid_.bounds; }
   bool steady() const override { return true; }
   std::optional<double> cell_size() const override { return grid_.smallest_width(); }
-  std::optional<double> sampling_error() const override { return grid_.sampling_error(); }
+  std::optional<double> sampling_error() const override {
+    return sampling_error_.get([this] { return grid_.sampling_error(); });
+  }
   std::string description() const override { return description_; }
 
  private:
   CellGrid grid_;
   vtkNew<vtkStaticCellLocator> locator_;
   std::string description_;
+  Lazy<double> sampling_error_;
 };
 
 }  // namespace

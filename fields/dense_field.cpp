@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "core/error.h"
 #include "fields/finite.h"
+#include "fields/lazy.h"
 #include "fields/sampling_error.h"
 
 namespace pellucid {
@@ -143,13 +145,24 @@ class DenseField final : public VectorField {
     return std::min({widths.x, widths.y, widths.z});
   }
   std::optional<double> sampling_error() const override {
-    return estimate_sampling_error(data_.grid, Interpolant::support);
+    return sampling_error_.get(
+        [this] { return estimate_sampling_error(data_.grid, Interpolant::support); });
+  }
+  /// A grid that is turned fills less than its box.
+  bool fills_domain() const override {
+    return !data_.grid.frame && fills_.get([this] {
+      const auto& samples = data_.grid.samples;
+      return std::all_of(samples.begin(), samples.end(),
+                         [](const Sample& sample) { return is_finite(Vec3(sample)); });
+    });
   }
   std::string description() const override { return description_; }
 
  private:
   DenseData<Sample, Interpolant> data_;
   std::string description_;
+  Lazy<double> sampling_error_;
+  Lazy<bool> fills_;
 };
 
 }  // namespace

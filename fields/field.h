@@ -41,8 +41,12 @@ class VectorField {
   virtual bool steady() const = 0;
   /// Smallest cell width in world units for sampled fields: the default step is half of it.
   virtual std::optional<double> cell_size() const { return std::nullopt; }
-  /// Largest estimated interpolation error of the velocity, in world units per unit of time.
+  /// Largest estimated interpolation error of the velocity, in world units per unit of time. The
+  /// first call looks at all samples.
   virtual std::optional<double> sampling_error() const { return std::nullopt; }
+  /// Sampled fields: is there a velocity everywhere in domain()? Only then may a step be longer
+  /// than a cell; it could jump over a hole.
+  virtual bool fills_domain() const { return false; }
   /// One line for reports: name, parameters or file, size.
   virtual std::string description() const = 0;
 };

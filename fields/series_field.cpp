@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/output_file.h"
 #include "fields/file_field.h"
+#include "fields/lazy.h"
 
 namespace pellucid {
 namespace {
@@ -105,14 +106,22 @@ class SeriesField final : public VectorField {
     return smallest;
   }
   std::optional<double> sampling_error() const override {
-    double in_space = 0;
-    for (const Frame& frame : frames_)
-      in_space = std::max(in_space, frame.field->sampling_error().value_or(0));
-    return in_space + error_in_time();
+    return sampling_error_.get([this] { return error_in_space() + error_in_time(); });
+  }
+  bool fills_domain() const override {
+    return std::all_of(frames_.begin(), frames_.end(),
+                       [](const Frame& frame) { return frame.field->fills_domain(); });
   }
   std::string description() const override { return description_; }
 
  private:
+  double error_in_space() const {
+    double largest = 0;
+    for (const Frame& frame : frames_)
+      largest = std::max(largest, frame.field->sampling_error().value_or(0));
+    return largest;
+  }
+
   /// h²/8 |∂²v/∂t²| from three frames at a time, the largest over places spread evenly.
   double error_in_time() const {
     double largest = 0;
@@ -146,6 +155,7 @@ class SeriesField final : public VectorField {
 
   Frames frames_;
   std::string description_;
+  Lazy<double> sampling_error_;
 };
 
 [[noreturn]] void fail(const Path& path, std::string_view why) {

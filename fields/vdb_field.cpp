@@ -9,6 +9,7 @@
 #include "fields/dense_field.h"
 #include "fields/file_field.h"
 #include "fields/finite.h"
+#include "fields/lazy.h"
 #include "fields/vdb_open.h"
 #include "fields/vdb_sampler.h"
 
@@ -38,8 +39,14 @@ class VdbField final : public VectorField {
   bool steady() const override { return true; }
   std::optional<double> cell_size() const override { return frame_.smallest_unit(); }
 
-  /// As for a dense grid: second differences along the axes over 8, where three voxels are active.
   std::optional<double> sampling_error() const override {
+    return sampling_error_.get([this] { return estimate_sampling_error(); });
+  }
+  std::string description() const override { return description_; }
+
+ private:
+  /// As for a dense grid: second differences along the axes over 8, where three voxels are active.
+  double estimate_sampling_error() const {
     double largest = 0;
     const auto accessor = grid_->getConstAccessor();
     for (auto voxel = grid_->cbeginValueOn(); voxel; ++voxel) {
@@ -57,12 +64,11 @@ class VdbField final : public VectorField {
     }
     return largest;
   }
-  std::string description() const override { return description_; }
 
- private:
   typename Grid::ConstPtr grid_;
   GridFrame frame_;
   std::string description_;
+  Lazy<double> sampling_error_;
 };
 
 GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {

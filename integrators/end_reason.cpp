@@ -18,6 +18,8 @@ std::string_view name_of(EndReason reason) {
       return "steps";
     case EndReason::merged:
       return "merged";
+    case EndReason::vertex:
+      return "vertex";
     case EndReason::torn:
       return "torn";
     case EndReason::particles:

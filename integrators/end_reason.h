@@ -15,6 +15,7 @@ enum class EndReason {
   length,       // it ran its whole length
   steps,        // it used up its steps
   merged,       // its neighbours came together and went on without it
+  vertex,       // it was sent for a single vertex, to mend a facet
   torn,         // the ribbons on both its sides were torn
   particles,    // a neighbour was needed and there were too many particles
   triangles     // the surface has as many triangles as are allowed

@@ -181,11 +181,13 @@ constexpr ParameterSpec own_parameters[] = {
         "a ribbon wider than this gets a particle; default 0.05, unless a tolerance is given"),
     tolerance_parameter,
     step_parameter,
+    facet_angle_parameter,
 };
 
 IntegratedSurface run_hultquist(const SurfaceRequest& request, const Parameters& parameters) {
-  const SurfaceOptions options = surface_options(request, parameters);
+  SurfaceOptions options = surface_options(request, parameters);
   const Refinement refinement = refinement_of(parameters, 0.05, 1);
+  bound_facets(options, parameters, refinement);
   return run_surface(request, options, parameters.integer("particles"),
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
                        RibbonFront(run, refinement).sweep(seeds, ring);

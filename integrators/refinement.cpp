@@ -15,14 +15,6 @@ namespace {
 // them the surface would turn unseen: rolled up thinner than the threshold, it would be cut across.
 constexpr double coarse_cosine = 0.866;  // 30°
 constexpr double fine_cosine = 0.978;    // 12°
-// Edges shorter than this part of the threshold, or than the tolerance, are not refined for their
-// normals' sake: around a point where the surface has no normal it would not end.
-constexpr double shortest_part = 1. / 32;
-
-double shortest_edge(const Refinement& refinement) {
-  return refinement.by_tolerance() ? refinement.tolerance : shortest_part * refinement.threshold;
-}
-
 double cosine(const FrontPoint& a, const FrontPoint& b) {
   if (a.normal == Vec3(0) || b.normal == Vec3(0)) return 1;
   return glm::dot(a.normal, b.normal);
@@ -62,23 +54,6 @@ double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
   return 0.25 * shortest_time(a, b) * twist_rate(a, b);
 }
 
-double first_guess(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
-                   const FrontPoint* left, const FrontPoint* right) {
-  if (!refinement.by_tolerance() || refinement.step > 0) return time_to_move(head, refinement.step);
-  const double sagitta = refinement.largest_step_sagitta();
-  // A ribbon that has become as thin as the tolerance has no shape to keep.
-  const double thin = 8 * refinement.tolerance;
-  double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
-  for (const FrontPoint* neighbour : {left, right}) {
-    if (!neighbour) continue;
-    const double width = separation(head, *neighbour).width;
-    const double twist = 4 * refinement.largest_sagitta() / twist_rate(head, *neighbour);
-    dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
-                   time_to_move(head, longest_aspect * std::max(width, thin))});
-  }
-  return std::min(dt, std::numeric_limits<double>::max());
-}
-
 // A trajectory that bends between two vertices by a large part of its ribbon's width tilts the
 // ribbon's triangles by that part, as in Schwarz's lantern.
 constexpr double largest_tilt = 0.15;
@@ -102,11 +77,42 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
 
 }  // namespace
 
+double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right) {
+  if (!refinement.by_tolerance() || refinement.step > 0) return time_to_move(head, refinement.step);
+  const double sagitta = refinement.largest_step_sagitta();
+  // A ribbon that has become as thin as the tolerance has no shape to keep.
+  const double thin = 8 * refinement.tolerance;
+  double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
+  for (const FrontPoint* neighbour : {left, right}) {
+    if (!neighbour) continue;
+    const double width = separation(head, *neighbour).width;
+    const double twist = 4 * refinement.largest_sagitta() / twist_rate(head, *neighbour);
+    dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
+                   time_to_move(head, longest_aspect * std::max(width, thin))});
+  }
+  return std::min(dt, std::numeric_limits<double>::max());
+}
+
+double allowed_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, const FrontPoint& next) {
+  const double moved = next.t - head.t;
+  if (!(moved > 0)) return std::numeric_limits<double>::infinity();
+  const double part = shortening(refinement, path, head, left, right, next);
+  return part >= 1 ? std::numeric_limits<double>::infinity() : std::max(part, 0.1) * moved;
+}
+
 double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double length2 = glm::dot(ab, ab);
   const double u = length2 > 0 ? std::clamp(glm::dot(x - a, ab) / length2, 0.0, 1.0) : 0;
   return glm::distance(x, a + u * ab);
+}
+
+double shortest_edge(const Refinement& refinement) {
+  constexpr double part_of_threshold = 1. / 32;
+  return refinement.by_tolerance() ? refinement.tolerance
+                                   : part_of_threshold * refinement.threshold;
 }
 
 Refinement refinement_of(const Parameters& parameters, double default_threshold,
@@ -190,23 +196,18 @@ struct AllowedStep {
 
 AllowedStep step_of(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
-  AllowedStep step{first_guess(refinement, path, head, left, right), {}};
+  constexpr int most_attempts = 12;
+  AllowedStep step{planned_step(refinement, path, head, left, right), {}};
   for (int attempt = 0;; ++attempt) {
     path.reach(head.t + step.dt, sampler);
     step.next = front_point(path, std::min(head.t + step.dt, path.time()));
-    if (!(step.next.t > head.t) || attempt == 12) return step;
-    const double shorter = shortening(refinement, path, head, left, right, step.next);
-    if (shorter >= 1) return step;
-    step.dt = std::max(shorter, 0.1) * (step.next.t - head.t);
+    const double allowed = allowed_step(refinement, path, head, left, right, step.next);
+    if (std::isinf(allowed) || attempt == most_attempts) return step;
+    step.dt = allowed;
   }
 }
 
 }  // namespace
-
-double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
-                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
-  return step_of(refinement, path, head, left, right, sampler).dt;
-}
 
 std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
                                       const FrontPoint& head, const FrontPoint* left,

@@ -29,6 +29,10 @@ struct Refinement {
 Refinement refinement_of(const Parameters& parameters, double default_threshold,
                          double steps_per_threshold);
 
+/// World units: edges as short are not refined for their normals' sake. Around a point where the
+/// surface has no normal that would not end.
+double shortest_edge(const Refinement& refinement);
+
 /// Does the front need a particle between a and b? `middle` is the surface between them; it is only
 /// asked for by tolerance.
 bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
@@ -46,10 +50,14 @@ bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& 
 /// its smallest angle.
 double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c);
 
-/// How long a particle may go before its next vertex. Neighbours, where there are any, keep the
-/// triangles in shape.
-double allowed_step(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
-                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler);
+/// How long a particle may go before its next vertex, by what is known at the head. Neighbours,
+/// where there are any, keep the triangles in shape.
+double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right);
+
+/// The same, once the path is known up to `next`: infinite when it may go there and beyond.
+double allowed_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, const FrontPoint& next);
 
 /// The vertex after the one at `head`; nothing when the particle ends there. What is left at the
 /// end of a trajectory is shared out, so that no sliver remains.

@@ -24,6 +24,11 @@ inline constexpr ParameterSpec stepping_parameters[] = {
      .min = 0,
      .unit = "time",
      .help = "largest time step; euler and rk4 take it, default a 500th of the duration"},
+    {.name = "cells",
+     .kind = ParameterSpec::Kind::real,
+     .min = 0,
+     .unit = "cells",
+     .help = "largest step in sampled data; default 0.5, or more where no kink is felt"},
     {.name = "length",
      .kind = ParameterSpec::Kind::real,
      .min = 0,
@@ -89,6 +94,15 @@ inline constexpr ParameterSpec step_parameter = {
     .min = 0,
     .unit = "world units",
     .help = "between a particle's vertices; default: by threshold or tolerance"};
+
+inline constexpr ParameterSpec facet_angle_parameter = {
+    .name = "facet-angle",
+    .kind = ParameterSpec::Kind::real,
+    .default_value = "25",
+    .min = 1,
+    .max = 180,
+    .unit = "degrees",
+    .help = "facets farther from the normals at their corners are mended; 180: none"};
 
 template <std::size_t n, std::size_t m>
 constexpr auto joined(const std::array<ParameterSpec, n>& a, const ParameterSpec (&b)[m]) {

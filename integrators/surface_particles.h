@@ -11,8 +11,10 @@ namespace pellucid {
 /// What every surface integrator takes beside its own parameters.
 struct SurfaceOptions {
   TrajectoryOptions trajectory;
-  double extent = 1;  // of the seed curve: the unit of what is relative
-  double rip = 1e-6;  // neighbours whose seeds are closer, in s, are torn, not refined
+  double extent = 1;         // of the seed curve: the unit of what is relative
+  double rip = 1e-6;         // neighbours whose seeds are closer, in s, are torn, not refined
+  double facet_angle = 180;  // degrees: facets farther from their corners' normals are mended
+  double shortest_edge = 0;  // world units: so far edges are split to that end
   std::uint64_t max_particles = 1'000'000;
   std::uint64_t max_triangles = 50'000'000;
 };

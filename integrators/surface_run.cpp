@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/stopwatch.h"
+#include "integrators/facet_mending.h"
 
 namespace pellucid {
 namespace {
@@ -57,7 +58,7 @@ SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& opti
     : request_(request),
       options_(options),
       source_(request, options),
-      builder_(request.start_time, options.trajectory.companion != Companion::none) {}
+      builder_(request.start_time, options.trajectory.companion != Companion::none, request.seed) {}
 
 std::unique_ptr<Trajectory> SurfaceRun::spawn(double s, double t) {
   auto path = std::make_unique<Trajectory>(source_.start(s));
@@ -111,26 +112,45 @@ void SurfaceRun::drop(std::unique_ptr<Trajectory> path, EndReason reason) {
   if (path) ++stats_.ends[path->end().value_or(reason)];
 }
 
+void SurfaceRun::mend() {
+  const auto point_at = [&](double s, double t) -> std::optional<FrontPoint> {
+    auto path = may_spawn() ? spawn(s, t) : nullptr;
+    if (!path) return std::nullopt;
+    const FrontPoint point = front_point(*path, t);
+    drop(std::move(path), EndReason::vertex);
+    return point;
+  };
+  stats_.trimmed = mend_facets(
+      builder_, {options_.facet_angle, options_.shortest_edge, options_.max_triangles}, point_at);
+}
+
 IntegratedSurface SurfaceRun::finish() {
   stats_.evaluations = source_.evaluations();
   return {builder_.finish(), stats_};
+}
+
+void bound_facets(SurfaceOptions& options, const Parameters& parameters,
+                  const Refinement& refinement) {
+  options.facet_angle = parameters.real("facet-angle");
+  options.shortest_edge = shortest_edge(refinement);
 }
 
 IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOptions& options,
                               int particles, const Sweep& sweep) {
   const Stopwatch watch;
   std::vector<std::pair<double, double>> tears;
-  const auto sweep_all = [&] {
+  const auto sweep_all = [&](bool again) {
     SurfaceRun run(request, options);
     for (const Piece& piece : pieces_between(tears, request.seed.closed, options.rip))
       sweep(run, seeds_of(piece, request.seed, particles), piece.ring);
     tears = run.tears();
+    if (again || tears.empty()) run.mend();
     return run.finish();
   };
-  IntegratedSurface surface = sweep_all();
+  IntegratedSurface surface = sweep_all(false);
   if (!tears.empty()) {
     const std::uint64_t evaluations = surface.stats.evaluations;
-    surface = sweep_all();
+    surface = sweep_all(true);
     surface.stats.evaluations += evaluations;
   }
   surface.stats.seconds = watch.seconds();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "integrators/front_particle.h"
+#include "integrators/refinement.h"
 #include "integrators/surface_builder.h"
 #include "integrators/surface_particles.h"
 
@@ -36,6 +37,8 @@ class SurfaceRun {
 
   const SurfaceOptions& options() const { return options_; }
   const std::vector<std::pair<double, double>>& tears() const { return tears_; }
+  /// Once the fronts are through: no facet stands off the surface farther than the options say.
+  void mend();
   IntegratedSurface finish();
 
  private:
@@ -47,6 +50,10 @@ class SurfaceRun {
   std::optional<EndReason> budget_;
   SurfaceStats stats_;
 };
+
+/// For rows that refine: no facet is farther from its corners' normals than `facet-angle`.
+void bound_facets(SurfaceOptions& options, const Parameters& parameters,
+                  const Refinement& refinement);
 
 /// Sweeps a stretch of the seed curve from these seeds, ascending in s; a ring closes from the last
 /// to the first.

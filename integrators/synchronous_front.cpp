@@ -30,10 +30,15 @@ class SynchronousFront {
     int left, right;
   };
 
-  std::vector<int> moving_particles() const;
-  double next_row(std::span<const int> moving);
-  void advance(std::span<const int> moving, double t);
-  std::vector<Ribbon> ribbons() const;
+  void line_up();
+  void follow(int first);
+  template <class Function>
+  void for_each_moving(const Function& function);
+  void advance();
+  void advance_as_refined();
+  double planned_step();
+  double row_after(double dt) const;
+  double reach(double t);
   bool try_merge(const Ribbon& a, const Ribbon& b);
   void tile(const Ribbon& ribbon);
   void tile(const FrontPoint& left, const FrontPoint& right, std::span<const int> chain);
@@ -47,80 +52,130 @@ class SynchronousFront {
   const Refinement& refinement_;
   int rows_;
   FrontLine front_;
-  double t_ = 0;
+  double t_ = 0, dt_ = std::numeric_limits<double>::infinity();  // of the last row
+  std::vector<int> line_;     // particles with a neighbour, ascending
+  std::vector<int> moving_;   // those of them that go on
+  std::vector<Ribbon> row_;   // between them
+  int known_ = 0;             // particles that line_ has been told of
+  std::vector<int> visited_;  // by particle: in which row follow() was there last
+  int row_count_ = 0;
   std::vector<FrontPoint> before_;  // by particle: its head in the row before
+  std::vector<double> steps_;       // scratch: by moving particle
   std::vector<int> chain_;          // scratch of tile()
 };
 
 void SynchronousFront::sweep(std::span<const double> seeds, bool ring) {
   front_.start(seeds, ring);
-  for (auto moving = moving_particles(); !moving.empty() && !run_.is_full();
-       moving = moving_particles()) {
-    const auto row = ribbons();
-    t_ = next_row(moving);
-    advance(moving, t_);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (i + 1 < row.size() && try_merge(row[i], row[i + 1]))
+  for (line_up(); !moving_.empty() && !run_.is_full(); line_up()) {
+    advance();
+    for (std::size_t i = 0; i < row_.size(); ++i)
+      if (i + 1 < row_.size() && try_merge(row_[i], row_[i + 1]))
         ++i;
       else
-        tile(row[i]);
+        tile(row_[i]);
   }
   run_.retire(front_.particles());
 }
 
-std::vector<int> SynchronousFront::moving_particles() const {
-  std::vector<int> moving;
-  for (int p = 0; p < front_.size(); ++p)
-    if (front_.at(p).is_linked() && moves_on(p)) moving.push_back(p);
-  return moving;
-}
-
-std::vector<SynchronousFront::Ribbon> SynchronousFront::ribbons() const {
-  std::vector<Ribbon> row;
-  std::vector<bool> seen(std::size_t(front_.size()));
-  const auto follow = [&](int first) {
-    for (int p = first; p >= 0 && !seen[std::size_t(p)]; p = front_.at(p).right) {
-      seen[std::size_t(p)] = true;
-      if (front_.at(p).right >= 0) row.push_back({p, front_.at(p).right});
-    }
-  };
-  for (int p = 0; p < front_.size(); ++p)
+/// Who is in the front line now: at no cost for those that have left it.
+void SynchronousFront::line_up() {
+  std::erase_if(line_, [&](int p) { return !front_.at(p).is_linked(); });
+  for (; known_ < front_.size(); ++known_)
+    if (front_.at(known_).is_linked()) line_.push_back(known_);
+  moving_.clear();
+  for (const int p : line_)
+    if (moves_on(p)) moving_.push_back(p);
+  row_.clear();
+  ++row_count_;
+  visited_.resize(std::size_t(front_.size()));
+  for (const int p : line_)
     if (front_.at(p).left < 0) follow(p);
-  for (int p = 0; p < front_.size(); ++p) follow(p);  // rings
-  return row;
+  for (const int p : line_) follow(p);  // rings
 }
 
-double SynchronousFront::next_row(std::span<const int> moving) {
-  const double duration = run_.options().trajectory.duration;
-  if (rows_ > 0)
-    return std::min(duration, duration * (std::round(t_ / duration * rows_) + 1) / rows_);
-  std::vector<double> steps(moving.size());
-  parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
-    FrontParticle& particle = front_.at(moving[i]);
-    const auto head = [&](int q) { return q < 0 ? nullptr : &head_of(q); };
-    steps[i] = allowed_step(refinement_, particle.path, particle.head, head(particle.left),
-                            head(particle.right), run_.sampler());
-  });
-  const double dt = *std::min_element(steps.begin(), steps.end());
-  const double left_over = duration - t_;
-  if (left_over <= dt) return duration;
-  return left_over < 1.5 * dt ? t_ + 0.5 * left_over : t_ + dt;
+void SynchronousFront::follow(int first) {
+  for (int p = first; p >= 0 && visited_[std::size_t(p)] != row_count_; p = front_.at(p).right) {
+    visited_[std::size_t(p)] = row_count_;
+    if (front_.at(p).right >= 0) row_.push_back({p, front_.at(p).right});
+  }
 }
 
-void SynchronousFront::advance(std::span<const int> moving, double t) {
-  parallel_for(std::size_t(0), moving.size(), [&](std::size_t i) {
-    FrontParticle& particle = front_.at(moving[i]);
-    particle.path.release(particle.head.t);
-    particle.path.reach(t, run_.sampler());
-    particle.next = front_point(particle.path, std::min(t, particle.path.time()));
+/// Calls function(i, particle, neighbours' heads, sampler) for all that move, on all threads.
+template <class Function>
+void SynchronousFront::for_each_moving(const Function& function) {
+  constexpr std::size_t grain = 64;  // a particle takes some 100 ns
+  const tbb::blocked_range<std::size_t> all(0, moving_.size(), grain);
+  parallel_ranges(all, [&](const tbb::blocked_range<std::size_t>& part) {
+    FieldSampler& sampler = run_.sampler();
+    const auto head = [&](int p) { return p < 0 ? nullptr : &head_of(p); };
+    for (std::size_t i = part.begin(); i < part.end(); ++i) {
+      FrontParticle& particle = front_.at(moving_[i]);
+      function(i, particle, head(particle.left), head(particle.right), sampler);
+    }
   });
+}
+
+/// The next row: as far as the particle goes that may go least far.
+void SynchronousFront::advance() {
+  if (rows_ > 0) {
+    const double duration = run_.options().trajectory.duration;
+    t_ = std::min(duration, duration * (std::round(t_ / duration * rows_) + 1) / rows_);
+    reach(t_);
+  } else {
+    advance_as_refined();
+  }
   before_.resize(std::size_t(front_.size()));
-  for (int p = 0; p < front_.size(); ++p) before_[std::size_t(p)] = head_of(p);
-  for (const int p : moving) {
+  for (const int p : line_) before_[std::size_t(p)] = head_of(p);
+  for (const int p : moving_) {
     FrontParticle& particle = front_.at(p);
     if (particle.next->t > particle.head.t) particle.head = *particle.next;
     particle.next.reset();
   }
+}
+
+void SynchronousFront::advance_as_refined() {
+  constexpr double growth = 1.5;  // so that few rows are tried in vain
+  constexpr int most_attempts = 12;
+  dt_ = std::min(planned_step(), growth * dt_);
+  for (int attempt = 1;; ++attempt) {
+    const double t = row_after(dt_), allowed = reach(t);
+    if (allowed >= t - t_ || attempt == most_attempts) {
+      t_ = t;
+      return;
+    }
+    dt_ = allowed;
+  }
+}
+
+/// By what is known before anybody moves.
+double SynchronousFront::planned_step() {
+  steps_.resize(moving_.size());
+  for_each_moving([&](std::size_t i, FrontParticle& particle, const FrontPoint* left,
+                      const FrontPoint* right, FieldSampler&) {
+    steps_[i] = pellucid::planned_step(refinement_, particle.path, particle.head, left, right);
+  });
+  return *std::min_element(steps_.begin(), steps_.end());
+}
+
+double SynchronousFront::row_after(double dt) const {
+  const double duration = run_.options().trajectory.duration, left_over = duration - t_;
+  if (left_over <= dt) return duration;
+  return left_over < 1.5 * dt ? t_ + 0.5 * left_over : t_ + dt;
+}
+
+/// Where everybody is at time t. Returns the longest step that all of them allow.
+double SynchronousFront::reach(double t) {
+  steps_.resize(moving_.size());
+  for_each_moving([&](std::size_t i, FrontParticle& particle, const FrontPoint* left,
+                      const FrontPoint* right, FieldSampler& sampler) {
+    particle.path.release(particle.head.t);
+    particle.path.reach(t, sampler);
+    particle.next = front_point(particle.path, std::min(t, particle.path.time()));
+    steps_[i] = rows_ > 0 ? std::numeric_limits<double>::infinity()
+                          : allowed_step(refinement_, particle.path, particle.head, left, right,
+                                         *particle.next);
+  });
+  return *std::min_element(steps_.begin(), steps_.end());
 }
 
 /// Takes out the particle between two ribbons, and tiles both.
@@ -243,6 +298,7 @@ constexpr ParameterSpec adaptive_own[] = {
         "a ribbon wider than this gets a particle; default 0.5, unless a tolerance is given"),
     tolerance_parameter,
     step_parameter,
+    facet_angle_parameter,
 };
 
 IntegratedSurface run_fixed(const SurfaceRequest& request, const Parameters& parameters) {
@@ -255,9 +311,10 @@ IntegratedSurface run_fixed(const SurfaceRequest& request, const Parameters& par
 }
 
 IntegratedSurface run_adaptive(const SurfaceRequest& request, const Parameters& parameters) {
-  const SurfaceOptions options = surface_options(request, parameters);
+  SurfaceOptions options = surface_options(request, parameters);
   // The paper's threshold of 0.5 is for the front's particles; in time its rows lie closer.
   const Refinement refinement = refinement_of(parameters, 0.5, 5);
+  bound_facets(options, parameters, refinement);
   return run_surface(request, options, parameters.integer("particles"),
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
                        SynchronousFront(run, refinement, 0).sweep(seeds, ring);

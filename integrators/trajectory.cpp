@@ -32,8 +32,6 @@ bool is_ghost(Companion companion) {
   return companion == Companion::ghost_reset || companion == Companion::ghost_rescaled;
 }
 
-// The direction of w needs far less than the position: 1e-6 is 1e-4 degrees.
-constexpr double companion_tolerance = 1e-6;
 // Where a step that leaves the domain stops being halved, in tolerances.
 constexpr double edge_tolerances = 1000;
 
@@ -79,7 +77,20 @@ double Trajectory::first_step(FieldSampler& sampler) {
 double Trajectory::speed() const { return glm::length(first(f_)); }
 
 double Trajectory::largest_step() const {
-  return std::min({options_->max_step, options_->duration, options_->max_move / speed()});
+  const double move = std::max(options_->max_move / speed(), kinkless_step());
+  return std::min({options_->max_step, options_->duration, move});
+}
+
+/// Samples and the smooth field that they stand for differ by at most the sampling error ε, so that
+/// the kinks at all the cells' faces together move a step of length h by at most 2 ε h: when that
+/// is within the tolerance, a step may be longer than a cell, as in samples of a linear field. But
+/// not so near to the samples' end that the way might lead out and in again.
+double Trajectory::kinkless_step() const {
+  if (!options_->filled) return 0;
+  const Vec3 x = first(y_);
+  const Vec3 room = glm::min(x - options_->filled->min, options_->filled->max - x);
+  const double nearest = std::max(0.0, std::min({room.x, room.y, room.z}));
+  return std::min(options_->tolerance / (2 * options_->velocity_error), 0.5 * nearest / speed());
 }
 
 SampleStatus Trajectory::slope(double t, const State& y, State& f, FieldSampler& sampler) {
@@ -169,8 +180,16 @@ double Trajectory::error_of(double h, const std::array<State, 7>& k, const State
   const double tolerance = std::max(options_->tolerance, 0.1 * options_->velocity_error * h);
   const double position = glm::length(first(e)) / (tolerance + rounding);
   if (options_->companion != Companion::variation) return position;
-  return std::max(position, glm::length(second(e)) /
-                                (companion_tolerance * std::max(glm::length(second(y_)), 1e-300)));
+  return std::max(position, glm::length(second(e)) / (companion_tolerance() *
+                                                      std::max(glm::length(second(y_)), 1e-300)));
+}
+
+/// Of w, in its own length: its direction needs far less than the position, 1e-6 is 1e-4 degrees.
+/// In samples the Jacobian jumps at every cell's face, and steps would have to be as short as the
+/// tolerance there. But over a cell of width h the Jacobian is itself off by some 4 ε / h, with the
+/// sampling error ε, for a time h / |v|: of that turn, 4 ε / |v|, a hundredth is let pass.
+double Trajectory::companion_tolerance() const {
+  return std::clamp(0.04 * options_->velocity_error / speed(), 1e-6, 1e-3);
 }
 
 /// The way out of the domain, or into samples that are not numbers, is halved down to the edge.

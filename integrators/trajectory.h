@@ -30,7 +30,9 @@ struct TrajectoryOptions {
   double max_step = std::numeric_limits<double>::infinity();  // time units
   double max_move = std::numeric_limits<double>::infinity();  // world units in one step
   double velocity_error = 0;  // of the field; errors far below it are not worth steps
-  double still = 0;           // world units: moving less in the whole duration is standing
+  /// Where samples fill a box: there max_move does not hold for a step that is free of kinks.
+  std::optional<Box3> filled;
+  double still = 0;  // world units: moving less in the whole duration is standing
   double max_length = std::numeric_limits<double>::infinity();  // world units
   std::uint64_t max_steps = 1'000'000;
   Companion companion = Companion::none;
@@ -90,7 +92,9 @@ class Trajectory {
   void accept(double h, const std::array<State, 7>& k, const State& y1, FieldSampler& sampler);
   void restrain_ghost(FieldSampler& sampler);
   double first_step(FieldSampler& sampler);
+  double companion_tolerance() const;
   double largest_step() const;
+  double kinkless_step() const;
   double speed() const;
   void shrink_after(SampleStatus status, double h);
   const Step& step_at(double t) const;

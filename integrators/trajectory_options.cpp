@@ -33,8 +33,11 @@ TrajectoryOptions trajectory_options(const VectorField& field, const Journey& jo
   options.max_step = positive(
       parameters, "dt", options.stepper->adaptive ? journey.duration : journey.duration / 500);
   // Samples are only piecewise smooth: a step may not jump over a cell.
-  if (const auto cell = field.cell_size()) options.max_move = 0.5 * *cell;
+  const double cells = positive(parameters, "cells", 0.5);
+  if (const auto cell = field.cell_size()) options.max_move = cells * *cell;
   options.velocity_error = field.sampling_error().value_or(0);
+  if (!parameters.is_set("cells") && field.cell_size() && field.fills_domain())
+    options.filled = field.domain();
   options.still = 1e-12 * extent;
   return options;
 }

@@ -162,11 +162,21 @@ TEST(UnitExtremes, BudgetsEndTheWork) {
   EXPECT_GT(ends("hultquist:max-triangles=500")[EndReason::triangles], 0u);
   EXPECT_GT(ends("hultquist:tolerance=1e-14,max-triangles=2000")[EndReason::triangles], 0u);
   EXPECT_GT(ends("adaptive-front:max-triangles=5000")[EndReason::triangles], 0u);
+  EXPECT_GT(
+      ends("adaptive-front:particles=9,tolerance=1e-14,max-triangles=2000")[EndReason::triangles],
+      0u);
   EXPECT_GT(ends("hultquist:length=2")[EndReason::length], 0u);
   EXPECT_GT(ends("hultquist:max-steps=50")[EndReason::steps], 0u);
   const auto few = integrate_surface("hultquist:particles=30,max-particles=40",
                                      {field.get(), seed, 5, 0, false, {}});
   EXPECT_LE(few.stats.particles, 40u);
+}
+
+TEST(UnitExtremes, RepeatedPointsOfTheSeedCurve) {
+  const auto field = make_field("abc");
+  const std::vector<Vec3> points{{2, 3, 3}, {2, 3, 3}, {2.5, 3, 3}, {2.5, 3, 3}, {2.5, 3.5, 3.2}};
+  for (const char* integrator : adaptive)
+    expect_sound(sweep(*field, integrator, polyline_seed(points), 2), integrator);
 }
 
 TEST(UnitExtremes, WrongCallsAreRefused) {
