@@ -37,6 +37,7 @@ class FacetMender {
         bound_(bound),
         point_at_(point_at),
         smallest_cosine_(std::cos(radians * bound.largest_angle)),
+        splits_left_(bound.most_vertices),
         links_(builder.triangles(), builder.vertex_count()) {}
 
   /// Returns how many were trimmed.
@@ -70,6 +71,7 @@ class FacetMender {
   const FacetBound& bound_;
   const SurfacePoint& point_at_;
   double smallest_cosine_;
+  std::size_t splits_left_;
   TriangleLinks links_;
   std::size_t trimmed_ = 0;
 };
@@ -174,8 +176,9 @@ bool FacetMender::leaves_no_area(const Edge& edge, const Vec3& x) const {
 /// False when that does not help, or the surface has no point there.
 bool FacetMender::split_longest(std::uint32_t facet, std::vector<std::uint32_t>& off) {
   const Edge longest = longest_edge(facet);
-  if (!can_get_better(longest)) return false;
+  if (!can_get_better(longest) || splits_left_ == 0) return false;
   if (builder_.triangle_count() + 2 > bound_.max_triangles) return false;
+  --splits_left_;
   const auto [s, t] = builder_.halfway(links_.from(longest), links_.to(longest));
   const auto point = point_at_(s, t);
   if (!point || leaves_no_area(longest, point->flow.x)) return false;

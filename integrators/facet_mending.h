@@ -9,8 +9,9 @@ namespace pellucid {
 
 /// What a facet may be like.
 struct FacetBound {
-  double largest_angle = 180;  // degrees, to the normals at its corners; 180: anything
-  double shortest_edge = 0;    // world units: shorter ones are not split
+  double largest_angle = 180;     // degrees, to the normals at its corners; 180: anything
+  double shortest_edge = 0;       // world units: shorter ones are not split
+  std::size_t most_vertices = 0;  // new ones: each takes a particle
   std::size_t max_triangles = 0;
 };
 
@@ -24,8 +25,8 @@ using SurfacePoint = std::function<std::optional<FrontPoint>(double s, double t)
 ///   the edges across the flow that a leaning front has not; then wherever the facets face better.
 /// - A vertex on the longest edge, since half as long an edge bends a quarter as much: on the
 ///   border, where there is no other diagonal.
-/// - Where edges would have to become shorter than they may, facets on the border are trimmed off:
-///   they are less than the shortest edge wide.
+/// - Where edges would have to become shorter than they may, or too many, facets on the border are
+///   trimmed off that are less than the shortest edge wide.
 /// Returns how many were trimmed.
 std::size_t mend_facets(SurfaceBuilder& builder, const FacetBound& bound,
                         const SurfacePoint& point_at);

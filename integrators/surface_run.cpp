@@ -117,11 +117,15 @@ void SurfaceRun::mend() {
     auto path = may_spawn() ? spawn(s, t) : nullptr;
     if (!path) return std::nullopt;
     const FrontPoint point = front_point(*path, t);
-    drop(std::move(path), EndReason::vertex);
+    ++stats_.ends[EndReason::vertex];
     return point;
   };
-  stats_.trimmed = mend_facets(
-      builder_, {options_.facet_angle, options_.shortest_edge, options_.max_triangles}, point_at);
+  stats_.trimmed = mend_facets(builder_,
+                               {.largest_angle = options_.facet_angle,
+                                .shortest_edge = options_.shortest_edge,
+                                .most_vertices = 2000 + builder_.vertex_count() / 100,
+                                .max_triangles = options_.max_triangles},
+                               point_at);
 }
 
 IntegratedSurface SurfaceRun::finish() {

@@ -111,6 +111,15 @@ TEST(PropertyFacets, AnyAngleCanBeAskedFor) {
     }
 }
 
+TEST(UnitFacets, MendingComesToAnEnd) {
+  // Whole to the end, this surface asks for more vertices on its border than it has.
+  const auto field = make_field("abc");
+  const auto surface =
+      integrate_surface("hultquist:threshold=0.1,rip=1e-8", abc_request(*field, 9));
+  EXPECT_LE(surface.stats.ends.at(EndReason::vertex), 2000 + surface.mesh.positions.size() / 100);
+  EXPECT_TRUE(measure_quality(surface.mesh).manifold);
+}
+
 TEST(UnitFacets, OverTheSeamOfAClosedCurve) {
   const auto field = make_field("rotation:omega=1,c=1");
   const SurfaceRequest request{field.get(), circle_seed({1, 0, 0}, {0, 1, 0}, 0.3), 2, 0, false,
