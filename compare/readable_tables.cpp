@@ -104,18 +104,6 @@ std::string markdown_claim(const Claim& claim, const Study& study,
   return text;
 }
 
-std::string latex_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c == '\\'  ? "\\textbackslash{}"
-               : c == '~' ? "\\textasciitilde{}"
-               : c == '^' ? "\\textasciicircum{}"
-                          : std::string(1, c);
-  }
-  return escaped;
-}
-
 /// 1.23e-04 as $1.23\cdot10^{-4}$.
 std::string latex_number(const std::string& text) {
   if (text == "∞") return "$\\infty$";
@@ -163,6 +151,18 @@ std::string latex_measures(std::string_view scene, std::span<const ResultRow> ro
 
 }  // namespace
 
+std::string latex_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c == '\\'  ? "\\textbackslash{}"
+               : c == '~' ? "\\textasciitilde{}"
+               : c == '^' ? "\\textasciicircum{}"
+                          : std::string(1, c);
+  }
+  return escaped;
+}
+
 std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("# {}\n", study.title);
   if (!study.source.empty()) text += fmt::format("\n{}\n", study.source);
@@ -172,7 +172,7 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
   }
   if (!study.claims.empty()) text += "\n## What the source found\n";
   for (const Claim& claim : study.claims) text += markdown_claim(claim, study, rows);
-  return text;
+  return text + markdown_costs(study, rows);
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
@@ -187,7 +187,7 @@ std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
   text += "\\bottomrule\n\\end{tabular}\n";
   for (const auto& scene : study.scenes)
     text += latex_measures(scene_name(scene), rows_of(scene_name(scene), rows));
-  return text;
+  return text + latex_costs(study, rows);
 }
 
 }  // namespace pellucid

@@ -61,8 +61,8 @@ std::string page_script() {
   std::string script;
   for (const std::string_view part :
        {f::format_js(), f::pictures_js(), f::measures_js(), f::viewer_js(), f::trade_off_js(),
-        f::plots_js(), f::curves_js(), f::table_js(), f::claims_js(), f::overview_js(),
-        f::provenance_js(), f::report_js()})
+        f::plots_js(), f::curves_js(), f::table_js(), f::claims_js(), f::costs_js(),
+        f::overview_js(), f::provenance_js(), f::report_js()})
     script += part;
   return script;
 }

@@ -133,6 +133,32 @@ json claims_json(const Study& study, std::span<const ResultRow> rows) {
   return claims;
 }
 
+json cost_line_json(const CostLine& line) {
+  json steps = json::array();
+  for (const std::optional<double>& step : line.steps) steps.push_back(step ? json(*step) : json());
+  return {{"scene", line.scene},
+          {"call", line.call},
+          {"milliseconds", line.milliseconds},
+          {"bytes", line.bytes ? json(*line.bytes) : json()},
+          {"steps", steps},
+          {"bottleneck", line.bottleneck ? json(*line.bottleneck) : json()}};
+}
+
+json costs_json(const Study& study, std::span<const ResultRow> rows) {
+  json tables = json::array(), ratios = json::array();
+  for (const CostTable& table : cost_tables(study, rows)) {
+    json lines = json::array();
+    for (const CostLine& line : table.lines) lines.push_back(cost_line_json(line));
+    tables.push_back({{"title", table.title}, {"steps", table.steps}, {"lines", lines}});
+  }
+  for (const CostRatio& ratio : cost_ratios(study, rows))
+    ratios.push_back({{"scene", ratio.scene},
+                      {"call", ratio.call},
+                      {"here", ratio.here},
+                      {"published", ratio.published ? json(*ratio.published) : json()}});
+  return {{"tables", tables}, {"ratios", ratios}, {"reference", study.reference.text()}};
+}
+
 }  // namespace
 
 json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
@@ -147,6 +173,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
           {"scenes", scenes},
           {"methods", methods_json(study)},
           {"claims", claims_json(study, rows)},
+          {"costs", costs_json(study, rows)},
           {"error_scale", error_scale_json()}};
 }
 

@@ -10,7 +10,7 @@
 namespace pellucid {
 
 /// Everything that the report's page shows, with the pictures as data URIs: "study", "rows",
-/// "scenes", "methods" and "error_scale". compare/report/report.js reads it.
+/// "scenes", "methods", "claims", "costs" and "error_scale". compare/report/report.js reads it.
 nlohmann::json report_data(const std::filesystem::path& folder, const Study& study,
                            std::span<const ResultRow> rows);
 

@@ -243,6 +243,8 @@ class StudyRun {
     write_text(options_.folder / "results.json", results_json(study_, outcome_.rows));
     write_text(options_.folder / "table.md", markdown_table(study_, outcome_.rows));
     write_text(options_.folder / "table.tex", latex_table(study_, outcome_.rows));
+    if (study_.published)
+      write_text(options_.folder / "costs.csv", csv_costs(study_, outcome_.rows));
     write_report(options_.folder, study_, outcome_.rows);
   }
 

@@ -212,13 +212,42 @@ Claim read_claim(const JsonNode& node, const Study& study) {
   return claim;
 }
 
+PublishedCost read_cost(const JsonNode& node, const Study& study,
+                        std::span<const std::string> steps) {
+  node.accept_keys({"scene", "method", "ms", "bytes", "steps"});
+  const std::vector<std::string> scenes = scene_names(study);
+  PublishedCost cost{node["scene"].string(), read_known_call(node["method"], study), 0, {}, {}};
+  if (std::find(scenes.begin(), scenes.end(), cost.scene) == scenes.end())
+    node["scene"].fail(unknown_name("scene", cost.scene,
+                                    std::vector<std::string_view>(scenes.begin(), scenes.end())));
+  constexpr double most = 1e15;
+  cost.milliseconds = node["ms"].number(1e-6, most);
+  if (node.has("bytes")) cost.bytes = node["bytes"].number(0, most);
+  if (!node.has("steps")) return cost;
+  for (const JsonNode& step : node["steps"].elements()) cost.steps.push_back(step.number(0, most));
+  if (cost.steps.size() != steps.size())
+    node["steps"].fail(fmt::format("{} times; accepted: one for each of the {} steps",
+                                   cost.steps.size(), steps.size()));
+  return cost;
+}
+
+PublishedCosts read_published(const JsonNode& node, const Study& study) {
+  node.accept_keys({"machine", "steps", "rows"});
+  PublishedCosts costs{node["machine"].string(), {}, {}};
+  if (node.has("steps"))
+    for (const JsonNode& step : node["steps"].elements()) costs.steps.push_back(step.string());
+  for (const JsonNode& row : node["rows"].elements())
+    costs.rows.push_back(read_cost(row, study, costs.steps));
+  return costs;
+}
+
 Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& methods,
                  const Catalogue& integrators) {
   root["format"].one_of({"pellucid-study"});
   root["version"].integer(1, 1);
   root.accept_keys({"format", "version", "title", "source", "scenes", "reference",
                     "reference_scene", "integrators", "methods", "repeats", "crops", "claims",
-                    "measures", "probes"});
+                    "measures", "probes", "published"});
   Study study;
   study.name = file.stem().string();
   study.file = file;
@@ -238,6 +267,7 @@ Study read_study(const JsonNode& root, const fs::path& file, const Catalogue& me
   if (root.has("claims"))
     for (const JsonNode& element : root["claims"].elements())
       study.claims.push_back(read_claim(element, study));
+  if (root.has("published")) study.published = read_published(root["published"], study);
   return study;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/claims.h"
+#include "compare/costs.h"
 #include "compare/surface_methods.h"
 #include "scene/renderer.h"
 
@@ -52,6 +53,7 @@ struct Study {
   std::vector<Claim> claims;                         // of the source
   std::vector<std::string> measures;                 // names of FurtherMeasure, for each picture
   std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
+  std::optional<PublishedCosts> published;           // times and bytes that the source printed
 };
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is

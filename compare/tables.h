@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "compare/result_row.h"
 #include "compare/study.h"
@@ -23,6 +24,17 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows);
 /// For papers: booktabs, one block per scene; the best value of a column (the reference left out)
 /// in bold; the measures in a second tabular.
 std::string latex_table(const Study& study, std::span<const ResultRow> rows);
+
+/// Where a study gives its source's costs: every method's memory, time and time of each step, the
+/// longest in bold; the source's; and the reference's time over the others', here and there. Empty
+/// where it gives none.
+std::string markdown_costs(const Study& study, std::span<const ResultRow> rows);
+std::string latex_costs(const Study& study, std::span<const ResultRow> rows);
+/// A line for each step: table, scene, method, step, milliseconds.
+std::string csv_costs(const Study& study, std::span<const ResultRow> rows);
+
+/// As LaTeX prints it.
+std::string latex_escaped(std::string_view text);
 
 /// {"format": "pellucid-results", "version": 1, "study": …, "rows": […]}.
 std::string results_json(const Study& study, std::span<const ResultRow> rows);
