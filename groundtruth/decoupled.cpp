@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "core/stopwatch.h"
 #include "groundtruth/fourier_sum.h"
+#include "groundtruth/picture_sums.h"
 #include "groundtruth/ray_sums.h"
 #include "scene/opacity_energy.h"
 
@@ -59,14 +60,7 @@ class Decoupled final : public Renderer {
     result.image = Image(scene_.width, scene_.height);
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     const Stopwatch watch;
-    result.stats.fragments = parallel_sum(
-        tbb::blocked_range<int>(0, scene_.height), std::uint64_t(0),
-        [&](const tbb::blocked_range<int>& rows, std::uint64_t fragments) {
-          for (int y = rows.begin(); y < rows.end(); ++y)
-            for (int x = 0; x < scene_.width; ++x) fragments += draw_pixel(x, y, result);
-          return fragments;
-        },
-        std::plus<>());
+    for (int y = 0; y < scene_.height; ++y) result.stats.fragments += draw_row(y, result);
     result.stats.steps = {{"trace and optimize", watch.seconds()}};
     result.stats.bytes = {{"hierarchy", probe_.bytes()}};
     for (const std::uint32_t count : result.layers.pixels)
@@ -82,8 +76,19 @@ class Decoupled final : public Renderer {
   }
 
  private:
-  std::uint64_t draw_pixel(int x, int y, Rendering& result) const {
-    const RaySums ray = probe_.at(x + 0.5, y + 0.5);
+  std::uint64_t draw_row(int y, Rendering& result) const {
+    const std::vector<RaySums> rays = row_sums(scene_, probe_, y);
+    return parallel_sum(
+        tbb::blocked_range<int>(0, scene_.width), std::uint64_t(0),
+        [&](const tbb::blocked_range<int>& columns, std::uint64_t fragments) {
+          for (int x = columns.begin(); x < columns.end(); ++x)
+            fragments += draw_pixel(rays[std::size_t(x)], x, y, result);
+          return fragments;
+        },
+        std::plus<>());
+  }
+
+  std::uint64_t draw_pixel(const RaySums& ray, int x, int y, Rendering& result) const {
     const ImportanceSums sums(ray, bands_);
     Vec3 color(0);
     double transmittance = 1;
@@ -126,7 +131,7 @@ const MethodRow& decoupled_method() {
       .equations = "Baeza Rojo et al. 2019, Eqs. 2, 10, 11, 12",
       .parameters = parameters,
       .promises = {.order_independent = true, .convex_hull = true},
-      .bytes_per_pixel = "0; 112 per crossing of one ray, and the hierarchy",
+      .bytes_per_pixel = "0; 112 per crossing of a row, and the hierarchy",
       .optimizes_opacity = true,
       .make = make};
   return row;
