@@ -123,7 +123,7 @@ void SurfaceRun::mend() {
   stats_.trimmed = mend_facets(builder_,
                                {.largest_angle = options_.facet_angle,
                                 .shortest_edge = options_.shortest_edge,
-                                .most_vertices = 2000 + builder_.vertex_count() / 100,
+                                .most_vertices = 5000 + builder_.vertex_count() / 100,
                                 .max_triangles = options_.max_triangles},
                                point_at);
 }
