@@ -1,16 +1,13 @@
 // The numbers of docs/isosurface.md, each a pair measured in turn in one run:
-//   picture/…  `raytrace` against `march:step=16` on the big field, 7.1 million samples, with the
-//   RMSE of
-//              the march; each once, loading and indexing apart
-//   sample/…   one trilinear sample of a field on levels, and of a velocity grid, against OpenVDB's
-//   BoxSampler
-//              on one reused accessor at the same places
-//   scalar/q   the Q-criterion of the big field's finest level against the barest scalar, the sum
-//   of the
-//              three components: what reading and writing alone take on the same threads
-//   memory/…   what a loaded and indexed field keeps, and the peak on the way, against its grids as
-//   OpenVDB
-//              keeps them; both as the process's resident pages
+//
+// - picture/...: `raytrace` against `march:step=16` on the big field, 7.1 million samples, with the
+//   RMSE of the march; each once, loading and indexing apart.
+// - sample/...: one trilinear sample of a field on levels, and of a velocity grid, against
+//   OpenVDB's BoxSampler on one reused accessor at the same places.
+// - scalar/q: the Q-criterion of the big field's finest level against the barest scalar, the sum of
+//   the three components: what reading and writing alone take on the same threads.
+// - memory/...: what a loaded and indexed field keeps, and the peak on the way, against its grids
+//   as OpenVDB keeps them; both as the process's resident pages.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <malloc.h>

@@ -25,7 +25,7 @@ class DiscGeometry final : public RayByRayGeometry {
   const PointSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  bool lit_;
+  Lighting lighting_;
   double radius_;  // units
   double largest_;
 };

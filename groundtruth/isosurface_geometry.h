@@ -7,8 +7,8 @@
 namespace pellucid {
 
 /// What all ways of crossing an isosurface have in common: its place in the view and its light.
-/// Crossing::v is n · v, n the unit gradient and v the ray's direction; Crossing::u is the place on
-/// the colour map, where there is one.
+/// Crossing::v is n · v, n the unit gradient and v the ray's direction; Crossing::u has the bits of
+/// two floats: the place on the colour map, where there is one, and the opacity.
 class IsosurfaceGeometry : public RayByRayGeometry {
  public:
   IsosurfaceGeometry(const Isosurface& surface, std::uint32_t index,
@@ -26,14 +26,14 @@ class IsosurfaceGeometry : public RayByRayGeometry {
   /// The same ray parameter, in world coordinates.
   WorldRay to_world(const SceneRay& ray) const;
   /// Appends the crossing at the ray's parameter t, unless the surface has a hole there; returns
-  /// whether it did.
-  bool append(const SceneRay& ray, const WorldRay& world, double t, std::uint32_t primitive,
-              std::vector<Crossing>& crossings) const;
+  /// its opacity.
+  std::optional<float> append(const SceneRay& ray, const WorldRay& world, double t,
+                              std::uint32_t primitive, std::vector<Crossing>& crossings) const;
 
  private:
   const Isosurface& surface_;
   std::uint32_t index_;
-  bool lit_;
+  Lighting lighting_;
   const ViewFrame& frame_;
   Mat3 world_from_view_;  // of vectors
   Vec3 view_origin_;      // of the world's origin

@@ -25,7 +25,7 @@ MarchedIsosurface::MarchedIsosurface(const Isosurface& surface, bool opaque, std
                                      const GeometryContext& context, const MarchOptions& options)
     : IsosurfaceGeometry(surface, index, context),
       march_(*surface.field, surface.value, options),
-      transmittance_(opaque ? 0 : 1 - double(surface.corners.colors.front().a)),
+      opaque_(opaque),
       stop_below_(options.stop_below),
       stops_(context.stops) {}
 
@@ -36,7 +36,8 @@ void MarchedIsosurface::cross(std::uint32_t k, const SceneRay& ray,
   for (const Isosurface::Ball& ball : stops_) end = std::min(end, entry(ball, world));
   march_.visit_crossings(world, [&](double t) {
     if (t >= end) return false;
-    if (append(ray, world, t, k, crossings)) shows *= transmittance_;
+    if (const auto opacity = append(ray, world, t, k, crossings))
+      shows *= opaque_ ? 0 : 1 - double(*opacity);
     return shows > 0 && shows >= stop_below_;
   });
 }

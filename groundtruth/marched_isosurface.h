@@ -20,7 +20,7 @@ class MarchedIsosurface final : public IsosurfaceGeometry {
 
  private:
   LevelMarch march_;
-  double transmittance_;  // of one crossing
+  bool opaque_;
   double stop_below_;
   std::vector<Isosurface::Ball> stops_;
 };

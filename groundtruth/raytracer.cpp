@@ -77,7 +77,7 @@ class Raytracer : public Renderer {
       lines.push_back(fmt::format("rays end where less than {} shows: no pixel errs by more",
                                   options_.stop_below));
     lines.push_back(scene_.lighting == Lighting::none ? "no normals: the scene is not lit"
-                                                      : "normals: the scene is lit by a headlight");
+                                                      : "normals: the scene is lit from the eye");
     return lines;
   }
 

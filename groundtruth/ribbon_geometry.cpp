@@ -37,7 +37,7 @@ RibbonGeometry::RibbonGeometry(const LineObject& lines, std::uint32_t index,
     : set_(lines.set),
       index_(index),
       frame_(context.frame),
-      lit_(context.lighting != Lighting::none),
+      lighting_(context.lighting),
       segments_(lines.set) {
   const std::span<const Vec3> points(set_.positions);
   const CameraFrame camera = camera_frame(context.camera);
@@ -82,10 +82,11 @@ Fragment RibbonGeometry::shade(const Crossing& crossing, const Vec3& world_direc
   const std::uint32_t segment = crossing.primitive / 2;
   const auto [along, across] = ribbon_point(crossing);
   Fragment fragment = segments_.blend(segment, along).fragment(set_);
-  if (lit_)
-    // |m · v| is the sine of the angle between v and the line.
-    fragment.color *= std::sqrt(std::max(0.0, 1 - across * across)) *
-                      sine_between(segments_.direction(segment, along), world_direction);
+  if (lighting_ == Lighting::none) return fragment;
+  // |m · v| is the sine of the angle between v and the line.
+  const double c = std::sqrt(std::max(0.0, 1 - across * across)) *
+                   sine_between(segments_.direction(segment, along), world_direction);
+  fragment.color = lit(lighting_, fragment.color, c);
   return fragment;
 }
 

@@ -28,7 +28,7 @@ class RibbonGeometry final : public RayByRayGeometry {
   const LineSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  bool lit_;
+  Lighting lighting_;
   double largest_ = 0;
   LineSegments segments_;
   std::vector<Vec3> half_widths_;  // of each point

@@ -12,7 +12,7 @@ SphereGeometry::SphereGeometry(const PointObject& points, std::uint32_t index,
     : set_(points.set),
       index_(index),
       frame_(context.frame),
-      lit_(context.lighting != Lighting::none),
+      lighting_(context.lighting),
       radius_(points.radius * frame_.units_per_length()) {
   check_count(set_.positions.size(), "points");
 }
@@ -39,7 +39,7 @@ void SphereGeometry::cross(std::uint32_t point, const SceneRay& ray,
 
 Fragment SphereGeometry::shade(const Crossing& crossing, const Vec3&) const {
   Fragment fragment = point_blend(crossing).fragment(set_);
-  if (lit_) fragment.color *= std::abs(crossing.v);
+  fragment.color = lit(lighting_, fragment.color, std::abs(crossing.v));
   return fragment;
 }
 

@@ -26,7 +26,7 @@ class SphereGeometry final : public RayByRayGeometry {
   const PointSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  bool lit_;
+  Lighting lighting_;
   double radius_;  // units
 };
 

@@ -44,7 +44,7 @@ VertexBlend<3> blend_at(const TriangleMesh& mesh, const Crossing& crossing) {
 
 /// |n · v| for a two-sided surface, n the normalized interpolation of the vertex normals; a normal
 /// without length gives 0.
-double headlight(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3& world_direction) {
+double facing(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3& world_direction) {
   Vec3 n(0);
   for (int i = 0; i < 3; ++i) n += at.weight[i] * mesh.normals[at.vertex[i]];
   const double length = glm::length(n) * glm::length(world_direction);
@@ -74,7 +74,7 @@ double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), s
 
 TriangleGeometry::TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index,
                                    const GeometryContext& context)
-    : mesh_(mesh), index_(index), lit_(context.lighting != Lighting::none) {
+    : mesh_(mesh), index_(index), lighting_(context.lighting) {
   check_count(mesh.triangles.size(), "triangles");
   positions_.reserve(mesh.positions.size());
   for (const Vec3& x : mesh.positions) {
@@ -170,7 +170,8 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
 Fragment TriangleGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {
   const VertexBlend<3> at = blend_at(mesh_, crossing);
   Fragment fragment = at.fragment(mesh_);
-  if (lit_) fragment.color *= headlight(mesh_, at, world_direction);
+  if (lighting_ != Lighting::none)
+    fragment.color = lit(lighting_, fragment.color, facing(mesh_, at, world_direction));
   return fragment;
 }
 

@@ -49,7 +49,7 @@ class TriangleGeometry final : public CrossingGeometry {
 
   const TriangleMesh& mesh_;
   std::uint32_t index_;
-  bool lit_;
+  Lighting lighting_;
   double largest_ = 0;
   std::vector<Vec3> positions_;
   std::vector<Piece> pieces_;

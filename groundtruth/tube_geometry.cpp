@@ -21,7 +21,7 @@ TubeGeometry::TubeGeometry(const LineObject& lines, std::uint32_t index,
     : set_(lines.set),
       index_(index),
       frame_(context.frame),
-      lit_(context.lighting != Lighting::none),
+      lighting_(context.lighting),
       radius_(lines.radius * frame_.units_per_length()),
       segments_(lines.set) {}
 
@@ -55,7 +55,7 @@ void TubeGeometry::cross(std::uint32_t segment, const SceneRay& ray,
 
 Fragment TubeGeometry::shade(const Crossing& crossing, const Vec3&) const {
   Fragment fragment = segments_.blend(crossing.primitive, crossing.u).fragment(set_);
-  if (lit_) fragment.color *= std::min(1.0, std::abs(crossing.v));
+  fragment.color = lit(lighting_, fragment.color, std::min(1.0, std::abs(crossing.v)));
   return fragment;
 }
 

@@ -34,7 +34,7 @@ class TubeGeometry final : public RayByRayGeometry {
   const LineSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  bool lit_;
+  Lighting lighting_;
   double radius_;  // units
   LineSegments segments_;
 };

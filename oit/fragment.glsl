@@ -42,10 +42,11 @@ uvec2 key_of(Fragment f) { return uvec2(floatBitsToUint(f.depth), primitive_orde
 
 bool precedes(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-// Two-sided diffuse light from the eye: |n . v|. See scene.h for the shapes' normals.
+// |n . v|. See scene.h for the shapes' normals.
 #ifdef LIT
+#include "lighting.glsl"
 #ifdef DISC
-float headlight() { return sqrt(1.0 - dot(vertex_corner, vertex_corner)); }
+float facing() { return sqrt(1.0 - dot(vertex_corner, vertex_corner)); }
 #else
 vec3 view_direction() {
 #ifdef ORTHOGRAPHIC
@@ -55,18 +56,16 @@ vec3 view_direction() {
 #endif
 }
 #ifdef RIBBON
-float headlight() {
+float facing() {
   float sine = length(cross(vertex_direction, view_direction()));
   float length_of_direction = length(vertex_direction);
   float profile = sqrt(max(1.0 - vertex_across * vertex_across, 0.0));
   return length_of_direction > 0.0 ? profile * sine / length_of_direction : 0.0;
 }
 #else
-float headlight() { return abs(dot(normalize(vertex_normal), view_direction())); }
+float facing() { return abs(dot(normalize(vertex_normal), view_direction())); }
 #endif
 #endif
-#else
-float headlight() { return 1.0; }
 #endif
 
 #ifdef IMPORTANCE
@@ -82,8 +81,11 @@ Fragment fragment() {
   if (dot(vertex_corner, vertex_corner) > 1.0) discard;
 #endif
   // Interpolation may round an opacity or a depth of 1 to just above it.
-  Fragment f = Fragment(vertex_color.rgb * headlight(), clamp(vertex_color.a, 0.0, 1.0),
+  Fragment f = Fragment(vertex_color.rgb, clamp(vertex_color.a, 0.0, 1.0),
                         clamp(vertex_depth, 0.0, 1.0));
+#ifdef LIT
+  f.color = lit(f.color, facing());
+#endif
 #ifdef OPAQUE_CONTEXT
   if (precedes(texelFetch(opaque_keys, ivec2(gl_FragCoord.xy), 0).xy, key_of(f))) discard;
 #endif

@@ -45,7 +45,7 @@ Geometry::Geometry(const Gl& gl, const Scene& scene) : Geometry(gl, scene, depth
 Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
     : gl_(gl),
       view_(scene, range),
-      lit_(scene.lighting == Lighting::headlight),
+      lighting_(scene.lighting),
       batches_(make_batches(scene)),
       uniforms_(Buffer::writable(gl, sizeof(ViewSpace::Uniforms))),
       no_attributes_(gl) {
@@ -60,7 +60,8 @@ Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
 
 Defines Geometry::defines() const {
   Defines defines;
-  if (lit_) defines.emplace_back("LIT", 1);
+  if (lighting_ != Lighting::none) defines.emplace_back("LIT", 1);
+  if (lighting_ == Lighting::phong) defines.emplace_back("PHONG", 1);
   if (view_.projection() == Projection::orthographic) defines.emplace_back("ORTHOGRAPHIC", 1);
   return defines;
 }

@@ -70,7 +70,7 @@ class Geometry {
 
   const Gl& gl_;
   ViewSpace view_;
-  bool lit_;
+  Lighting lighting_;
   std::vector<Batch> batches_;
   Buffer uniforms_;
   std::optional<IndexedVertices> meshes_, ribbons_;

@@ -14,7 +14,7 @@ namespace {
 std::string describe_lighting(const Scene& scene) {
   if (scene.lighting == Lighting::none)
     return "lighting: left out, the scene is unlit; no normals are uploaded";
-  return "lighting: headlight; normals are uploaded";
+  return "lighting: from the eye; normals are uploaded";
 }
 
 std::string describe_samples(const Scene& scene) {

@@ -84,7 +84,7 @@ SurfaceStrips::SurfaceStrips(const FlowSource& source, const Scene& scene, const
       half_height_(half_height(scene.camera)),
       pixel_(2 * half_height_ / scene.height),
       nearest_(0.01 * range.far),
-      lit_(scene.lighting == Lighting::headlight),
+      lit_(scene.lighting != Lighting::none),
       request_(request_of(source)),
       integration_(surface_options(request_, Parameters("tree", surface_parameters, {}))),
       particles_(request_, integration_) {

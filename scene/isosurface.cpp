@@ -1,5 +1,8 @@
 #include "scene/isosurface.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fields/level_field.h"
 #include "geometry/solid_mesh.h"
 #include "scene/appearance.h"
@@ -7,11 +10,15 @@
 
 namespace pellucid {
 
-double Isosurface::Coloring::fraction(const Vec3& x) const {
+double Isosurface::OtherScalar::fraction(const Vec3& x) const {
   return fraction_of(field->value(x).value_or(range.x), range);
 }
 
 Vec3 Isosurface::Coloring::color(double fraction) const { return (*map)(fraction); }
+
+float Isosurface::Fading::opacity(const Vec3& x) const {
+  return float(std::lerp(opacities.x, opacities.y, std::clamp(scalar.fraction(x), 0.0, 1.0)));
+}
 
 bool Isosurface::cuts_away(const Vec3& x) const {
   if (const auto* ball = std::get_if<Ball>(&hole))

@@ -24,19 +24,31 @@ struct Isosurface {
     double distance = 0;  // world
   };
 
-  /// Colour by a scalar where the surface is, reconstructed as the surface's own.
-  struct Coloring {
+  /// A scalar where the surface is, reconstructed as the surface's own.
+  struct OtherScalar {
     std::shared_ptr<const LevelField> field;  // on the same levels
-    const ColormapRow* map = nullptr;
-    Vec2 range{0, 1};  // mapped to the ends of the map
+    Vec2 range{0, 1};
 
-    double fraction(const Vec3& x) const;  // of the map
+    double fraction(const Vec3& x) const;  // of the range
+  };
+  struct Coloring {
+    OtherScalar scalar;
+    const ColormapRow* map = nullptr;  // from end to end of the range
+
     Vec3 color(double fraction) const;
+  };
+  /// Opacity by a transfer function: linear from end to end of the range, constant beyond.
+  struct Fading {
+    OtherScalar scalar;
+    Vec2 opacities{0, 1};
+
+    float opacity(const Vec3& x) const;
   };
 
   std::shared_ptr<const LevelField> field;
   double value = 0;
   std::optional<Coloring> coloring;               // none: the colour of `corners`
+  std::optional<Fading> fading;                   // none: the opacity of `corners`
   std::variant<std::monostate, Ball, Body> hole;  // nothing of the surface is drawn within
   Vertices corners;  // the eight of its field's bounds: the surface's colour and opacity
 

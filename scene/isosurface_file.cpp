@@ -61,10 +61,15 @@ Vec2 range_of(const LevelField& field) {
   return range;
 }
 
-void color_vertices(const Isosurface::Coloring& coloring, TriangleMesh& mesh) {
-  mesh.colors.resize(mesh.positions.size());
+/// What is not by a scalar stays the default's.
+void color_vertices(const Isosurface& surface, TriangleMesh& mesh) {
+  apply_appearance({}, mesh);
   parallel_for(std::size_t(0), mesh.positions.size(), [&](std::size_t i) {
-    mesh.colors[i] = Rgba(coloring.color(coloring.fraction(mesh.positions[i])), 1);
+    const Vec3& x = mesh.positions[i];
+    Rgba& color = mesh.colors[i];
+    if (const auto& by = surface.coloring)
+      color = Rgba(by->color(by->scalar.fraction(x)), color.a);
+    if (surface.fading) color.a = surface.fading->opacity(x);
   });
 }
 
@@ -78,7 +83,7 @@ TriangleMesh mesh_of(const Isosurface& surface) {
     return std::ranges::none_of(
         t, [&](std::uint32_t corner) { return surface.cuts_away(mesh.positions[corner]); });
   });
-  if (surface.coloring) color_vertices(*surface.coloring, mesh);
+  if (surface.coloring || surface.fading) color_vertices(surface, mesh);
   return mesh;
 }
 
@@ -107,8 +112,12 @@ decltype(Isosurface::hole) read_hole(const JsonNode& node, const std::filesystem
 class IsosurfaceReader {
  public:
   IsosurfaceReader(const JsonNode& node, const std::filesystem::path& folder,
-                   const std::optional<ScalarColor>& color)
-      : node_(node), folder_(folder), color_(color), reconstruction_(&reconstruction()) {}
+                   const Appearance& appearance)
+      : node_(node),
+        folder_(folder),
+        color_(std::get_if<ScalarColor>(&appearance.color)),
+        opacity_(std::get_if<ScalarOpacity>(&appearance.opacity)),
+        reconstruction_(&reconstruction()) {}
 
   Isosurface read() {
     node_.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh"});
@@ -117,7 +126,14 @@ class IsosurfaceReader {
     std::vector<Levels> levels = read_levels();
     surface.field = field_on(std::move(levels.front()));
     surface.corners = corners_of(surface.field->bounds());
-    if (color_) surface.coloring = coloring(std::move(levels.back()), *surface.field);
+    if (color_)
+      surface.coloring = {other_scalar(std::move(levels[1]), *surface.field, *color_),
+                          &at_place(node_, [&]() -> const ColormapRow& {
+                            return find_colormap(color_->map);
+                          })};
+    if (opacity_)
+      surface.fading = {other_scalar(std::move(levels.back()), *surface.field, *opacity_),
+                        opacity_->opacities};
     if (node_.has("hole")) surface.hole = read_hole(node_["hole"], folder_);
     return surface;
   }
@@ -130,12 +146,13 @@ class IsosurfaceReader {
     });
   }
 
-  /// Of the surface's scalar first, then of its colour's.
+  /// Of the surface's scalar, then of its colour's, last of its opacity's.
   std::vector<Levels> read_levels() const {
     if (node_.has("dataset") == node_.has("file"))
       node_.fail("accepted: one of the keys file, dataset");
     std::vector<std::string> scalars{node_["scalar"].string()};
     if (color_) scalars.push_back(color_->scalar);
+    if (opacity_) scalars.push_back(opacity_->scalar);
     return node_.has("dataset") ? generate(node_, scalars)
                                 : read_files(node_["file"], folder_, scalars);
   }
@@ -146,21 +163,21 @@ class IsosurfaceReader {
     });
   }
 
-  Isosurface::Coloring coloring(Levels levels, const LevelField& surface) const {
+  /// `by` is a ScalarColor or a ScalarOpacity.
+  Isosurface::OtherScalar other_scalar(Levels levels, const LevelField& surface,
+                                       const auto& by) const {
     const auto field = field_on(std::move(levels));
     if (!on_same_samples(*field, surface))
-      node_.fail(
-          fmt::format("its grids are not those of the colour's scalar '{}'; accepted: the "
-                      "same boxes and widths",
-                      color_->scalar));
-    const auto& map =
-        at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); });
-    return {field, &map, color_->range.value_or(range_of(*field))};
+      node_.fail(fmt::format(
+          "its grids are not those of the scalar '{}'; accepted: the same boxes and widths",
+          by.scalar));
+    return {field, by.range.value_or(range_of(*field))};
   }
 
   const JsonNode& node_;
   const std::filesystem::path& folder_;
-  const std::optional<ScalarColor>& color_;
+  const ScalarColor* color_;      // none: not by a scalar
+  const ScalarOpacity* opacity_;  // none: the same
   const ReconstructionRow* reconstruction_;
 };
 
@@ -168,9 +185,9 @@ class IsosurfaceReader {
 
 std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
                                                        const std::filesystem::path& folder,
-                                                       const std::optional<ScalarColor>& color,
+                                                       const Appearance& appearance,
                                                        std::string& how) {
-  Isosurface surface = IsosurfaceReader(node, folder, color).read();
+  Isosurface surface = IsosurfaceReader(node, folder, appearance).read();
   how = describe(*surface.field, node["scalar"].string());
   if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
   TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <variant>
 
@@ -13,11 +12,12 @@
 namespace pellucid {
 
 /// The value of an object's key "isosurface", as a surface or, where it says "mesh", as triangles
-/// on it. `color` is by a scalar of the same data; without a range of its own that of the samples
-/// is mapped. `how` gets a line on the field. Throws InputError.
+/// on it. Colours and opacities by a scalar are by one of the same data, without a range of their
+/// own from the least to the largest sample; the rest of the appearance is not applied. `how` gets
+/// a line on the field. Throws InputError.
 std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
                                                        const std::filesystem::path& folder,
-                                                       const std::optional<ScalarColor>& color,
+                                                       const Appearance& appearance,
                                                        std::string& how);
 
 }  // namespace pellucid

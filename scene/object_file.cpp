@@ -197,19 +197,18 @@ class ObjectReader {
   void read_isosurface_object(const JsonNode& node) {
     for (const char* key : {"radius", "profile", "importance"})
       if (node_.has(key)) node_[key].fail("an isosurface has none");
-    const auto color =
-        node_.has("color") ? read_color(node_["color"]) : decltype(Appearance::color)();
-    const auto* by = std::get_if<ScalarColor>(&color);
     std::string how;
     std::visit([&](auto surface) { object_.shape = std::move(surface); },
-               read_isosurface(node, context_.folder, by ? std::optional(*by) : std::nullopt, how));
+               read_isosurface(node, context_.folder, read_appearance(node_), how));
     note(std::move(how));
   }
 
   void apply() {
     Appearance appearance = read_appearance(node_);
-    if (node_.has("isosurface") && std::holds_alternative<ScalarColor>(appearance.color))
-      appearance.color = {};  // it has its colours: its scalars are not at its vertices
+    if (node_.has("isosurface")) {  // what is by a scalar, it has: none is at its vertices
+      if (std::holds_alternative<ScalarColor>(appearance.color)) appearance.color = {};
+      if (std::holds_alternative<ScalarOpacity>(appearance.opacity)) appearance.opacity = {};
+    }
     at_place(node_, [&] { apply_appearance(appearance, object_.vertices()); });
     if (!object_.source) return;
     if (auto* by = std::get_if<ScalarColor>(&appearance.color); by && !by->range)

@@ -16,14 +16,10 @@
 #include "scene/appearance.h"
 #include "scene/camera.h"
 #include "scene/isosurface.h"
+#include "scene/lighting.h"
 #include "scene/opacity_energy.h"
 
 namespace pellucid {
-
-enum class Lighting {
-  none,      // a fragment has the interpolated colour of its vertices
-  headlight  // times |n · v|, two-sided diffuse with the light at the eye
-};
 
 /// Polylines of a width. A ribbon faces the eye at every point (see ribbon.h) and is lit as the
 /// tube that it stands for: at the fraction c of the half width, |n · v| = √(1 - c²) |m · v| with m

@@ -35,6 +35,13 @@ Camera read_camera(const JsonNode& node) {
   return camera;
 }
 
+Lighting read_lighting(const JsonNode& node) {
+  const std::string name = node.one_of({"none", "headlight", "phong"});
+  return name == "none"        ? Lighting::none
+         : name == "headlight" ? Lighting::headlight
+                               : Lighting::phong;
+}
+
 EnergyWeights read_energy(const JsonNode& node) {
   node.accept_keys({"p", "q", "r", "lambda"});
   EnergyWeights weights;
@@ -75,8 +82,7 @@ struct Loader {
       scene.background = root["background"].vec3();
       for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
     }
-    if (root.has("lighting") && root["lighting"].one_of({"none", "headlight"}) == "headlight")
-      scene.lighting = Lighting::headlight;
+    if (root.has("lighting")) scene.lighting = read_lighting(root["lighting"]);
     if (root.has("energy")) scene.energy = read_energy(root["energy"]);
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");

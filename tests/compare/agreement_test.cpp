@@ -128,7 +128,7 @@ Scene lines_and_points() {
 }
 
 TEST_P(PropertyMethodAgainstTruth, OneLayerOfLinesAndPointsIsTheTruth) {
-  for (const Lighting lighting : {Lighting::none, Lighting::headlight}) {
+  for (const Lighting lighting : {Lighting::none, Lighting::headlight, Lighting::phong}) {
     Scene scene = lines_and_points();
     scene.lighting = lighting;
     const Rendering reference = truth(scene);

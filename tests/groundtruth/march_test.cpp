@@ -218,8 +218,9 @@ Scene colored_plane() {
   surface.field =
       std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.x - x.z; }), blend);
   surface.coloring = {
-      std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.y; }), blend),
-      &find_colormap("four-color"), Vec2(-1, 1)};
+      {std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.y; }), blend),
+       Vec2(-1, 1)},
+      &find_colormap("four-color")};
   surface.corners = corners_of(surface.field->bounds());
   surface.corners.colors.assign(8, Rgba(0, 0, 0, 1));
   scene.objects.push_back({"plane", surface});
@@ -236,6 +237,21 @@ TEST(UnitMarch, ASurfaceHasTheColourOfItsScalarWhereItIsCrossed) {
         // Sums of floats near 1 of samples that floats hold.
         EXPECT_LT(glm::length(Vec3(image.at(x, y)) - expected), 1e-6) << x << ' ' << y;
       }
+  }
+}
+
+TEST(UnitMarch, ASurfaceFadesByItsScalarWhereItIsCrossed) {
+  Scene scene = colored_plane();
+  auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  surface.coloring->scalar.range = Vec2(-8, 8);
+  surface.fading = {surface.coloring->scalar, Vec2(0.2, 1)};
+  surface.fading->scalar.range = Vec2(-0.5, 1);
+  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+    const Image image = drawn(*row, scene);
+    for (int y = 0; y < 16; ++y) {
+      const double at = 1 - (y + 0.5) / 8;
+      EXPECT_NEAR(image.at(5, y).a, at < -0.5 ? 0.2 : 0.2 + 0.8 * (at + 0.5) / 1.5, 1e-6) << y;
+    }
   }
 }
 
@@ -260,6 +276,22 @@ Scene ball_between_planes() {
   ball.profile = PointObject::Profile::sphere;
   scene.objects.push_back({"ball", ball, true});
   return scene;
+}
+
+// Behind a crossing that hides all, a march finds none; behind one that fades, it goes on.
+TEST(UnitMarch, AFadingSurfaceEndsRaysWhereItHidesAll) {
+  Scene scene = ball_between_planes();
+  scene.objects.pop_back();
+  auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  // From opaque at x = 0 to 0.5 at x = 4, the same on both planes.
+  const auto x = std::make_shared<const LevelField>(
+      std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& p) { return p.x; })},
+      find_reconstruction("trilinear"));
+  surface.fading = {{x, Vec2(0, 4)}, Vec2(1, 0.5)};
+  const Rendering rendering = march_method().make(
+      scene, Parameters("march", march_method().parameters, {}), {})->render({});
+  EXPECT_EQ(rendering.stats.fragments, 40u * 20u * 3u);  // one where x < 0, else both planes
+  EXPECT_EQ(rendering.image.at(3, 3).a, 1);
 }
 
 TEST(UnitMarch, ADilatedSphereEndsRaysEvenWhereTheyMissIt) {

@@ -167,6 +167,25 @@ TEST(UnitRaytrace, HeadlightIsTwoSidedCosine) {
   }
 }
 
+// Phong 1975 with the light at the eye: 0.15 ambient, 0.85 diffuse, and 0.35 (2 c² - 1)^24 of white;
+// at c² = 3/4 the highlight is 0.35 / 2^24, at c = 1 whole, beyond c² = 1/2 none; never above white.
+TEST(UnitRaytrace, PhongAddsAmbientLightAndAHighlight) {
+  Scene scene = orthographic_scene(3, 3);
+  scene.lighting = Lighting::phong;
+  const auto lit_at = [&](double cosine, float grey) {
+    TriangleMesh layer = full_layer(0, Rgba(grey, grey, grey, 1));
+    layer.normals.assign(4, Vec3(std::sqrt(1 - cosine * cosine), 0, cosine));
+    scene.objects = {{"", layer}};
+    return trace(scene).image.pixels[4].r;
+  };
+  EXPECT_NEAR(lit_at(1, 0.5f), 0.5 + 0.35, float_rounding);
+  EXPECT_NEAR(lit_at(-1, 0.9f), 1, float_rounding);
+  EXPECT_NEAR(lit_at(std::sqrt(0.875), 0.4f),
+              0.4 * (0.15 + 0.85 * std::sqrt(0.875)) + 0.35 * std::pow(0.75, 24), float_rounding);
+  EXPECT_NEAR(lit_at(0.5, 0.4f), 0.4 * (0.15 + 0.85 * 0.5), float_rounding);
+  EXPECT_NEAR(lit_at(0, 0.4f), 0.4 * 0.15, float_rounding);
+}
+
 TEST(UnitRaytrace, PerspectiveInterpolationIsLinearOnTheSurface) {
   // A plane tilted away from the eye, coloured by its own y: at each pixel the colour equals the y
   // of the point that the ray meets, in closed form.

@@ -184,7 +184,7 @@ TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
   EXPECT_THAT(refusal(""), HasSubstr("the scene is empty"));
   EXPECT_THAT(refusal(sheet, R"("resolution": [0, 10])"),
               HasSubstr("resolution[0]: 0; accepted: an integer, 1 …"));
-  EXPECT_THAT(refusal(sheet, R"("lighting": "sun")"), HasSubstr("accepted: none, headlight"));
+  EXPECT_THAT(refusal(sheet, R"("lighting": "sun")"), HasSubstr("accepted: none, headlight, phong"));
   EXPECT_THAT(refusal(sheet, R"("backgroud": [0, 0, 0])"), HasSubstr("known: background"));
 }
 
@@ -273,7 +273,7 @@ TEST_F(UnitSceneFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
   const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
   ASSERT_TRUE(surface.coloring);
   EXPECT_EQ(surface.corners.colors.front().a, 0.25f);
-  EXPECT_EQ(surface.coloring->fraction(Vec3(3, 0.5, 0)),
+  EXPECT_EQ(surface.coloring->scalar.fraction(Vec3(3, 0.5, 0)),
             *surface.field->value(Vec3(3, 0.5, 0)) / 1.8);
   EXPECT_EQ(surface.coloring->color(0.5), map(0.5));
   const TriangleMesh mesh =
@@ -288,13 +288,41 @@ TEST_F(UnitSceneFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
   const Scene free = with(text(R"("q")"));
   const auto& coloring = *std::get<Isosurface>(free.objects.front().shape).coloring;
   float low = 1e9f, high = -1e9f;
-  for (const float q : coloring.field->levels().front().samples) {
+  for (const float q : coloring.scalar.field->levels().front().samples) {
     low = std::min(low, q);
     high = std::max(high, q);
   }
-  EXPECT_EQ(coloring.range, Vec2(low, high));
+  EXPECT_EQ(coloring.scalar.range, Vec2(low, high));
   EXPECT_THAT(refusal(text(R"("vorticity")")), HasSubstr("unknown scalar 'vorticity'"));
   EXPECT_THAT(refusal(text(R"("speed", "map": "rainbow")")), HasSubstr("unknown colour map"));
+}
+
+TEST_F(UnitSceneFile, AnIsosurfaceFadesByAScalarOfItsData) {
+  const auto text = [](const std::string& opacity, const std::string& keys = "") {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude")" +
+           keys + R"(}, "color": [1, 0, 0], "opacity": )" + opacity + "}";
+  };
+  // Its own scalar is 0.9 all over it: a third of the way.
+  const std::string by = R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0.6, 1.5]})";
+  const Scene scene = with(text(by));
+  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  ASSERT_TRUE(surface.fading);
+  const Vec3 x(3, 0.5, 0);
+  const double share = (*surface.field->value(x) - 0.6) / 0.9;
+  EXPECT_NEAR(surface.fading->opacity(x), 0.9 - 0.6 * share, 1e-7);
+  EXPECT_EQ(surface.corners.colors.front(), Rgba(1, 0, 0, 1));
+  const Scene triangles = with(text(by, R"(, "mesh": true)"));
+  for (const Rgba& color : triangles.objects.front().mesh().colors) {
+    EXPECT_NEAR(color.a, 0.7, 1e-5);  // vertices lie on it to some 1e-6
+    EXPECT_EQ(Vec3(color), Vec3(1, 0, 0));
+  }
+  // Constant beyond the range.
+  const Scene beyond =
+      with(text(R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0, 0.1]})"));
+  EXPECT_FLOAT_EQ(std::get<Isosurface>(beyond.objects.front().shape).fading->opacity(x), 0.3f);
+  EXPECT_THAT(refusal(text(R"({"by": "vorticity", "opacities": [0, 1]})")),
+              HasSubstr("unknown scalar 'vorticity'"));
 }
 
 TEST_F(UnitSceneFile, AnIsosurfaceMayBeCutAlongABody) {
