@@ -14,53 +14,37 @@
 namespace pellucid {
 namespace {
 
-/// Calls compute(j, k, out) for each row of samples, which it fills.
 template <class Compute>
-ScalarLevel for_each_row(const VectorLevel& v, const Compute& compute) {
+ScalarLevel for_each_sample(const VectorLevel& v, const Compute& compute) {
   ScalarLevel out{v.origin, v.width, v.size, std::vector<float>(v.samples.size())};
   parallel_for(0, v.size[2], [&](int k) {
-    for (int j = 0; j < v.size[1]; ++j) compute(j, k, &out.samples[v.index(0, j, k)]);
+    for (int j = 0; j < v.size[1]; ++j)
+      for (int i = 0; i < v.size[0]; ++i) out.samples[v.index(i, j, k)] = float(compute(i, j, k));
   });
   return out;
 }
 
+/// The derivative along the axis whose samples are `stride` apart, times the cell width.
+Vec3 difference(const glm::vec3* at, int i, int n, std::ptrdiff_t stride) {
+  const auto f = [&](std::ptrdiff_t step) { return Vec3(at[step * stride]); };
+  if (i == 0) return 0.5 * (-3.0 * f(0) + 4.0 * f(1) - f(2));
+  if (i == n - 1) return 0.5 * (3.0 * f(0) - 4.0 * f(-1) + f(-2));
+  return 0.5 * (f(1) - f(-1));
+}
+
 ScalarLevel magnitude(const VectorLevel& v) {
-  return for_each_row(v, [&](int j, int k, float* out) {
-    for (int i = 0; i < v.size[0]; ++i) out[i] = float(glm::length(Vec3(v.at(i, j, k))));
-  });
+  return for_each_sample(v, [&](int i, int j, int k) { return glm::length(Vec3(v.at(i, j, k))); });
 }
 
-/// Of `count` numbers from `at` on, each the i-th of n along an axis whose samples are `stride`
-/// numbers apart: the derivatives along it, times the cell width.
-void differences(const float* at, int count, int i, int n, std::ptrdiff_t stride, double* out) {
-  const auto f = [&](int m, std::ptrdiff_t step) { return double(at[m + step * stride]); };
-  if (i == 0)
-    for (int m = 0; m < count; ++m) out[m] = 0.5 * (-3.0 * f(m, 0) + 4.0 * f(m, 1) - f(m, 2));
-  else if (i == n - 1)
-    for (int m = 0; m < count; ++m) out[m] = 0.5 * (3.0 * f(m, 0) - 4.0 * f(m, -1) + f(m, -2));
-  else
-    for (int m = 0; m < count; ++m) out[m] = 0.5 * (f(m, 1) - f(m, -1));
-}
-
-/// Derivatives are taken of a whole row's numbers, components in turn: loops that vectorize.
 ScalarLevel q_criterion(const VectorLevel& v) {
-  const int n = v.size[0], numbers = 3 * n;
-  const std::ptrdiff_t row = numbers, slice = row * v.size[1];
+  const std::ptrdiff_t row = v.size[0], slice = row * v.size[1];
   const double scale = 1 / (v.width * v.width);
-  return for_each_row(v, [&](int j, int k, float* out) {
-    thread_local std::vector<double> derivatives;
-    derivatives.resize(3 * std::size_t(numbers));
-    double *x = derivatives.data(), *y = x + numbers, *z = y + numbers;
-    const float* at = &v.at(0, j, k).x;
-    differences(at, 3, 0, n, 3, x);
-    differences(at + 3, numbers - 6, 1, n, 3, x + 3);
-    differences(at + numbers - 3, 3, n - 1, n, 3, x + numbers - 3);
-    differences(at, numbers, j, v.size[1], row, y);
-    differences(at, numbers, k, v.size[2], slice, z);
-    for (int i = 0; i < n; ++i, x += 3, y += 3, z += 3) {
-      const double diagonal = x[0] * x[0] + y[1] * y[1] + z[2] * z[2];
-      out[i] = float(scale * (-0.5 * diagonal - y[0] * x[1] - z[0] * x[2] - z[1] * y[2]));
-    }
+  return for_each_sample(v, [&](int i, int j, int k) {
+    const glm::vec3* at = &v.at(i, j, k);
+    const Vec3 x = difference(at, i, v.size[0], 1), y = difference(at, j, v.size[1], row),
+               z = difference(at, k, v.size[2], slice);
+    const double diagonal = x.x * x.x + y.y * y.y + z.z * z.z;
+    return scale * (-0.5 * diagonal - y.x * x.y - z.x * x.z - z.y * y.z);
   });
 }
 
