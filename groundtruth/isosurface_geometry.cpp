@@ -53,8 +53,8 @@ std::optional<float> IsosurfaceGeometry::append(const SceneRay& ray, const World
   const Look look{
       surface_.coloring ? float(surface_.coloring->scalar.fraction(x)) : 0,
       surface_.fading ? surface_.fading->opacity(x) : surface_.corners.colors.front().a};
-  crossings.push_back({ray.start.z + t * ray.direction.z, std::bit_cast<double>(look), cosine,
-                       index_, primitive});
+  crossings.push_back(
+      {ray.start.z + t * ray.direction.z, std::bit_cast<double>(look), cosine, index_, primitive});
   return look.opacity;
 }
 

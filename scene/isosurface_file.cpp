@@ -67,8 +67,7 @@ void color_vertices(const Isosurface& surface, TriangleMesh& mesh) {
   parallel_for(std::size_t(0), mesh.positions.size(), [&](std::size_t i) {
     const Vec3& x = mesh.positions[i];
     Rgba& color = mesh.colors[i];
-    if (const auto& by = surface.coloring)
-      color = Rgba(by->color(by->scalar.fraction(x)), color.a);
+    if (const auto& by = surface.coloring) color = Rgba(by->color(by->scalar.fraction(x)), color.a);
     if (surface.fading) color.a = surface.fading->opacity(x);
   });
 }
@@ -127,10 +126,9 @@ class IsosurfaceReader {
     surface.field = field_on(std::move(levels.front()));
     surface.corners = corners_of(surface.field->bounds());
     if (color_)
-      surface.coloring = {other_scalar(std::move(levels[1]), *surface.field, *color_),
-                          &at_place(node_, [&]() -> const ColormapRow& {
-                            return find_colormap(color_->map);
-                          })};
+      surface.coloring = {
+          other_scalar(std::move(levels[1]), *surface.field, *color_),
+          &at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); })};
     if (opacity_)
       surface.fading = {other_scalar(std::move(levels.back()), *surface.field, *opacity_),
                         opacity_->opacities};

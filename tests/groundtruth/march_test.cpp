@@ -288,8 +288,10 @@ TEST(UnitMarch, AFadingSurfaceEndsRaysWhereItHidesAll) {
       std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& p) { return p.x; })},
       find_reconstruction("trilinear"));
   surface.fading = {{x, Vec2(0, 4)}, Vec2(1, 0.5)};
-  const Rendering rendering = march_method().make(
-      scene, Parameters("march", march_method().parameters, {}), {})->render({});
+  const Rendering rendering =
+      march_method()
+          .make(scene, Parameters("march", march_method().parameters, {}), {})
+          ->render({});
   EXPECT_EQ(rendering.stats.fragments, 40u * 20u * 3u);  // one where x < 0, else both planes
   EXPECT_EQ(rendering.image.at(3, 3).a, 1);
 }

@@ -167,8 +167,9 @@ TEST(UnitRaytrace, HeadlightIsTwoSidedCosine) {
   }
 }
 
-// Phong 1975 with the light at the eye: 0.15 ambient, 0.85 diffuse, and 0.35 (2 c² - 1)^24 of white;
-// at c² = 3/4 the highlight is 0.35 / 2^24, at c = 1 whole, beyond c² = 1/2 none; never above white.
+// Phong 1975 with the light at the eye: 0.15 ambient, 0.85 diffuse, and 0.35 (2 c² - 1)^24 of
+// white; at c² = 3/4 the highlight is 0.35 / 2^24, at c = 1 whole, beyond c² = 1/2 none; never
+// above white.
 TEST(UnitRaytrace, PhongAddsAmbientLightAndAHighlight) {
   Scene scene = orthographic_scene(3, 3);
   scene.lighting = Lighting::phong;

@@ -184,7 +184,8 @@ TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
   EXPECT_THAT(refusal(""), HasSubstr("the scene is empty"));
   EXPECT_THAT(refusal(sheet, R"("resolution": [0, 10])"),
               HasSubstr("resolution[0]: 0; accepted: an integer, 1 …"));
-  EXPECT_THAT(refusal(sheet, R"("lighting": "sun")"), HasSubstr("accepted: none, headlight, phong"));
+  EXPECT_THAT(refusal(sheet, R"("lighting": "sun")"),
+              HasSubstr("accepted: none, headlight, phong"));
   EXPECT_THAT(refusal(sheet, R"("backgroud": [0, 0, 0])"), HasSubstr("known: background"));
 }
 
@@ -318,8 +319,7 @@ TEST_F(UnitSceneFile, AnIsosurfaceFadesByAScalarOfItsData) {
     EXPECT_EQ(Vec3(color), Vec3(1, 0, 0));
   }
   // Constant beyond the range.
-  const Scene beyond =
-      with(text(R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0, 0.1]})"));
+  const Scene beyond = with(text(R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0, 0.1]})"));
   EXPECT_FLOAT_EQ(std::get<Isosurface>(beyond.objects.front().shape).fading->opacity(x), 0.3f);
   EXPECT_THAT(refusal(text(R"({"by": "vorticity", "opacities": [0, 1]})")),
               HasSubstr("unknown scalar 'vorticity'"));
