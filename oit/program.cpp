@@ -18,6 +18,7 @@ struct SharedFile {
 constexpr SharedFile shared_files[] = {
     {"fragment.glsl", oit_glsl::fragment_glsl},
     {"view.glsl", oit_glsl::view_glsl},
+    {"lighting.glsl", oit_glsl::lighting_glsl},
     {"composite.glsl", oit_glsl::composite_glsl},
     {"fragment_list.glsl", oit_glsl::fragment_list_glsl},
     {"layer_tree.glsl", oit_glsl::layer_tree_glsl},
