@@ -24,6 +24,7 @@ constexpr SharedFile shared_files[] = {
     {"layer_tree.glsl", oit_glsl::layer_tree_glsl},
     {"layer_nodes.glsl", oit_glsl::layer_nodes_glsl},
     {"list_sort.glsl", oit_glsl::list_sort_glsl},
+    {"pixel_lock.glsl", oit_glsl::pixel_lock_glsl},
     {"peel_key.glsl", oit_glsl::peel_key_glsl},
     {"front_to_back.glsl", oit_glsl::front_to_back_glsl},
     {"optical_depth.glsl", oit_glsl::optical_depth_glsl},

@@ -5,6 +5,7 @@
 #include "oit/methods/binning.h"
 #include "oit/methods/decoupled_lists.h"
 #include "oit/methods/depth_peeling.h"
+#include "oit/methods/dual_depth_peeling.h"
 #include "oit/methods/fourier.h"
 #include "oit/methods/fourier_opacity.h"
 #include "oit/methods/k_buffer.h"
@@ -21,6 +22,7 @@ namespace pellucid {
 std::span<const MethodRow> oit_methods() {
   static const std::array rows = {linked_list_method(),
                                   depth_peeling_method(),
+                                  dual_depth_peeling_method(),
                                   weighted_sum_method(),
                                   weighted_average_method(),
                                   weighted_blended_method(),

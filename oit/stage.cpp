@@ -15,6 +15,7 @@ void set_blend(const Gl& gl, GLuint attachment, Blend blend) {
   gl.BlendEquationi(attachment, GL_FUNC_ADD);
   if (blend == Blend::add) gl.BlendFunci(attachment, GL_ONE, GL_ONE);
   if (blend == Blend::under) gl.BlendFunci(attachment, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  if (blend == Blend::over) gl.BlendFunci(attachment, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (blend == Blend::transmit) gl.BlendFunci(attachment, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
 }
 

@@ -13,6 +13,7 @@ enum class Blend {
   replace,
   add,      // destination + source
   under,    // premultiplied source under the destination: front to back
+  over,     // … over it: back to front
   transmit  // destination * (1 - source): the product of transmittances
 };
 

@@ -109,6 +109,19 @@ TEST(UnitMethods, PeelingReportsWhatItsBudgetLeaves) {
   EXPECT_LE(max_difference(rendering.image, composite(nearest, scene.background)), 1e-5);
 }
 
+// Two layers to a peel: of nine, the third from either side on is left.
+TEST(UnitMethods, DualPeelingLeavesTheMiddleToItsBudget) {
+  const auto layers = random_layers(9, 0.5f, 4);
+  const Scene scene = stack(3, 2, layers);
+  const Rendering rendering = render(method("dual-depth-peeling"), scene, {{"peels", "2"}}, true);
+  EXPECT_EQ(rendering.stats.fragments, 9u * 6);
+  EXPECT_EQ(rendering.stats.stored, 4u * 6);
+  EXPECT_EQ(rendering.stats.dropped, 5u * 6);
+  EXPECT_EQ(rendering.stats.truncated, 6u);
+  const std::vector<Rgba> ends = {layers[0], layers[1], layers[7], layers[8]};
+  EXPECT_LE(max_difference(rendering.image, composite(ends, scene.background)), 1e-5);
+}
+
 TEST(UnitMethods, WeightedSumIsItsFormula) {
   const auto layers = random_layers(5, 0.15f, 5);
   Vec3 color(0);

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// Dual depth peeling (Bavoil and Myers 2008, "Order independent transparency with dual depth
+/// peeling", NVIDIA): each pass over the scene peels the nearest and the farthest layer that are
+/// left; the first are composited from front to back, the others from back to front.
+///
+/// What differs from the paper: its maximum blending compares depths alone and so takes coincident
+/// fragments for one. Here a fragment's key is its depth and its place in the order of submission,
+/// 64 bits that no blending compares; a fragment that is nearer or farther than those found writes
+/// its key and colour itself, one at a time by a lock per pixel. Since key and colour are found
+/// together, the colours need no pass of their own.
+///
+/// `peels` is a budget of passes, two layers each; what it leaves lies in the middle and is counted
+/// as dropped.
+///
+/// Accuracy: without a budget the exact composite up to coverage and float rounding.
+const MethodRow& dual_depth_peeling_method();
+
+}  // namespace pellucid
