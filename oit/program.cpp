@@ -24,6 +24,7 @@ constexpr SharedFile shared_files[] = {
     {"layer_tree.glsl", oit_glsl::layer_tree_glsl},
     {"layer_nodes.glsl", oit_glsl::layer_nodes_glsl},
     {"list_sort.glsl", oit_glsl::list_sort_glsl},
+    {"alpha_layers.glsl", oit_glsl::alpha_layers_glsl},
     {"pixel_lock.glsl", oit_glsl::pixel_lock_glsl},
     {"peel_key.glsl", oit_glsl::peel_key_glsl},
     {"front_to_back.glsl", oit_glsl::front_to_back_glsl},

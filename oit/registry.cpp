@@ -10,6 +10,7 @@
 #include "oit/methods/fourier_opacity.h"
 #include "oit/methods/k_buffer.h"
 #include "oit/methods/linked_list.h"
+#include "oit/methods/mlab.h"
 #include "oit/methods/moment.h"
 #include "oit/methods/stochastic.h"
 #include "oit/methods/tree.h"
@@ -32,6 +33,7 @@ std::span<const MethodRow> oit_methods() {
                                   decoupled_lists_method(),
                                   moment_method(),
                                   k_buffer_method(),
+                                  mlab_method(),
                                   stochastic_method(),
                                   tree_method()};
   return rows;

@@ -69,8 +69,8 @@ class DualDepthPeeling final : public OitMethod {
   }
 
   std::uint64_t count_left() const {
-    return draw_left(
-        stage_.geometry_program(oit_glsl::dual_depth_peeling_peel_frag_glsl(), {{"COUNT_LEFT", 1}}));
+    return draw_left(stage_.geometry_program(oit_glsl::dual_depth_peeling_peel_frag_glsl(),
+                                             {{"COUNT_LEFT", 1}}));
   }
 
   // Returns how many fragments passed.

@@ -198,6 +198,44 @@ TEST(UnitMethods, KBufferKeepsCoincidentLayers) {
   EXPECT_NEAR(image.at(1, 1).a, 0.875, 1e-6);
 }
 
+TEST(UnitMethods, MultiLayerBlendingIsExactUpToItsLayers) {
+  const auto layers = random_layers(8, 0.9f, 15);
+  Scene scene = stack(3, 3, layers);
+  std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(3));
+  const Image image = render(method("mlab"), scene, {{"layers", "8"}}).image;
+  EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5);
+}
+
+// Merged are then only neighbours, the farther under the nearer.
+TEST(UnitMethods, MultiLayerBlendingIsExactFromFrontToBack) {
+  const auto layers = random_layers(40, 0.3f, 18);
+  const Scene scene = stack(3, 3, layers);
+  const Image image = render(method("mlab"), scene, {{"layers", "2"}}).image;
+  EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5);
+}
+
+// Of four layers in two places: what was merged before a layer between them came stays together.
+TEST(UnitMethods, MultiLayerBlendingMergesTheFarthest) {
+  const std::vector<Rgba> layers = {
+      {1, 0, 0, 0.5f}, {0, 1, 0, 0.25f}, {0, 0, 1, 0.5f}, {1, 1, 0, 0.75f}};
+  const auto difference = [&](std::initializer_list<std::size_t> submitted,
+                              std::initializer_list<std::size_t> seen) {
+    const Scene all = stack(3, 3, layers);
+    Scene scene = all;
+    for (std::size_t i = 0; i < 4; ++i) scene.objects[i] = all.objects[submitted.begin()[i]];
+    std::vector<Rgba> expected;
+    for (const std::size_t i : seen) expected.push_back(layers[i]);
+    const Image image = render(method("mlab"), scene, {{"layers", "2"}}).image;
+    return max_difference(image, composite(expected, scene.background));
+  };
+  // Layers 1 and 3 are one at the depth of 1, before layer 2 comes and goes behind them.
+  EXPECT_LE(difference({0, 1, 3, 2}, {0, 1, 3, 2}), 1e-6);
+  // Layers 2 and 3 are one, behind the others.
+  EXPECT_LE(difference({3, 2, 1, 0}, {0, 1, 2, 3}), 1e-6);
+  // Layers 1 and 3 are one when layer 0 pushes them back.
+  EXPECT_LE(difference({1, 3, 0, 2}, {0, 1, 3, 2}), 1e-6);
+}
+
 // Two layers: the mean over pixels nears the truth like 1 / sqrt(samples * pixels).
 TEST(UnitMethods, StochasticSamplesConverge) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};
