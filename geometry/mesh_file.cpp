@@ -37,6 +37,7 @@ constexpr Format formats[] = {
     {".vtk", read_vtk_mesh, read_vtk_lines, read_vtk_points},
     {".binlines", nullptr, read_binlines},
     {".csv", nullptr, nullptr, read_csv_points},
+    {".vdb", nullptr, nullptr, read_vdb_points},
 };
 
 constexpr std::string_view written_endings = ".ply, .obj, .vtp";

@@ -22,8 +22,8 @@ TriangleMesh read_mesh(const std::filesystem::path& path);
 /// for read_mesh(); lines of fewer than two points are kept.
 LineSet read_lines(const std::filesystem::path& path);
 
-/// Reads the points of a .ply, .vtp, .vtu or .vtk file, where what joins them is left out, or of a
-/// .csv file whose first line names the columns.
+/// Reads the points of a .ply, .vtp, .vtu or .vtk file, where what joins them is left out, of a
+/// .csv file whose first line names the columns, or of the point grids of an OpenVDB .vdb file.
 PointSet read_points(const std::filesystem::path& path);
 
 /// Writes .ply (binary, double positions, float attributes), .obj (positions, normals, triangles)

@@ -23,6 +23,7 @@ LineSet read_binlines(const std::filesystem::path& path);
 PointSet read_ply_points(const std::filesystem::path& path);
 PointSet read_vtk_points(const std::filesystem::path& path);
 PointSet read_csv_points(const std::filesystem::path& path);
+PointSet read_vdb_points(const std::filesystem::path& path);
 
 std::string encode_ply(const TriangleMesh& mesh);
 std::string encode_obj(const TriangleMesh& mesh);
