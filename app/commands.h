@@ -19,6 +19,7 @@ struct GlobalOptions {
 /// WorkError; main() prints them and picks the exit code.
 void add_study_command(CLI::App& app, GlobalOptions& globals);
 void add_render_command(CLI::App& app, GlobalOptions& globals);
+void add_frames_command(CLI::App& app, GlobalOptions& globals);
 void add_compare_command(CLI::App& app, GlobalOptions& globals);
 void add_trace_command(CLI::App& app, GlobalOptions& globals);
 void add_tune_command(CLI::App& app, GlobalOptions& globals);

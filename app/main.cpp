@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   GlobalOptions globals;
   add_study_command(app, globals);
   add_render_command(app, globals);
+  add_frames_command(app, globals);
   add_compare_command(app, globals);
   add_trace_command(app, globals);
   add_tune_command(app, globals);

@@ -7,7 +7,10 @@ namespace pellucid {
 
 /// Opacities of the scene's elements, and of its vertices by them: the object-space half of opacity
 /// optimization (Baeza Rojo et al. 2019, section 4.2, end of step 2 and step 3). It takes the
-/// parameters `segments`, `patches` and `smooth`. What no fragment of is seen stays opaque.
+/// parameters `segments`, `patches`, `smooth` and `keep`. What no fragment of is seen is opaque.
+///
+/// Along a camera path, frames after the first show keep · last + (1 - keep) · found, `last` of the
+/// frame before: temporal smoothing, for which the paper has no formula.
 ///
 /// Smoothing runs on the CPU, from and to the driver's buffers: there are few elements to smooth,
 /// and points have theirs where they are.
@@ -25,9 +28,14 @@ class ElementOpacity {
  private:
   static constexpr std::uint32_t opaque_bits = 0x3f800000;  // of 1.0f
 
+  void smooth_found(std::vector<float>& opacities) const;
+  void blend_with_last(std::vector<float>& opacities);
+  void interpolate(const std::vector<float>& opacities) const;
+
   Stage& stage_;
   int iterations_;
-  Elements patches_, segments_;
+  float keep_;
+  std::shared_ptr<const Elements> patches_, segments_;
   std::size_t points_;
   ElementTextures textures_;
 };
@@ -58,6 +66,12 @@ inline constexpr auto element_parameters = std::to_array<ParameterSpec>(
       .min = 0,
       .max = 1000,
       .unit = "iterations",
-      .help = "of Laplacian smoothing of the opacities of segments and patches"}});
+      .help = "of Laplacian smoothing of the opacities of segments and patches"},
+     {.name = "keep",
+      .kind = ParameterSpec::Kind::real,
+      .default_value = "0",
+      .min = 0,
+      .max = 1,
+      .help = "along a camera path, the share of the last frame's opacities that stays"}});
 
 }  // namespace pellucid

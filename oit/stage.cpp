@@ -32,6 +32,7 @@ void check_size(const Gl& gl, int width, int height) {
 
 Stage::Stage(const Scene& scene, const RenderContext& context)
     : scene_(scene),
+      memory_(context.memory),
       context_(context.gl),
       width_(scene.width),
       height_(scene.height),

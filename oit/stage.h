@@ -28,6 +28,8 @@ class Stage {
   const GlContext& context() const { return context_; }
   const Gl& gl() const { return context_.gl(); }
   const Scene& scene() const { return scene_; }
+  /// None: the picture stands alone.
+  FrameMemory* memory() const { return memory_; }
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint64_t pixel_count() const { return std::uint64_t(width_) * height_; }
@@ -73,6 +75,7 @@ class Stage {
 
  private:
   const Scene& scene_;
+  FrameMemory* memory_;
   GlContext context_;
   int width_, height_;
   glm::vec3 background_;

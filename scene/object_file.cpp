@@ -74,6 +74,18 @@ double read_radius(const JsonNode& node) {
   return radius;
 }
 
+Halo read_halo(const JsonNode& node) {
+  node.accept_keys({"width", "depth", "color"});
+  Halo halo;
+  halo.width = node["width"].number(0, any);
+  halo.depth = node.has("depth") ? node["depth"].number(0, any) : halo.width;
+  if (node.has("color")) {
+    halo.color = node["color"].vec3();
+    for (const JsonNode& channel : node["color"].elements()) channel.number(0, 1);
+  }
+  return halo;
+}
+
 class ObjectReader {
  public:
   ObjectReader(const JsonNode& node, const ObjectContext& context)
@@ -83,7 +95,7 @@ class ObjectReader {
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
     node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "isosurface",
-                       "color", "opacity", "importance", "opaque", "radius", "profile"});
+                       "color", "opacity", "importance", "opaque", "radius", "profile", "halo"});
     if (std::count_if(kinds.begin(), kinds.end(),
                       [&](const Kind& k) { return node_.has(k.key); }) != 1)
       node_.fail(
@@ -107,21 +119,29 @@ class ObjectReader {
   void draw(TriangleMesh mesh) {
     for (const char* key : {"radius", "profile"})
       if (node_.has(key)) node_[key].fail("only lines and points have one");
+    refuse_halo();
     object_.shape = std::move(mesh);
   }
 
   void draw(LineSet set) {
     if (set.segment_count() == 0) node_.fail("nothing to draw: it has no segment");
     const bool tube = node_.has("profile") && node_["profile"].one_of({"ribbon", "tube"}) == "tube";
-    object_.shape = LineObject{std::move(set), read_radius(node_),
-                               tube ? LineObject::Profile::tube : LineObject::Profile::ribbon};
+    LineObject lines{std::move(set), read_radius(node_),
+                     tube ? LineObject::Profile::tube : LineObject::Profile::ribbon};
+    if (node_.has("halo")) lines.halo = read_halo(node_["halo"]);
+    object_.shape = std::move(lines);
   }
 
   void draw(PointSet set) {
     const bool sphere =
         node_.has("profile") && node_["profile"].one_of({"disc", "sphere"}) == "sphere";
+    refuse_halo();
     object_.shape = PointObject{std::move(set), read_radius(node_),
                                 sphere ? PointObject::Profile::sphere : PointObject::Profile::disc};
+  }
+
+  void refuse_halo() const {
+    if (node_.has("halo")) node_["halo"].fail("only lines have one");
   }
 
   void read_mesh_file(const JsonNode& node) {
@@ -195,7 +215,7 @@ class ObjectReader {
   }
 
   void read_isosurface_object(const JsonNode& node) {
-    for (const char* key : {"radius", "profile", "importance"})
+    for (const char* key : {"radius", "profile", "importance", "halo"})
       if (node_.has(key)) node_[key].fail("an isosurface has none");
     std::string how;
     std::visit([&](auto surface) { object_.shape = std::move(surface); },

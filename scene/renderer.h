@@ -17,6 +17,8 @@
 
 namespace pellucid {
 
+struct FrameMemory;
+
 struct StepTime {
   std::string name;
   double seconds = 0;  // wall clock, GL work finished
@@ -119,7 +121,8 @@ class Renderer {
 
 /// What a method is given beside its scene.
 struct RenderContext {
-  std::string gl = "osmesa";  // "osmesa" | "egl"
+  std::string gl = "osmesa";      // "osmesa" | "egl"
+  FrameMemory* memory = nullptr;  // along a camera path; has to outlive the renderer
 };
 
 /// What a row of the method table promises; a property test holds every row to it.

@@ -21,6 +21,13 @@
 
 namespace pellucid {
 
+/// Of lines, see place_halos().
+struct Halo {
+  double width = 0;           // beyond the ribbon's rim, world
+  double depth = 0;           // by which its outer rim lies behind the line, world
+  std::optional<Vec3> color;  // none: the background's
+};
+
 /// Polylines of a width. A ribbon faces the eye at every point (see ribbon.h) and is lit as the
 /// tube that it stands for: at the fraction c of the half width, |n · v| = √(1 - c²) |m · v| with m
 /// the part of v that is perpendicular to the line, normalized. The line's direction is that of
@@ -31,6 +38,7 @@ struct LineObject {
   LineSet set;
   double radius = 0;  // world; half a ribbon's width
   Profile profile = Profile::ribbon;
+  std::optional<Halo> halo = std::nullopt;
 };
 
 /// Points of a size. A disc is parallel to the picture, so that all of it has its centre's view
@@ -61,6 +69,7 @@ struct SceneObject {
   std::variant<TriangleMesh, LineObject, PointObject, Isosurface> shape;
   bool opaque = false;  // hides what lies behind it, whatever its alpha; context of the others
   std::optional<FlowSource> source = std::nullopt;
+  bool is_halo = false;  // made by place_halos()
 
   const Vertices& vertices() const;
   Vertices& vertices() { return const_cast<Vertices&>(std::as_const(*this).vertices()); }
@@ -84,6 +93,7 @@ struct Scene {
   Lighting lighting = Lighting::none;
   EnergyWeights energy;  // for methods that optimize opacities
   std::vector<SceneObject> objects;
+  std::vector<Camera> camera_path;                // empty: none; `camera` need not be on it
   std::map<std::string, std::string> provenance;  // how the objects were made
 
   Box3 bounds() const;

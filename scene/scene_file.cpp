@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "scene/appearance.h"
+#include "scene/camera_path.h"
+#include "scene/halo.h"
 #include "scene/json_node.h"
 #include "scene/object_file.h"
 
@@ -35,6 +39,18 @@ Camera read_camera(const JsonNode& node) {
   return camera;
 }
 
+std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera) {
+  node.accept_keys({"frames", "orbit", "keys"});
+  const int frames = node["frames"].integer(2, 100000);
+  if (node.has("orbit") == node.has("keys")) node.fail("accepted: one of the keys orbit, keys");
+  if (node.has("orbit")) return orbit(camera, node["orbit"].number(-any, any), frames);
+  std::vector<Camera> keys;
+  for (const JsonNode& key : node["keys"].elements()) keys.push_back(read_camera(key));
+  std::vector<Camera> path = at_place(node, [&] { return between_keys(keys, frames); });
+  at_place(node, [&] { std::ranges::for_each(path, camera_frame); });
+  return path;
+}
+
 Lighting read_lighting(const JsonNode& node) {
   const std::string name = node.one_of({"none", "headlight", "phong"});
   return name == "none"        ? Lighting::none
@@ -62,8 +78,8 @@ struct Loader {
   Scene scene;
 
   void read(const JsonNode& root) {
-    root.accept_keys({"format", "version", "resolution", "samples", "camera", "background",
-                      "lighting", "energy", "objects"});
+    root.accept_keys({"format", "version", "resolution", "samples", "camera", "camera_path",
+                      "background", "lighting", "energy", "objects"});
     root["format"].one_of({"pellucid-scene"});
     root["version"].integer(1, 1);
     if (root.has("resolution")) {
@@ -94,6 +110,9 @@ struct Loader {
         ensure_normals(*mesh);
     }
     if (!root.has("camera")) scene.camera = fitted_camera(scene.bounds());
+    if (root.has("camera_path"))
+      scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
+    place_halos(scene);
   }
 };
 

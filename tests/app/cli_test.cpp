@@ -233,9 +233,23 @@ TEST_F(UnitCommandLine, TunesWithinABoundAndSaysWhenNothingIs) {
   EXPECT_THAT(refusal(tune), HasSubstr("accepted: --max-rmse"));
 }
 
+TEST_F(UnitCommandLine, RendersFramesOfAPath) {
+  const std::string call = "frames " + scene().string() + " --quiet -m linked-list ";
+  const std::string into = "-o " + (folder_ / "frames").string();
+  EXPECT_THAT(refusal(call + into), HasSubstr("no camera_path"));
+  EXPECT_THAT(refusal(call + into + " --orbit 10 --frames 1"), HasSubstr("frames"));
+  const Outcome outcome = run(call + into + " --orbit 10 --frames 3 --json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"picture_change\""));
+  for (const char* file : {"0000.png", "0002.png", "frames.csv"})
+    EXPECT_TRUE(fs::exists(folder_ / "frames" / file)) << file;
+  EXPECT_THAT(read_text(folder_ / "frames" / "frames.csv"), HasSubstr("\n2,4.6"));
+}
+
 TEST_F(UnitCommandLine, HelpAndVersionExitWithZero) {
-  for (const char* arguments : {"--help", "--version", "render --help", "study --help",
-                                "compare --help", "trace --help", "tune --help", "list --help"})
+  for (const char* arguments :
+       {"--help", "--version", "render --help", "study --help", "frames --help", "compare --help",
+        "trace --help", "tune --help", "list --help"})
     EXPECT_EQ(run(arguments).exit_code, 0) << arguments;
 }
 

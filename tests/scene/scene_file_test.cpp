@@ -298,6 +298,27 @@ TEST_F(UnitSceneFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
   EXPECT_THAT(refusal(text(R"("speed", "map": "rainbow")")), HasSubstr("unknown colour map"));
 }
 
+TEST_F(UnitSceneFile, ReadsHalosAndCameraPaths) {
+  const std::string line = R"({"lines": {"field": "formula:u=1,v=0,w=0", "integrator":
+      "stream-lines:particles=2", "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 1},
+      "radius": 0.1)";
+  const Scene scene =
+      with(line + R"(, "halo": {"width": 0.2}})", R"("camera_path": {"orbit": 20, "frames": 5})");
+  EXPECT_EQ(std::get<LineObject>(scene.objects.at(0).shape).halo->depth, 0.2);
+  EXPECT_TRUE(scene.objects.at(1).is_halo);
+  EXPECT_EQ(scene.camera_path.size(), 5u);
+  EXPECT_EQ(scene.camera_path.front().eye, scene.camera.eye);
+  EXPECT_THAT(refusal(line + R"(, "halo": {"depth": 0.2}})"),
+              HasSubstr("halo: the key 'width' is missing"));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "halo": {"width": 0.2}})"),
+              HasSubstr("only lines have one"));
+  EXPECT_THAT(refusal(line + "}", R"("camera_path": {"frames": 5})"), HasSubstr("orbit, keys"));
+  EXPECT_THAT(refusal(line + "}", R"("camera_path": {"frames": 1, "orbit": 5})"),
+              HasSubstr("frames"));
+  EXPECT_THAT(refusal(line + "}", R"("camera_path": {"frames": 3, "keys": [{"eye": [1, 0, 0]}]})"),
+              HasSubstr("at least two"));
+}
+
 TEST_F(UnitSceneFile, AnIsosurfaceFadesByAScalarOfItsData) {
   const auto text = [](const std::string& opacity, const std::string& keys = "") {
     return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
