@@ -23,16 +23,18 @@ SeedCurve rake_of_tornado(const IndexedRandom& random) {
   return segment_seed(middle - half, middle + half);
 }
 
-/// A rake along one of the leading edges, or upstream across the wing.
+/// A rake along one of the vortices, near its core or on the way around it.
 SeedCurve rake_of_wing(const IndexedRandom& random) {
-  const double side = random.uniform(0) < 0.5 ? -1 : 1, off = random.uniform(1, -0.15, 0.25);
-  const double from = random.uniform(2, 0.05, 0.3), lift = random.uniform(3, 0.02, 0.25);
-  return segment_seed({from, side * (0.45 * from + off), lift},
-                      {from + 0.8, side * (0.45 * (from + 0.8) + off), lift});
+  const double side = random.uniform(0) < 0.5 ? -1 : 1, off = random.uniform(1, -0.05, 0.25);
+  const double from = random.uniform(2, 0.05, 0.3), lift = random.uniform(3, -0.05, 0.15);
+  const auto beside_core = [&](double x) {
+    return Vec3(x, side * (0.35 * x + off), 0.12 * x + lift);  // the field's b and h
+  };
+  return segment_seed(beside_core(from), beside_core(from + 0.8));
 }
 
 constexpr FlowSurfaces tornado{"tornado", 8, {.none = 0.5, .full = 0.95}, rake_of_tornado};
-constexpr FlowSurfaces delta_wing{"delta-wing", 2.5, {.none = 0.6, .full = 0.95}, rake_of_wing};
+constexpr FlowSurfaces delta_wing{"delta-wing", 2.5, {.none = 0.5, .full = 0.85}, rake_of_wing};
 
 void append(const TriangleMesh& part, TriangleMesh& whole) {
   const auto base = std::uint32_t(whole.positions.size());
@@ -58,7 +60,7 @@ Dataset make(const Parameters& values, const Progress& progress) {
 }
 
 constexpr ParameterSpec tornado_parameters[] = {count_parameter("8", "surfaces"), seed_parameter};
-constexpr ParameterSpec wing_parameters[] = {count_parameter("10", "surfaces"), seed_parameter};
+constexpr ParameterSpec wing_parameters[] = {count_parameter("16", "surfaces"), seed_parameter};
 
 }  // namespace
 
