@@ -1,24 +1,40 @@
 #include "oit/methods/moment.h"
 
+#include <numbers>
+
 #include "oit/optical_depth_passes.h"
 #include "oit_glsl.h"
 
 namespace pellucid {
 namespace {
 
-bool six_moments(const Parameters& parameters) { return parameters.text("moments") == "6"; }
+// Of the circle that depths are put on, in radians: from the nearest to the farthest. The rest, a
+// twentieth of a turn, keeps the farthest from being taken for the nearest.
+constexpr double angle_range = 1.9 * std::numbers::pi;
+
+struct Basis {
+  std::string_view name;
+  double bias[3];  // the paper's choice for 4, 6 and 8 numbers of 32 bits
+};
+constexpr Basis bases[] = {{"power", {5e-7, 5e-6, 5e-5}}, {"trigonometric", {4e-7, 8e-7, 1.5e-6}}};
+
+int moment_count(const Parameters& parameters) { return parameters.integer("moments"); }
+
+bool trigonometric(const Parameters& parameters) {
+  return parameters.text("basis") == bases[1].name;
+}
+
+double bias(const Parameters& parameters) {
+  if (parameters.is_set("bias")) return parameters.real("bias");
+  return bases[trigonometric(parameters)].bias[moment_count(parameters) / 2 - 2];
+}
 
 std::vector<OpticalDepthPasses::Target> moments(const Parameters& parameters) {
   std::vector<OpticalDepthPasses::Target> targets = {{"optical depth", GL_R32F},
                                                      {"moments 1 to 4", GL_RGBA32F}};
-  if (six_moments(parameters)) targets.push_back({"moments 5 and 6", GL_RG32F});
+  if (moment_count(parameters) == 6) targets.push_back({"moments 5 and 6", GL_RG32F});
+  if (moment_count(parameters) == 8) targets.push_back({"moments 5 to 8", GL_RGBA32F});
   return targets;
-}
-
-// The paper's choice for 32-bit moments, if not set.
-double bias(const Parameters& parameters) {
-  if (parameters.is_set("bias")) return parameters.real("bias");
-  return six_moments(parameters) ? 5e-6 : 5e-7;
 }
 
 class Moment final : public OitMethod {
@@ -41,8 +57,11 @@ class Moment final : public OitMethod {
 
  private:
   GeometryProgram geometry_program(std::string_view fragment, const Parameters& parameters) const {
-    GeometryProgram program = clamped_geometry_program(
-        stage_, fragment, {{"MOMENTS", parameters.integer("moments")}}, parameters);
+    Defines defines = {{"MOMENTS", moment_count(parameters)}};
+    if (trigonometric(parameters)) defines.emplace_back("TRIGONOMETRIC", 1);
+    GeometryProgram program =
+        clamped_geometry_program(stage_, fragment, std::move(defines), parameters);
+    program.set("angle_range", float(angle_range));
     program.set("overestimation", float(parameters.real("overestimation")));
     program.set("bias", float(bias(parameters)));
     return program;
@@ -50,7 +69,7 @@ class Moment final : public OitMethod {
 
   Framebuffer targets(const Parameters& parameters) const {
     const auto target = [&](int i) { return Framebuffer::Attachment{passes_.coefficients(i)}; };
-    if (six_moments(parameters)) return {stage_.gl(), {target(0), target(1), target(2)}};
+    if (moment_count(parameters) > 4) return {stage_.gl(), {target(0), target(1), target(2)}};
     return {stage_.gl(), {target(0), target(1)}};
   }
 
@@ -64,15 +83,22 @@ constexpr ParameterSpec parameters[] = {
     {.name = "moments",
      .kind = ParameterSpec::Kind::choice,
      .default_value = "4",
-     .choices = "4|6",
-     .help = "power moments beyond the zeroth"},
+     .choices = "4|6|8",
+     .help = "numbers beyond the zeroth moment"},
+    {.name = "basis",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "power",
+     .choices = "power|trigonometric",
+     .help = "powers of depth, or cosines and sines of 2, 3 or 4 angles"},
     {.name = "bias",
      .kind = ParameterSpec::Kind::real,
      .default_value = "",
      .min = 0,
      .max = 1,
      .unit = "1",
-     .help = "share of a safe distribution mixed in; not set: 5e-7 for 4 moments, 5e-6 for 6"},
+     .help = "share of a safe distribution mixed in; not set: 5e-7, 5e-6, 5e-5 for 4, 6, 8 powers, "
+             "4e-7, "
+             "8e-7, 1.5e-6 for as many cosines and sines"},
     {.name = "overestimation",
      .kind = ParameterSpec::Kind::real,
      .default_value = "0.25",
@@ -97,12 +123,14 @@ const MethodRow& moment_method() {
       .citation =
           "Muenstermann, Krumpen, Klein and Peters 2018, Moment-based order-independent "
           "transparency, PACMCGIT 1(1)",
-      .equations = "power moments 4 and 6 by canonical distributions, derived anew",
+      .equations =
+          "4, 6, 8 power and 2, 3, 4 trigonometric moments by canonical distributions, derived "
+          "anew",
       .parameters = parameters,
       // The reconstruction amplifies roundings of the moments by up to 1 / bias.
       .promises = {.order_spread = 0.05, .convex_hull = true, .fixed_memory = true},
-      .bytes_per_pixel = "36 (4 moments) or 44 (6)",
-      .sweep = "moments=4|6",
+      .bytes_per_pixel = "36 (4 moments), 44 (6) or 52 (8)",
+      .sweep = "moments=4|6|8,basis=power|trigonometric",
       .make = make_oit<Moment>};
   return row;
 }

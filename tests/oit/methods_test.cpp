@@ -248,14 +248,21 @@ TEST(UnitMethods, StochasticSamplesConverge) {
   for (int c = 0; c < 4; ++c) EXPECT_NEAR(mean[c], exact[c], 0.012);
 }
 
-TEST(UnitMethods, MomentsOfTwoLayersAreExactWithoutTheMassAtZ) {
-  const std::vector<Rgba> layers = {{1, 0, 0, 0.6f}, {0, 1, 0, 0.8f}};
-  const Scene scene = stack(2, 2, layers);
-  const RawOptions options = {{"overestimation", "0"}};
-  // The moments of two layers leave no choice; the bias and roundings cost the digits.
-  EXPECT_LE(max_difference(render(method("moment"), scene, options).image,
-                           composite(layers, scene.background)),
-            2e-2);
+TEST(UnitMethods, MomentsOfFewLayersAreExactWithoutTheMassAtZ) {
+  const std::vector<Rgba> all = {
+      {1, 0, 0, 0.6f}, {0, 1, 0, 0.8f}, {0, 0, 1, 0.5f}, {1, 1, 0, 0.7f}};
+  for (const char* basis : {"power", "trigonometric"})
+    for (const int n : {2, 3, 4}) {
+      const std::vector<Rgba> layers(all.begin(), all.begin() + n);
+      const Scene scene = stack(2, 2, layers);
+      const RawOptions options = {
+          {"overestimation", "0"}, {"moments", std::to_string(2 * n)}, {"basis", basis}};
+      // So many moments of n layers leave no choice; the bias and roundings cost the digits.
+      EXPECT_LE(max_difference(render(method("moment"), scene, options).image,
+                               composite(layers, scene.background)),
+                2e-2)
+          << basis << ' ' << n;
+    }
 }
 
 TEST(UnitMethods, LayersOfOneColourAndOpacityAreTheTruthForAverages) {
