@@ -80,11 +80,16 @@ class FacetMender {
 /// lengths falls; or, since the worse of two facets gets better, the facets' cosines grow in
 /// lexicographic order when they are sorted from the worst. In (s, t) the triangulation stays one
 /// without folds, whatever its edges do in space.
+///
+/// An edge and the vertex that split it make a triangle of no area there, or of one by rounding.
+/// Turned to, it would bring the edge back, to be split once more in the same place.
 double FacetMender::gain(const Edge& edge, Better better) const {
+  constexpr double smallest_share = 1e-6;  // rounding has some 1e-11: doubles near 1, 1e-5 apart
   if (links_.neighbour(edge) == TriangleLinks::none) return 0;
   const std::uint32_t a = links_.from(edge), b = links_.to(edge), c = links_.opposite(edge),
                       d = links_.opposite(links_.twin(edge));
-  if (!(builder_.parameter_area(c, a, d) > 0 && builder_.parameter_area(d, b, c) > 0)) return 0;
+  const double left = builder_.parameter_area(c, a, d), right = builder_.parameter_area(d, b, c);
+  if (!(std::min(left, right) > smallest_share * (left + right))) return 0;
   if (better == Better::shorter) return distance(a, b) - distance(c, d);
   const auto worse = [&](const Corners& one, const Corners& other) {
     return std::min(facet_cosine(builder_, one), facet_cosine(builder_, other));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "integrators/mesh_quality.h"
@@ -109,6 +110,23 @@ TEST(PropertyFacets, AnyAngleCanBeAskedFor) {
       for (const auto& [reason, count] : swept.surface.stats.ends) ended += count;
       EXPECT_EQ(ended, swept.surface.stats.particles) << form.name << " " << row.name;
     }
+}
+
+TEST(PropertyFacets, NoEdgeIsSplitTwiceInTheSamePlace) {
+  // These surfaces stay whole and lean most where they end.
+  const auto field = make_field("abc");
+  const double pi = std::numbers::pi;
+  const SurfaceRequest request{
+      field.get(), segment_seed({pi, pi, pi - 3}, {pi, pi, pi + 3}), 9, 0, false, {}};
+  for (const char* integrator :
+       {"adaptive-front:tolerance=0.01,rip=1e-8", "hultquist:tolerance=0.01,rip=1e-8"}) {
+    const auto surface = integrate_surface(integrator, request);
+    const MeshQuality quality = measure_quality(surface.mesh);
+    EXPECT_GT(surface.stats.ends.at(EndReason::vertex), 0u) << integrator;
+    EXPECT_EQ(quality.duplicate_vertices, 0u) << integrator;
+    EXPECT_EQ(quality.degenerate_triangles, 0u) << integrator;
+    EXPECT_TRUE(quality.manifold) << integrator;
+  }
 }
 
 TEST(UnitFacets, MendingComesToAnEnd) {
