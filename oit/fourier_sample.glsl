@@ -2,16 +2,16 @@
 #define FOURIER_SAMPLE
 #include "fourier_series.glsl"
 
-// float NAME(float d): the integral up to d in [0, 1] (Eq. 5) of the series that a pixel has in the
+// float NAME(float d): the integral up to d in [0, 1] (Eq. 5) of the series that a PIXEL has in the
 // image array COEFFICIENTS, two bands in a layer. An image, not a sampler: on llvmpipe a load costs
 // a third of a texel fetch.
-#define FOURIER_SUM(name, coefficients, bands)                            \
+#define FOURIER_SUM(name, coefficients, bands, pixel)                     \
   float name(float d) {                                                   \
     vec2 one_band = first_wave(d);                                        \
     vec2 wave = vec2(1.0, 0.0);                                           \
     float sum = 0.0;                                                      \
     for (int k = 0; k <= bands; k += 2) {                                 \
-      vec4 c = imageLoad(coefficients, ivec3(gl_FragCoord.xy, k / 2));    \
+      vec4 c = imageLoad(coefficients, ivec3(pixel, k / 2));              \
       vec2 next_wave = add_angles(wave, one_band);                        \
       sum += fourier_integral(k, c.xy, d, wave);                          \
       if (k < bands) sum += fourier_integral(k + 1, c.zw, d, next_wave);  \

@@ -24,6 +24,15 @@ layout(location = 6) OF_SHAPE in float vertex_opacity;
 #endif
 #ifdef OPAQUE_CONTEXT
 layout(binding = 15) uniform usampler2D opaque_keys;  // of the nearest opaque fragment
+
+uvec2 opaque_key() {
+#ifdef HALF_RESOLUTION
+  ivec2 pixel = min(2 * ivec2(gl_FragCoord.xy), textureSize(opaque_keys, 0) - 1);  // one of four
+#else
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+#endif
+  return texelFetch(opaque_keys, pixel, 0).xy;
+}
 #endif
 
 uniform uint first_primitive;  // of what is being drawn, in the order of the scene
@@ -87,7 +96,7 @@ Fragment fragment() {
   f.color = lit(f.color, facing());
 #endif
 #ifdef OPAQUE_CONTEXT
-  if (precedes(texelFetch(opaque_keys, ivec2(gl_FragCoord.xy), 0).xy, key_of(f))) discard;
+  if (precedes(opaque_key(), key_of(f))) discard;
 #endif
 #ifdef OPTIMIZED_FRAGMENTS
   f.alpha *= opacity_by_series(importance(), f.depth);

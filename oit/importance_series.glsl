@@ -10,10 +10,11 @@ layout(binding = 6, rgba16f) readonly uniform image2DArray importance_coefficien
 #else
 layout(binding = 6, rgba32f) readonly uniform image2DArray importance_coefficients;
 #endif
-FOURIER_SUM(importance_sum, importance_coefficients, IMPORTANCE_BANDS)
+ivec2 importance_pixel() { return ivec2(gl_FragCoord.xy) / PIXELS_PER_SERIES; }
+FOURIER_SUM(importance_sum, importance_coefficients, IMPORTANCE_BANDS, importance_pixel())
 
 float opacity_by_series(float g, float depth) {
-  float total = 0.5 * imageLoad(importance_coefficients, ivec3(gl_FragCoord.xy, 0)).r;  // Eq. 7
+  float total = 0.5 * imageLoad(importance_coefficients, ivec3(importance_pixel(), 0)).r;  // Eq. 7
   float sum = importance_sum(place_in_period(depth, importance_margin));
   float own = g * g;
   return optimal_opacity(energy_weights, g, sum - own_share * own,

@@ -6,18 +6,20 @@ namespace pellucid {
 
 /// The importance G(d) of every pixel as a Fourier series (Baeza Rojo et al. 2019, Eq. 11), for
 /// programs that include importance_series.glsl. It takes the parameters of scene/opacity_energy.h,
-/// `importance-bands`, and `at`, `margin`, `precision` and `subset` of methods/fourier.h. The
-/// geometry's importance has to be uploaded.
+/// `importance-bands`, `importance-resolution`, and `at`, `margin`, `precision` and `subset` of
+/// methods/fourier.h. The geometry's importance has to be uploaded.
 class ImportanceSeries {
  public:
   ImportanceSeries(Stage& stage, const Parameters& parameters);
 
-  void project() const { projection_.project(); }
+  void project() const;
   /// For the programs that follow.
   void bind() const;
   const Defines& defines() const { return defines_; }
 
  private:
+  const Stage& stage_;
+  bool half_;  // a series for 2 x 2 pixels
   Texture coefficients_;
   FourierProjection projection_;
   Buffer energy_;

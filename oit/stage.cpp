@@ -55,6 +55,17 @@ Texture Stage::target(std::string_view name, GLenum format, int layers) {
   return texture;
 }
 
+Texture Stage::half_target(std::string_view name, GLenum format, int layers) {
+  Texture texture(gl(), format, (width_ + 1) / 2, (height_ + 1) / 2, layers);
+  record(name, texture.bytes());
+  return texture;
+}
+
+void Stage::halve_resolution(bool half) const {
+  half ? gl().Viewport(0, 0, (width_ + 1) / 2, (height_ + 1) / 2)
+       : gl().Viewport(0, 0, width_, height_);
+}
+
 GeometryProgram Stage::geometry_program(std::string_view fragment, Defines defines) const {
   for (auto& define : geometry_.defines()) defines.push_back(std::move(define));
   defines.insert(defines.end(), defines_.begin(), defines_.end());

@@ -50,6 +50,8 @@ class Stage {
 
   /// A texture of the picture's size, in the ledger. `layers` 0: a plain texture.
   Texture target(std::string_view name, GLenum format, int layers = 0);
+  /// The same for pictures of half the width and height, rounded up.
+  Texture half_target(std::string_view name, GLenum format, int layers = 0);
   /// A program over the scene's transparent shapes from a fragment shader's body. A pass takes a
   /// fragment only after the shader's call of fragment(), see fragment.glsl.
   GeometryProgram geometry_program(std::string_view fragment, Defines defines = {}) const;
@@ -62,6 +64,10 @@ class Stage {
 
   /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow.
   void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
+  /// From here on the picture is drawn into half targets, by programs with the define
+  /// HALF_RESOLUTION: pixel x, y where 2 x, 2 y and its neighbours to the right and below are, up
+  /// to a pixel where the width or height is odd. False: again whole ones.
+  void halve_resolution(bool half) const;
   void draw_geometry(const GeometryProgram& program) const { geometry_.draw(program); }
   /// A geometry of the method's own.
   void draw_geometry(const GeometryProgram& program, const Geometry& geometry) const {

@@ -12,7 +12,7 @@ layout(binding = 0, rgba32f) readonly uniform image2DArray coefficients;
 
 layout(location = 0) out vec4 sums;  // sum of C w, sum of w
 
-FOURIER_SUM(tau_at, coefficients, BANDS)
+FOURIER_SUM(tau_at, coefficients, BANDS, ivec2(gl_FragCoord.xy))
 
 void main() {
   Fragment f = fragment();

@@ -99,9 +99,17 @@ constexpr ParameterSpec importance_bands_parameter = {
     .unit = "bands",
     .help = "of the series of the importance; 0: as many as `bands`, the optical depth's"};
 
+constexpr ParameterSpec importance_resolution_parameter = {
+    .name = "importance-resolution",
+    .kind = ParameterSpec::Kind::choice,
+    .default_value = "full",
+    .choices = "full|half",
+    .help = "of the importance's series: one a pixel, or one for 2 x 2"};
+
 constexpr auto parameters =
     concatenate(energy_parameters, fourier_parameters,
-                std::array{importance_bands_parameter, per_parameter, transmittance_parameter},
+                std::array{importance_bands_parameter, importance_resolution_parameter,
+                           per_parameter, transmittance_parameter},
                 element_parameters);
 
 }  // namespace

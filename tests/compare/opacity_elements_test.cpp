@@ -100,5 +100,48 @@ TEST(UnitOpacityElements, APatchIsAnElement) {
         << method;
 }
 
+std::uint64_t importance_bytes(const Rendering& rendering) {
+  for (const NamedBytes& part : rendering.stats.bytes)
+    if (part.name.find("importance") != std::string::npos) return part.bytes;
+  return 0;
+}
+
+// Where all pixels have the same layers, so have those of half the resolution: odd sizes, context
+// that hides one half of the layers, and samples of a pixel included.
+TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) {
+  for (const auto& [width, height] : {std::pair(8, 6), {7, 5}, {1, 1}})
+    for (const int samples : {1, 2}) {
+      Scene scene = important_sheets(8, 5).scene;
+      scene.width = width;
+      scene.height = height;
+      scene.samples = samples;
+      scene.objects[4].opaque = true;
+      const RawOptions full = {{"q", "20"}, {"r", "10"}, {"lambda", "1.5"}};
+      RawOptions half = full;
+      half["importance-resolution"] = "half";
+      const Rendering whole = draw("fourier-opacity", scene, full);
+      const Rendering quarter = draw("fourier-opacity", scene, half);
+      // The sums of both add the same numbers in the same order.
+      EXPECT_LE(largest_difference(whole.image, quarter.image), 1e-6) << width << ' ' << samples;
+      const std::uint64_t pixels = std::uint64_t((width + 1) / 2) * ((height + 1) / 2);
+      EXPECT_EQ(importance_bytes(quarter) * std::uint64_t(width) * std::uint64_t(height),
+                importance_bytes(whole) * pixels);
+    }
+}
+
+// In a picture that changes from pixel to pixel, half the resolution is near, and not the same.
+TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsNear) {
+  const Scene scene = half_important(long_line());
+  const Image whole = draw("fourier-opacity", scene, {{"smooth", "0"}, {"q", "5"}}).image;
+  const Image half = draw("fourier-opacity", scene,
+                          {{"smooth", "0"}, {"q", "5"}, {"importance-resolution", "half"}})
+                         .image;
+  EXPECT_LE(largest_difference(whole, half), 0.5);
+  double difference = 0;
+  for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+    difference += glm::length(whole.pixels[i] - half.pixels[i]) / double(whole.pixels.size());
+  EXPECT_LE(difference, 0.02);
+}
+
 }  // namespace
 }  // namespace pellucid
