@@ -80,8 +80,7 @@ void Texture::read_pixel(int x, int y, int layers, GLenum format, GLenum type, s
 Buffer::Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags)
     : name_(gl, create([&](GLuint* id) { gl.CreateBuffers(1, id); })), bytes_(bytes) {
   // A buffer of no bytes is an error in OpenGL; an empty scene needs none of them.
-  gl.NamedBufferStorage(id(), GLsizeiptr(std::max<std::uint64_t>(bytes, 16)),
-                        bytes ? data : nullptr, flags);
+  gl.NamedBufferStorage(id(), GLsizeiptr(bytes ? bytes : 16), bytes ? data : nullptr, flags);
   check_memory(gl, bytes);
 }
 
