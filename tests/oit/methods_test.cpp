@@ -173,12 +173,14 @@ TEST(UnitMethods, ALinearBinIsARamp) {
   EXPECT_LE(max_difference(render(method("binning"), scene, options).image, expected), 1e-4);
 }
 
-TEST(UnitMethods, KBufferIsExactUpToItsLayers) {
+TEST(UnitMethods, BuffersOfLayersAreExactUpToTheirLayers) {
   const auto layers = random_layers(8, 0.9f, 15);
   Scene scene = stack(3, 3, layers);
   std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(3));
-  const Image image = render(method("k-buffer"), scene, {{"layers", "8"}}).image;
-  EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5);
+  for (const char* name : {"k-buffer", "mlab"}) {
+    const Image image = render(method(name), scene, {{"layers", "8"}}).image;
+    EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5) << name;
+  }
 }
 
 TEST(UnitMethods, KBufferAveragesItsTail) {
@@ -196,14 +198,6 @@ TEST(UnitMethods, KBufferKeepsCoincidentLayers) {
   for (const Rgba& layer : layers) scene.objects.push_back(sheet(0, layer));
   const Image image = render(method("k-buffer"), scene).image;
   EXPECT_NEAR(image.at(1, 1).a, 0.875, 1e-6);
-}
-
-TEST(UnitMethods, MultiLayerBlendingIsExactUpToItsLayers) {
-  const auto layers = random_layers(8, 0.9f, 15);
-  Scene scene = stack(3, 3, layers);
-  std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(3));
-  const Image image = render(method("mlab"), scene, {{"layers", "8"}}).image;
-  EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5);
 }
 
 // Merged are then only neighbours, the farther under the nearer.

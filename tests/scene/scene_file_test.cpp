@@ -1,59 +1,17 @@
 #include "scene/scene_file.h"
 
-#include <gmock/gmock.h>
-#include <stdlib.h>
-
-#include <fstream>
-
-#include "core/error.h"
-#include "fields/level_field.h"
-#include "geometry/mesh_file.h"
 #include "scene/appearance.h"
 #include "scene/colormap.h"
-#include "tests/support/scenes.h"
+#include "tests/scene/scene_file_folder.h"
 
 namespace pellucid {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using namespace testing;
 
-class UnitSceneFile : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "pellucid-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    TriangleMesh mesh = full_layer(0, Rgba(0.25, 0.5, 0.75, 0.125));
-    mesh.scalars["speed"] = {0, 1, 2, 4};
-    write_mesh(folder_ / "sheet.ply", mesh);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Scene load(const std::string& text) const {
-    std::ofstream(folder_ / "scene.json") << text;
-    return load_scene(folder_ / "scene.json");
-  }
-  /// A scene with the given objects and further top-level keys ("\"key\": value, …").
-  Scene with(const std::string& objects, const std::string& keys = "") const {
-    return load(R"({"format": "pellucid-scene", "version": 1, )" + keys +
-                (keys.empty() ? "" : ", ") + R"("objects": [)" + objects + "]}");
-  }
-  template <class... Texts>
-  std::string refusal(const Texts&... texts) const {
-    try {
-      with(texts...);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    ADD_FAILURE() << "the scene was accepted";
-    return {};
-  }
-
-  const std::string sheet = R"({"mesh": "sheet.ply"})";
-  fs::path folder_;
-};
+class UnitSceneFile : public SceneFileTest {};
 
 TEST_F(UnitSceneFile, AMeshIsUsedAsItStands) {
   const Scene scene = with(sheet);
@@ -225,16 +183,6 @@ TEST_F(UnitSceneFile, SyntaxErrorsNameTheLine) {
   EXPECT_THROW(load_scene(folder_ / "none.json"), InputError);
 }
 
-TEST_F(UnitSceneFile, AnIsosurfaceKeepsTheReconstructionItNames) {
-  for (const ReconstructionRow& row : reconstructions) {
-    const Scene scene = with(R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
-        "scalar": "magnitude", "reconstruction": ")" +
-                             std::string(row.name) + R"("}})");
-    const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
-    EXPECT_EQ(&surface.field->reconstruction(), &row);  // of the table, no copy that dies
-  }
-}
-
 TEST_F(UnitSceneFile, EnergyWeightsAreOptional) {
   const Scene scene = with(sheet, R"("energy": {"q": 60, "lambda": 0.26})");
   EXPECT_EQ(scene.energy.q, 60);
@@ -244,58 +192,6 @@ TEST_F(UnitSceneFile, EnergyWeightsAreOptional) {
   EXPECT_THAT(refusal(sheet, R"("energy": {"q": -1})"),
               AllOf(HasSubstr("energy.q"), HasSubstr("-1")));
   EXPECT_THAT(refusal(sheet, R"("energy": {"s": 15})"), HasSubstr("energy"));
-}
-
-TEST_F(UnitSceneFile, AnIsosurfaceMayBeAMesh) {
-  const auto text = [](const std::string& keys) {
-    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
-        "scalar": "magnitude", "mesh": true)" +
-           keys + R"(}, "color": [1, 0, 0], "opacity": 0.25})";
-  };
-  const TriangleMesh whole = with(text("")).objects.front().mesh();
-  EXPECT_EQ(whole.normals.size(), whole.positions.size());
-  EXPECT_EQ(whole.colors.front(), Rgba(1, 0, 0, 0.25));
-  const TriangleMesh cut =
-      with(text(R"(, "hole": {"center": [0, 0, 0], "radius": 1.5})")).objects.front().mesh();
-  EXPECT_LT(cut.triangles.size(), whole.triangles.size());
-  for (const auto& triangle : cut.triangles)
-    for (const std::uint32_t corner : triangle) EXPECT_GE(glm::length(cut.positions[corner]), 1.5);
-}
-
-TEST_F(UnitSceneFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
-  const auto text = [](const std::string& color, const std::string& keys = "") {
-    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
-        "scalar": "magnitude")" +
-           keys + R"(}, "opacity": 0.25, "color": {"by": )" + color + "}}";
-  };
-  const ColormapRow& map = find_colormap("four-color");
-  // Its own scalar is 0.9 all over it.
-  const Scene scene = with(text(R"("speed", "map": "four-color", "range": [0, 1.8])"));
-  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
-  ASSERT_TRUE(surface.coloring);
-  EXPECT_EQ(surface.corners.colors.front().a, 0.25f);
-  EXPECT_EQ(surface.coloring->scalar.fraction(Vec3(3, 0.5, 0)),
-            *surface.field->value(Vec3(3, 0.5, 0)) / 1.8);
-  EXPECT_EQ(surface.coloring->color(0.5), map(0.5));
-  const TriangleMesh mesh =
-      with(text(R"("speed", "map": "four-color", "range": [0, 1.8])", R"(, "mesh": true)"))
-          .objects.front()
-          .mesh();
-  for (const Rgba& color : mesh.colors) {
-    EXPECT_LT(glm::length(Vec3(color) - map(0.5)), 1e-5);  // vertices lie on it to some 1e-6
-    EXPECT_EQ(color.a, 0.25f);
-  }
-  // Without a range that of all samples.
-  const Scene free = with(text(R"("q")"));
-  const auto& coloring = *std::get<Isosurface>(free.objects.front().shape).coloring;
-  float low = 1e9f, high = -1e9f;
-  for (const float q : coloring.scalar.field->levels().front().samples) {
-    low = std::min(low, q);
-    high = std::max(high, q);
-  }
-  EXPECT_EQ(coloring.scalar.range, Vec2(low, high));
-  EXPECT_THAT(refusal(text(R"("vorticity")")), HasSubstr("unknown scalar 'vorticity'"));
-  EXPECT_THAT(refusal(text(R"("speed", "map": "rainbow")")), HasSubstr("unknown colour map"));
 }
 
 TEST_F(UnitSceneFile, ReadsHalosAndCameraPaths) {
@@ -317,80 +213,6 @@ TEST_F(UnitSceneFile, ReadsHalosAndCameraPaths) {
               HasSubstr("frames"));
   EXPECT_THAT(refusal(line + "}", R"("camera_path": {"frames": 3, "keys": [{"eye": [1, 0, 0]}]})"),
               HasSubstr("at least two"));
-}
-
-TEST_F(UnitSceneFile, AnIsosurfaceFadesByAScalarOfItsData) {
-  const auto text = [](const std::string& opacity, const std::string& keys = "") {
-    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
-        "scalar": "magnitude")" +
-           keys + R"(}, "color": [1, 0, 0], "opacity": )" + opacity + "}";
-  };
-  // Its own scalar is 0.9 all over it: a third of the way.
-  const std::string by = R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0.6, 1.5]})";
-  const Scene scene = with(text(by));
-  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
-  ASSERT_TRUE(surface.fading);
-  const Vec3 x(3, 0.5, 0);
-  const double share = (*surface.field->value(x) - 0.6) / 0.9;
-  EXPECT_NEAR(surface.fading->opacity(x), 0.9 - 0.6 * share, 1e-7);
-  EXPECT_EQ(surface.corners.colors.front(), Rgba(1, 0, 0, 1));
-  const Scene triangles = with(text(by, R"(, "mesh": true)"));
-  for (const Rgba& color : triangles.objects.front().mesh().colors) {
-    EXPECT_NEAR(color.a, 0.7, 1e-5);  // vertices lie on it to some 1e-6
-    EXPECT_EQ(Vec3(color), Vec3(1, 0, 0));
-  }
-  // Constant beyond the range.
-  const Scene beyond = with(text(R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0, 0.1]})"));
-  EXPECT_FLOAT_EQ(std::get<Isosurface>(beyond.objects.front().shape).fading->opacity(x), 0.3f);
-  EXPECT_THAT(refusal(text(R"({"by": "vorticity", "opacities": [0, 1]})")),
-              HasSubstr("unknown scalar 'vorticity'"));
-}
-
-TEST_F(UnitSceneFile, AnIsosurfaceMayBeCutAlongABody) {
-  write_mesh(folder_ / "body.ply", sphere(4, Rgba(1)));  // facets within 0.005 of the unit sphere
-  const auto text = [](const std::string& hole) {
-    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
-        "scalar": "magnitude", "hole": )" +
-           hole + "}}";
-  };
-  const Scene scene = with(text(R"({"mesh": "body.ply", "distance": 0.25})"));
-  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
-  EXPECT_TRUE(surface.cuts_away(Vec3(0.3, 0.2, 0.1)));
-  for (const Vec3 direction : {Vec3(1, 0, 0), Vec3(0.6, 0, -0.8), Vec3(0, -0.8, 0.6)}) {
-    EXPECT_TRUE(surface.cuts_away(1.24 * direction));
-    EXPECT_FALSE(surface.cuts_away(1.26 * direction));
-  }
-  write_mesh(folder_ / "open.ply", rectangle(0, 1, 0, 1, 0, Rgba(1)));
-  EXPECT_THAT(refusal(text(R"({"mesh": "open.ply"})")),
-              AllOf(HasSubstr("hole.mesh"), HasSubstr("closed mesh")));
-  EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "radius": 1})")), HasSubstr("radius"));
-  EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "distance": -1})")), HasSubstr("distance"));
-}
-
-TEST(UnitAppearance, NormalsAreAreaWeighted) {
-  TriangleMesh mesh = sphere(3, Rgba(1));
-  mesh.normals.clear();
-  ensure_normals(mesh);
-  // On a regular subdivision of the sphere the mean of the facets deviates by 2.8° at most.
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    EXPECT_GT(std::abs(glm::dot(mesh.normals[i], mesh.positions[i])),
-              std::cos(2.81 * std::numbers::pi / 180));
-}
-
-TEST(UnitColormap, EndsAndMiddleAreMatplotlibs) {
-  const ColormapRow& viridis = find_colormap("viridis");
-  EXPECT_EQ(viridis(0) * 255.0, Vec3(68, 1, 84));
-  EXPECT_EQ(viridis(1) * 255.0, Vec3(253, 231, 37));
-  EXPECT_EQ(viridis(-5), viridis(0));
-  EXPECT_EQ(viridis(7), viridis(1));
-}
-
-TEST(UnitColormap, FourColoursPartTheRangeInThree) {
-  const ColormapRow& map = find_colormap("four-color");
-  const Vec3 knots[] = {{0, 0.9, 0.2}, {0.8, 0.8, 0}, {1, 0, 0}, {0.4, 0.6, 0}};
-  for (int i = 0; i < 4; ++i) EXPECT_LT(glm::length(map(i / 3.0) - knots[i]), 1e-15);
-  EXPECT_LT(glm::length(map(0.5) - 0.5 * (knots[1] + knots[2])), 1e-15);
-  EXPECT_EQ(map(2), map(1));
 }
 
 }  // namespace
