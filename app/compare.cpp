@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "compare/error_map.h"
-#include "compare/image_file.h"
-#include "compare/metrics.h"
-#include "compare/result_row.h"
+#include "compare/pictures/error_map.h"
+#include "compare/pictures/image_file.h"
+#include "compare/pictures/metrics.h"
+#include "compare/results/result_row.h"
 #include "core/error.h"
 
 namespace pellucid {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "core/stopwatch.h"
+#include "core/machine/stopwatch.h"
 
 namespace pellucid {
 namespace {

@@ -1,46 +1,33 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "core/error.h"
-#include "core/names.h"
-#include "fields/sphere_levels.h"
-#include "fields/vdb_levels.h"
-#include "geometry/mesh_file.h"
-#include "scene/dataset.h"
+#include "core/options/names.h"
+#include "fields/levels/vdb_levels.h"
+#include "geometry/files/mesh_file.h"
+#include "scene/datasets/dataset.h"
 
 namespace pellucid {
 namespace {
 
-bool is_on_levels(const std::string& dataset) {
-  const std::string name = parse_name_and_options(dataset).name;
-  return std::ranges::any_of(level_datasets(), [&](const auto& row) { return row.name == name; });
-}
-
-/// Throws InputError with the names of both tables, or the endings that the data set takes: before
-/// the work that would be in vain.
+/// Before the work that would be in vain. Throws InputError with the names that are known, or the
+/// endings that the data set takes.
 void check(const std::string& dataset, const std::string& output) {
   const std::string name = parse_name_and_options(dataset).name;
-  std::vector<std::string_view> known;
-  for (const DatasetRow& row : datasets()) known.push_back(row.name);
-  for (const LevelDatasetRow& row : level_datasets()) known.push_back(row.name);
-  if (std::ranges::find(known, name) == known.end())
-    throw InputError(unknown_name("data set", name, known));
+  const DatasetRow& row = find_row("data set", name, datasets());
   const std::string ending = std::filesystem::path(output).extension().string();
-  const bool fits = is_on_levels(dataset)
-                        ? ending == ".vdb"
-                        : ending == ".ply" || ending == ".obj" || ending == ".vtp";
+  const bool fits =
+      row.on_levels ? ending == ".vdb" : ending == ".ply" || ending == ".obj" || ending == ".vtp";
   if (!fits)
     throw InputError(fmt::format("{}: ending '{}'; accepted for {}: {}", output, ending, name,
-                                 is_on_levels(dataset) ? ".vdb" : ".ply, .obj, .vtp"));
+                                 row.on_levels ? ".vdb" : ".ply, .obj, .vtp"));
 }
 
-nlohmann::ordered_json write_levels(const std::string& dataset, const std::string& output) {
-  const std::vector<VectorLevel> levels = make_level_dataset(dataset);
+nlohmann::ordered_json write(const VelocityLevels& levels, const std::string& output) {
   write_vdb_levels(output, "velocity", levels);
   nlohmann::ordered_json grids = nlohmann::ordered_json::array();
   for (const VectorLevel& level : levels)
@@ -71,9 +58,8 @@ nlohmann::ordered_json write(const PointSet& points, const std::string& output) 
 void make(const std::string& dataset, const std::string& output, const GlobalOptions& globals) {
   check(dataset, output);
   const nlohmann::ordered_json json =
-      is_on_levels(dataset) ? write_levels(dataset, output)
-                            : std::visit([&](const auto& set) { return write(set, output); },
-                                         make_dataset(dataset, console_progress(globals)));
+      std::visit([&](const auto& data) { return write(data, output); },
+                 make_dataset(dataset, console_progress(globals)));
   if (globals.json)
     std::cout << json.dump(2) << '\n';
   else if (!globals.quiet)

@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/frame_sequence.h"
-#include "compare/image_file.h"
-#include "compare/methods.h"
+#include "compare/methods/methods.h"
+#include "compare/pictures/image_file.h"
+#include "compare/run/frame_sequence.h"
 #include "core/error.h"
-#include "core/names.h"
-#include "core/output_file.h"
-#include "scene/scene_file.h"
+#include "core/files/output_file.h"
+#include "core/options/names.h"
+#include "scene/files/scene_file.h"
 
 namespace pellucid {
 namespace {

@@ -4,15 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/methods.h"
-#include "compare/metrics.h"
-#include "compare/study.h"
-#include "core/names.h"
-#include "fields/catalogue.h"
-#include "fields/sphere_levels.h"
-#include "integrators/integrate_lines.h"
-#include "integrators/integrate_surface.h"
-#include "scene/dataset.h"
+#include "compare/methods/methods.h"
+#include "compare/pictures/metrics.h"
+#include "compare/study/study.h"
+#include "core/options/names.h"
+#include "fields/analytic/catalogue.h"
+#include "integrators/lines/integrate_lines.h"
+#include "integrators/surfaces/integrate_surface.h"
+#include "scene/datasets/dataset.h"
 
 namespace pellucid {
 namespace {
@@ -73,20 +72,14 @@ nlohmann::ordered_json list_fields() {
   return rows;
 }
 
-template <class Row>
-nlohmann::ordered_json to_json(const Row& row, std::string_view scene_key) {
-  return {{"name", row.name},
-          {"title", row.title},
-          {"citation", row.citation},
-          {"scene key", scene_key},
-          {"parameters", to_json(row.parameters)}};
-}
-
 nlohmann::ordered_json list_datasets() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const DatasetRow& row : datasets()) rows.push_back(to_json(row, "dataset"));
-  for (const LevelDatasetRow& row : level_datasets())
-    rows.push_back(to_json(row, "isosurface.dataset"));
+  for (const DatasetRow& row : datasets())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"scene key", row.on_levels ? "isosurface.dataset" : "dataset"},
+                    {"parameters", to_json(row.parameters)}});
   return rows;
 }
 

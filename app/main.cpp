@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "core/build_info.h"
 #include "core/error.h"
+#include "core/machine/build_info.h"
 
 namespace pellucid {
 namespace {

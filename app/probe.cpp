@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "groundtruth/ray_sums.h"
+#include "groundtruth/sums/ray_sums.h"
 
 namespace pellucid {
 namespace {

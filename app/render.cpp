@@ -7,14 +7,14 @@
 
 #include "app/commands.h"
 #include "app/probe.h"
-#include "compare/image_file.h"
-#include "compare/methods.h"
-#include "compare/sums_file.h"
+#include "compare/methods/methods.h"
+#include "compare/pictures/image_file.h"
+#include "compare/pictures/sums_file.h"
 #include "core/error.h"
-#include "core/machine.h"
-#include "core/names.h"
-#include "core/output_file.h"
-#include "scene/scene_file.h"
+#include "core/files/output_file.h"
+#include "core/machine/machine.h"
+#include "core/options/names.h"
+#include "scene/files/scene_file.h"
 
 namespace pellucid {
 namespace {

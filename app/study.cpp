@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/methods.h"
-#include "compare/run_study.h"
-#include "compare/study.h"
-#include "compare/tables.h"
+#include "compare/methods/methods.h"
+#include "compare/report/tables.h"
+#include "compare/run/run_study.h"
+#include "compare/study/study.h"
 #include "core/error.h"
 
 namespace pellucid {

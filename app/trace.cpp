@@ -5,17 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/distance_picture.h"
-#include "compare/image_file.h"
+#include "compare/methods/distance_picture.h"
+#include "compare/pictures/image_file.h"
 #include "core/error.h"
-#include "core/names.h"
+#include "core/options/names.h"
 #include "fields/make_field.h"
-#include "geometry/mesh_file.h"
-#include "integrators/integrate_lines.h"
-#include "integrators/integrate_surface.h"
-#include "integrators/mesh_distance.h"
-#include "integrators/mesh_quality.h"
-#include "integrators/surface_error.h"
+#include "geometry/files/mesh_file.h"
+#include "integrators/lines/integrate_lines.h"
+#include "integrators/mesh/mesh_distance.h"
+#include "integrators/mesh/mesh_quality.h"
+#include "integrators/surfaces/integrate_surface.h"
+#include "integrators/surfaces/surface_error.h"
 
 namespace pellucid {
 namespace {

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/methods.h"
-#include "compare/sweep.h"
-#include "compare/tune.h"
+#include "compare/methods/methods.h"
+#include "compare/methods/sweep.h"
+#include "compare/run/tune.h"
 #include "core/error.h"
-#include "core/names.h"
+#include "core/options/names.h"
 
 namespace pellucid {
 namespace {

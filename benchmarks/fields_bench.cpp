@@ -12,9 +12,9 @@
 #include <random>
 #include <vector>
 
-#include "fields/catalogue.h"
+#include "fields/analytic/catalogue.h"
 #include "fields/make_field.h"
-#include "tests/fields/grid_files.h"
+#include "tests/fields/readers/grid_files.h"
 
 namespace pellucid {
 namespace {

@@ -13,11 +13,11 @@
 #include <atomic>
 #include <string>
 
-#include "core/stopwatch.h"
-#include "groundtruth/crossing_finder.h"
-#include "groundtruth/crossing_geometry.h"
-#include "groundtruth/raytrace.h"
-#include "scene/scene_file.h"
+#include "core/machine/stopwatch.h"
+#include "groundtruth/methods/raytrace.h"
+#include "groundtruth/shapes/crossing_geometry.h"
+#include "groundtruth/traversal/crossing_finder.h"
+#include "scene/files/scene_file.h"
 
 namespace pellucid {
 namespace {

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <string>
 
+#include "core/machine/stopwatch.h"
 #include "core/parallel.h"
-#include "core/stopwatch.h"
 #include "fields/make_field.h"
-#include "groundtruth/raytrace.h"
-#include "scene/dataset.h"
+#include "groundtruth/methods/raytrace.h"
+#include "scene/datasets/dataset.h"
 
 namespace {
 

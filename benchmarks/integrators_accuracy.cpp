@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "core/names.h"
-#include "integrators/counting_sampler.h"
-#include "integrators/mesh_quality.h"
-#include "integrators/surface_error.h"
-#include "integrators/trajectory.h"
+#include "core/options/names.h"
+#include "integrators/mesh/mesh_quality.h"
+#include "integrators/paths/counting_sampler.h"
+#include "integrators/paths/trajectory.h"
+#include "integrators/surfaces/surface_error.h"
 #include "tests/integrators/closed_forms.h"
 
 namespace {

@@ -23,7 +23,7 @@
 #include <ctime>
 #include <filesystem>
 
-#include "integrators/integrate_lines.h"
+#include "integrators/lines/integrate_lines.h"
 #include "tests/integrators/closed_forms.h"
 
 namespace {

@@ -21,19 +21,19 @@
 #include <string>
 #include <vector>
 
-#include "compare/metrics.h"
-#include "core/output_file.h"
+#include "compare/pictures/metrics.h"
+#include "core/files/output_file.h"
+#include "core/machine/stopwatch.h"
 #include "core/parallel.h"
-#include "core/stopwatch.h"
-#include "fields/derived_scalar.h"
-#include "fields/level_field.h"
+#include "fields/levels/derived_scalar.h"
+#include "fields/levels/level_field.h"
+#include "fields/levels/vdb_levels.h"
 #include "fields/make_field.h"
-#include "fields/sphere_levels.h"
-#include "fields/vdb_levels.h"
-#include "groundtruth/crossing_finder.h"
-#include "groundtruth/march.h"
-#include "groundtruth/raytrace.h"
-#include "scene/scene_file.h"
+#include "groundtruth/methods/march.h"
+#include "groundtruth/methods/raytrace.h"
+#include "groundtruth/traversal/crossing_finder.h"
+#include "scene/datasets/dataset.h"
+#include "scene/files/scene_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid {
@@ -194,7 +194,7 @@ ScalarLevel sum_of_components(const VectorLevel& v) {
 }
 
 void derive(benchmark::State& state) {
-  const VectorLevel level = make_level_dataset(big_field).back();
+  const VectorLevel level = make_velocity_levels(big_field).back();
   const auto time = [&](const auto& compute) {
     const Stopwatch watch;
     benchmark::DoNotOptimize(compute(level).samples.data());
@@ -307,7 +307,7 @@ int main(int argc, char** argv) {
   const testing::TemporaryFolder folder;
   const auto velocity = folder / "velocity.vdb", scalar = folder / "scalar.vdb";
   {
-    const std::vector<VectorLevel> levels = make_level_dataset(big_field);
+    const std::vector<VectorLevel> levels = make_velocity_levels(big_field);
     write_vdb_levels(velocity, "velocity", levels);
     write_vdb_levels(scalar, "q", scalars_of(levels, "q"));
   }

@@ -2,7 +2,7 @@
 // SSIM of the same pictures on the same machine.
 #include <benchmark/benchmark.h>
 
-#include "compare/metrics.h"
+#include "compare/pictures/metrics.h"
 
 namespace {
 

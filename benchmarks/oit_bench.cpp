@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/names.h"
-#include "core/stopwatch.h"
+#include "core/machine/stopwatch.h"
+#include "core/options/names.h"
 #include "fields/make_field.h"
 #include "oit/registry.h"
-#include "oit/stage.h"
+#include "oit/stage/stage.h"
 
 namespace pellucid {
 namespace {

@@ -19,11 +19,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "compare/metrics.h"
-#include "core/stopwatch.h"
+#include "compare/pictures/metrics.h"
+#include "core/machine/stopwatch.h"
 #include "fields/make_field.h"
-#include "groundtruth/raytrace.h"
-#include "integrators/integrate_surface.h"
+#include "groundtruth/methods/raytrace.h"
+#include "integrators/surfaces/integrate_surface.h"
 
 namespace {
 

@@ -1,6 +1,7 @@
 # pellucid_embed(TARGET NAMESPACE FILE…): makes each file's bytes available as
 #   std::string_view NAMESPACE::name(), name = the file's name with . and - as _
-# through the generated header "NAMESPACE.h" (in the target's binary folder).
+# through the generated header "NAMESPACE.h" (in the target's binary folder), and all of them as
+#   std::span<const NAMESPACE::File> NAMESPACE::files(), by their path from the project's root.
 function(pellucid_embed target namespace)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)
   set(outputs "")
@@ -10,7 +11,7 @@ function(pellucid_embed target namespace)
   endforeach()
   add_custom_command(
     OUTPUT ${folder}/${namespace}.cpp ${folder}/${namespace}.h
-    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${folder}/${namespace} -DNAMESPACE=${namespace} "-DFILES=${paths}"
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${folder}/${namespace} -DNAMESPACE=${namespace} -DROOT=${CMAKE_SOURCE_DIR} "-DFILES=${paths}"
             -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${paths} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
     VERBATIM)

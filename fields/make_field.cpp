@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "core/names.h"
-#include "core/parameters.h"
-#include "fields/catalogue.h"
-#include "fields/file_field.h"
-#include "fields/formula_field.h"
+#include "core/options/names.h"
+#include "core/options/parameters.h"
+#include "fields/analytic/catalogue.h"
+#include "fields/analytic/formula_field.h"
+#include "fields/readers/file_field.h"
 
 namespace pellucid {
 namespace {

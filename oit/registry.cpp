@@ -2,21 +2,21 @@
 
 #include <array>
 
-#include "oit/methods/binning.h"
-#include "oit/methods/decoupled_lists.h"
-#include "oit/methods/depth_peeling.h"
-#include "oit/methods/dual_depth_peeling.h"
-#include "oit/methods/fourier.h"
-#include "oit/methods/fourier_opacity.h"
-#include "oit/methods/k_buffer.h"
-#include "oit/methods/linked_list.h"
-#include "oit/methods/mlab.h"
-#include "oit/methods/moment.h"
-#include "oit/methods/stochastic.h"
-#include "oit/methods/tree.h"
-#include "oit/methods/weighted_average.h"
-#include "oit/methods/weighted_blended.h"
-#include "oit/methods/weighted_sum.h"
+#include "oit/methods/binning/binning.h"
+#include "oit/methods/fourier/fourier.h"
+#include "oit/methods/fourier/fourier_opacity.h"
+#include "oit/methods/k_buffer/k_buffer.h"
+#include "oit/methods/lists/decoupled_lists.h"
+#include "oit/methods/lists/linked_list.h"
+#include "oit/methods/mlab/mlab.h"
+#include "oit/methods/moment/moment.h"
+#include "oit/methods/peeling/depth_peeling.h"
+#include "oit/methods/peeling/dual_depth_peeling.h"
+#include "oit/methods/stochastic/stochastic.h"
+#include "oit/methods/tree/tree.h"
+#include "oit/methods/weighted/weighted_average.h"
+#include "oit/methods/weighted/weighted_blended.h"
+#include "oit/methods/weighted/weighted_sum.h"
 
 namespace pellucid {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/ribbon.h"
+#include "scene/view/ribbon.h"
 
 namespace pellucid {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fields/level_field.h"
+#include "fields/levels/level_field.h"
 #include "geometry/solid_mesh.h"
-#include "scene/appearance.h"
-#include "scene/colormap.h"
+#include "scene/appearance/appearance.h"
+#include "scene/appearance/colormap.h"
 
 namespace pellucid {
 

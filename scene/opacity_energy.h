@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/parameters.h"
+#include "core/options/parameters.h"
 
 namespace pellucid {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/parameters.h"
+#include "core/options/parameters.h"
 #include "core/progress.h"
 #include "core/raster.h"
 #include "scene/scene.h"

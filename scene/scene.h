@@ -12,12 +12,12 @@
 #include "geometry/line_set.h"
 #include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
-#include "integrators/seed_curve.h"
-#include "scene/appearance.h"
-#include "scene/camera.h"
+#include "integrators/paths/seed_curve.h"
+#include "scene/appearance/appearance.h"
+#include "scene/appearance/lighting.h"
 #include "scene/isosurface.h"
-#include "scene/lighting.h"
 #include "scene/opacity_energy.h"
+#include "scene/view/camera.h"
 
 namespace pellucid {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/error.h"
-#include "scene/ribbon.h"
+#include "scene/view/ribbon.h"
 
 namespace pellucid {
 namespace {

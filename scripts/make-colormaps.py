@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes scene/colormap_tables.inc from Matplotlib's colour maps (256 sRGB bytes triples each).
+"""Writes scene/appearance/colormap_tables.inc from Matplotlib's colour maps (256 sRGB bytes triples each).
 
 viridis, magma, inferno, plasma (Smith, van der Walt; CC0), cividis (Nuñez et al. 2018; CC0), turbo
 (Mikhailov 2019; Apache-2.0), coolwarm (Moreland 2009).
@@ -9,7 +9,7 @@ import numpy as np
 
 NAMES = ["viridis", "magma", "inferno", "plasma", "cividis", "turbo", "coolwarm"]
 
-with open("scene/colormap_tables.inc", "w") as out:
+with open("scene/appearance/colormap_tables.inc", "w") as out:
     out.write("// Made by scripts/make-colormaps.py. 256 × RGB bytes.\n// clang-format off\n")
     for name in NAMES:
         rgb = np.round(matplotlib.colormaps[name](np.linspace(0, 1, 256))[:, :3] * 255).astype(int)

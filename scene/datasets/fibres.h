@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/dataset.h"
+#include "scene/datasets/dataset.h"
 
 namespace pellucid {
 

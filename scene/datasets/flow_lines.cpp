@@ -1,7 +1,7 @@
 #include "scene/datasets/flow_lines.h"
 
 #include "fields/make_field.h"
-#include "integrators/integrate_lines.h"
+#include "integrators/lines/integrate_lines.h"
 #include "scene/datasets/flow_quantity.h"
 #include "scene/datasets/stand_in.h"
 

@@ -1,7 +1,7 @@
 #include "scene/datasets/flow_surfaces.h"
 
 #include "fields/make_field.h"
-#include "integrators/integrate_surface.h"
+#include "integrators/surfaces/integrate_surface.h"
 #include "scene/datasets/flow_quantity.h"
 #include "scene/datasets/stand_in.h"
 

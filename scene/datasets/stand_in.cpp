@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "scene/colormap.h"
+#include "scene/appearance/colormap.h"
 
 namespace pellucid {
 namespace {

@@ -2,7 +2,7 @@
 // What the stand-ins share: data sets that take the place of data that were never published.
 
 #include "core/parallel.h"
-#include "scene/dataset.h"
+#include "scene/datasets/dataset.h"
 #include "scene/datasets/indexed_random.h"
 
 namespace pellucid {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/output_file.h"
+#include "core/files/output_file.h"
 
 namespace pellucid {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/output_file.h"
+#include "core/files/output_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid::testing {

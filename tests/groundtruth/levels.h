@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "fields/surface_cells.h"
-#include "groundtruth/level_ray.h"
+#include "fields/levels/surface_cells.h"
+#include "groundtruth/levels/level_ray.h"
 #include "tests/support/levels.h"
 
 namespace pellucid {

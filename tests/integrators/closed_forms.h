@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fields/make_field.h"
-#include "integrators/integrate_surface.h"
+#include "integrators/surfaces/integrate_surface.h"
 
 namespace pellucid::testing {
 

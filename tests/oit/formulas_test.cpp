@@ -18,11 +18,11 @@
 namespace glsl {
 
 using namespace glm;
-#include "oit/blended_weight.glsl"
-#include "oit/fourier_series.glsl"
-#include "oit/opacity_energy.glsl"
-#include "oit/optical_depth.glsl"
-#include "oit/optical_weight.glsl"
+#include "oit/methods/weighted/blended_weight.glsl"
+#include "oit/opacity/opacity_energy.glsl"
+#include "oit/optical_depth/fourier_series.glsl"
+#include "oit/optical_depth/optical_depth.glsl"
+#include "oit/optical_depth/optical_weight.glsl"
 
 }  // namespace glsl
 

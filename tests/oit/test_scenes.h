@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "core/names.h"
+#include "core/options/names.h"
 #include "oit/registry.h"
 #include "scene/scene.h"
 

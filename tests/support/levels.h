@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "fields/level_field.h"
+#include "fields/levels/level_field.h"
 
 namespace pellucid::testing {
 

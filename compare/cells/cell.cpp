@@ -1,0 +1,146 @@
+#include "compare/cells/cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/files/json_node.h"
+#include "core/files/output_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// FNV-1a, 64 bits, over fields that can't run into one another.
+class Hash {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) mix(std::uint8_t(c));
+    for (std::uint64_t size = text.size(), i = 0; i < 8; ++i) mix(std::uint8_t(size >> (8 * i)));
+  }
+  std::string hex() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  void mix(std::uint8_t byte) { value_ = (value_ ^ byte) * 1099511628211u; }
+  std::uint64_t value_ = 14695981039346656037u;
+};
+
+/// Any text of a scene file that names a file beside it, options after a colon left out, is taken
+/// for one that the scene reads.
+void add_named_files(const json& node, const fs::path& base, Hash& hash) {
+  if (node.is_structured())
+    for (const json& child : node) add_named_files(child, base, hash);
+  if (!node.is_string()) return;
+  const std::string text = node.get<std::string>();
+  const fs::path path = base / text.substr(0, text.find(':'));
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) hash.add(read_text(path));
+}
+
+void add_call(const MethodCall& call, Hash& hash) {
+  hash.add(call.row->name);
+  for (const auto& [key, value] : call.parameters.all()) {
+    hash.add(key);
+    hash.add(value);
+  }
+}
+
+/// A row whose picture has been lost is not finished.
+bool is_complete(const CellFiles& files, const ResultRow& row) {
+  return fs::exists(files.picture()) && fs::exists(files.preview()) &&
+         std::all_of(row.pictures.begin(), row.pictures.end(),
+                     [&](const RowPicture& p) { return fs::exists(files.further(p.name)); });
+}
+
+}  // namespace
+
+std::vector<Cell> expand_cells(const Study& study) {
+  std::vector<Cell> cells;
+  for (const fs::path& scene : study.scenes) {
+    const std::string name = scene_name(scene);
+    const auto probes = study.probes.find(name);
+    Cell cell{study.reference_scene.value_or(scene), name, study.reference, true, study.measures};
+    if (probes != study.probes.end()) cell.probes = probes->second;
+    cells.push_back(cell);
+    cell.reference = false;
+    cell.scene_file = scene;
+    for (const MethodCall& call : study.methods) {
+      cell.call = call;
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+CellFiles::CellFiles(fs::path folder, const Cell& cell)
+    : folder_(std::move(folder)), scene_(cell.scene), slug_(cell.call.slug()) {}
+
+fs::path CellFiles::image(std::string_view ending) const {
+  return folder_ / "images" / scene_ / fmt::format("{}{}", slug_, ending);
+}
+
+fs::path CellFiles::further(std::string_view name) const {
+  return image(fmt::format(".{}.png", name));
+}
+
+fs::path CellFiles::row() const { return folder_ / "cells" / scene_ / (slug_ + ".json"); }
+
+void CellFiles::make_folders() const {
+  for (const fs::path& path : {picture().parent_path(), row().parent_path()}) {
+    std::error_code code;
+    fs::create_directories(path, code);
+    if (code)
+      throw InputError(
+          fmt::format("{}: cannot make the folder: {}", path.string(), code.message()));
+  }
+}
+
+ResultRow identity_row(const Cell& cell) {
+  ResultRow row;
+  row.scene = cell.scene;
+  row.method = cell.call.row->name;
+  row.parameters = cell.call.parameters.given();
+  row.parameter_values = cell.call.parameters.all();
+  row.reference = cell.reference;
+  return row;
+}
+
+std::string scene_fingerprint(const fs::path& scene_file) {
+  Hash hash;
+  hash.add(read_text(scene_file));
+  add_named_files(read_json(scene_file), scene_file.parent_path(), hash);
+  return hash.hex();
+}
+
+std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
+                             const MethodCall& reference, const RenderContext& context) {
+  Hash hash;
+  hash.add(scene_fingerprint);
+  add_call(cell.call, hash);
+  add_call(reference, hash);
+  hash.add(context.gl);
+  for (const std::string& measure : cell.measures) hash.add(measure);
+  for (const Pixel& pixel : cell.probes) hash.add(fmt::format("{} {}", pixel.x, pixel.y));
+  return hash.hex();
+}
+
+std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint) {
+  if (!fs::exists(files.row())) return std::nullopt;
+  try {
+    ResultRow row = row_from_json(json::parse(read_text(files.row())));
+    if (row.fingerprint == fingerprint && row.error.empty() && is_complete(files, row)) return row;
+  } catch (const json::exception&) {
+    // Another version's row: the cell is computed again.
+  }
+  return std::nullopt;
+}
+
+void write_row(const CellFiles& files, const ResultRow& row) {
+  write_text(files.row(), to_json(row).dump(1) + "\n");
+}
+
+}  // namespace pellucid

@@ -1,0 +1,60 @@
+#include <cmath>
+#include <limits>
+
+#include "compare/measures/further_measures.h"
+#include "compare/pictures/error_map.h"
+#include "groundtruth/sums/picture_sums.h"
+
+namespace pellucid {
+namespace {
+
+/// Twenty to each of eleven bins of depth, so that the bins' boundaries are among their ends.
+constexpr int classes = 220;
+
+/// The depth d of each pixel's nearest layer; not a number where there is none.
+Raster<double> nearest_depths(const Scene& scene) {
+  const RayProbe probe(scene);
+  Raster<double> depths(scene.width, scene.height, std::numeric_limits<double>::quiet_NaN());
+  for (int y = 0; y < scene.height; ++y) {
+    const std::vector<RaySums> rays = row_sums(scene, probe, y);
+    for (int x = 0; x < scene.width; ++x)
+      if (const auto& layers = rays[std::size_t(x)].layers; !layers.empty())
+        depths.at(x, y) = layers.front().d;
+  }
+  return depths;
+}
+
+void measure(const Scene& scene, const Image& reference, CellMeasurement& cell) {
+  const Raster<double> depths = nearest_depths(scene);
+  std::vector<double> sums(classes), counts(classes);
+  for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
+    if (std::isnan(depths.pixels[i])) continue;
+    const std::size_t k =
+        std::min(std::size_t(depths.pixels[i] * classes), std::size_t(classes - 1));
+    sums[k] += pixel_error(reference.pixels[i], cell.image.pixels[i]);
+    ++counts[k];
+  }
+  RowCurve curve{"depth error",
+                 "",
+                 "Error over the depth of the nearest layer",
+                 "d of the nearest layer",
+                 "mean error",
+                 {},
+                 {}};
+  for (int k = 0; k < classes; ++k) {
+    if (counts[std::size_t(k)] == 0) continue;
+    curve.x.push_back((k + 0.5) / classes);
+    curve.y.push_back(sums[std::size_t(k)] / counts[std::size_t(k)]);
+  }
+  cell.row.curves.push_back(std::move(curve));
+}
+
+}  // namespace
+
+const FurtherMeasure& depth_error_measure() {
+  static constexpr FurtherMeasure row{"depth-error", "Error over the depth of the nearest layer",
+                                      measure};
+  return row;
+}
+
+}  // namespace pellucid

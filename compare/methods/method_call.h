@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// A method and the parameters that it is called with.
+struct MethodCall {
+  const MethodRow* row = nullptr;
+  Parameters parameters;
+
+  /// "fourier:bands=5", as on the command line.
+  std::string text() const;
+  /// The same as part of a file's name: "fourier-bands-5".
+  std::string slug() const;
+};
+
+}  // namespace pellucid

@@ -1,0 +1,137 @@
+#include "compare/pictures/metrics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/pictures/image_file.h"
+#include "compare/pictures/ssim.h"
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace pellucid {
+namespace {
+
+bool finite(const Rgba& p) {
+  return std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b) && std::isfinite(p.a);
+}
+
+void check_finite(std::string_view which, const Image& image) {
+  const auto bad = std::find_if_not(image.pixels.begin(), image.pixels.end(), finite);
+  if (bad == image.pixels.end()) return;
+  const auto index = bad - image.pixels.begin();
+  throw InputError(fmt::format(
+      "{} picture: {} pixels are not finite, the first at ({}, {}); accepted: finite values", which,
+      count_not_finite(image), index % image.width, index / image.width));
+}
+
+void check_pair(const Image& reference, const Image& test) {
+  if (reference.width != test.width || reference.height != test.height)
+    throw InputError(fmt::format("test picture: {}×{} pixels; accepted: {}×{} as the reference",
+                                 test.width, test.height, reference.width, reference.height));
+  if (reference.pixels.empty()) throw InputError("reference picture: it has no pixels");
+  check_finite("reference", reference);
+  check_finite("test", test);
+}
+
+/// Sum of squares, and the largest difference, of a run of pixels.
+struct Difference {
+  double squares = 0;
+  double largest = 0;
+  std::size_t where = 0;
+
+  void add(const Rgba& a, const Rgba& b, std::size_t index) {
+    for (int c = 0; c < 3; ++c) {
+      const double d = double(b[c]) - a[c];
+      squares += d * d;
+      if (std::abs(d) > largest) {
+        largest = std::abs(d);
+        where = index;
+      }
+    }
+  }
+};
+
+Difference join(const Difference& left, const Difference& right) {
+  Difference sum = right.largest > left.largest ? right : left;
+  sum.squares = left.squares + right.squares;
+  return sum;
+}
+
+/// The same to the last bit for any number of threads: the tree of sums depends on the size alone.
+Difference difference(const Image& reference, const Image& test) {
+  using Range = tbb::blocked_range<std::size_t>;
+  return parallel_sum(
+      Range(0, reference.pixels.size(), 1 << 14), Difference{},
+      [&](const Range& range, Difference sum) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          sum.add(reference.pixels[i], test.pixels[i], i);
+        return sum;
+      },
+      join);
+}
+
+double root_mean_square(const Difference& d, const Image& image) {
+  return std::sqrt(d.squares / (3.0 * double(image.pixels.size())));
+}
+
+MaxError largest(const Difference& d, const Image& image) {
+  return {d.largest, int(d.where % image.width), int(d.where / image.width)};
+}
+
+double decibels(double rmse) { return -20 * std::log10(rmse); }
+
+constexpr MetricRow rows[] = {
+    {"rmse", "Root mean square error", "sqrt(mean (x - y)²) over all RGB values", "", "1", false,
+     [](const Metrics& m) { return std::optional(m.rmse); }},
+    {"ssim", "Structural similarity",
+     "11×11 Gaussian window, σ = 1.5, K₁ = 0.01, K₂ = 0.03, L = 1, population covariance; mean "
+     "over "
+     "RGB and over the pixels whose window lies inside",
+     "Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment. IEEE TIP 13(4), 2004", "1", true,
+     [](const Metrics& m) { return m.ssim; }},
+    {"psnr", "Peak signal to noise ratio", "20 log10(1 / RMSE)", "", "dB", true,
+     [](const Metrics& m) { return std::optional(m.psnr); }},
+    {"max_error", "Largest error", "max |x - y| over all RGB values, and its pixel", "", "1", false,
+     [](const Metrics& m) { return std::optional(m.max_error.value); }}};
+
+}  // namespace
+
+std::span<const MetricRow> metrics() { return rows; }
+
+std::size_t count_not_finite(const Image& image) {
+  return std::size_t(std::count_if(image.pixels.begin(), image.pixels.end(),
+                                   [](const Rgba& pixel) { return !finite(pixel); }));
+}
+
+double rmse(const Image& reference, const Image& test) {
+  check_pair(reference, test);
+  return root_mean_square(difference(reference, test), reference);
+}
+
+double psnr(const Image& reference, const Image& test) { return decibels(rmse(reference, test)); }
+
+MaxError max_error(const Image& reference, const Image& test) {
+  check_pair(reference, test);
+  return largest(difference(reference, test), reference);
+}
+
+std::optional<double> ssim(const Image& reference, const Image& test) {
+  check_pair(reference, test);
+  if (std::min(test.width, test.height) < ssim_window) return std::nullopt;
+  return mean_ssim(reference, test);
+}
+
+Metrics measure(const Image& reference, const Image& test) {
+  check_pair(reference, test);
+  const Difference d = difference(reference, test);
+  const double error = root_mean_square(d, reference);
+  return {error, decibels(error), ssim(reference, test), largest(d, reference)};
+}
+
+Comparison compare_images(const Image& reference, const Image& test) {
+  return {measure(reference, test), measure(displayed_values(reference), displayed_values(test))};
+}
+
+}  // namespace pellucid

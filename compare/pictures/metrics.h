@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/raster.h"
+
+namespace pellucid {
+
+/// Largest absolute difference of any red, green or blue value, and the first pixel that has it.
+struct MaxError {
+  double value = 0;
+  int x = 0, y = 0;
+};
+
+// All compare red, green and blue, values taken as they are (nominal range [0, 1], HDR not
+// clamped), sums in double. They throw InputError when the sizes differ, when there are no pixels,
+// or when a value is not finite.
+
+double rmse(const Image& reference, const Image& test);
+
+/// 20 log10(1 / RMSE), in dB; infinite for equal pictures.
+double psnr(const Image& reference, const Image& test);
+
+MaxError max_error(const Image& reference, const Image& test);
+
+/// Mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11 pixels: then no
+/// pixel's window lies inside.
+std::optional<double> ssim(const Image& reference, const Image& test);
+
+struct Metrics {
+  double rmse = 0;
+  double psnr = 0;
+  std::optional<double> ssim;
+  MaxError max_error;
+};
+
+Metrics measure(const Image& reference, const Image& test);
+
+/// Of the float pictures, and of the 8-bit values that a screen shows of them.
+struct Comparison {
+  Metrics linear;
+  Metrics displayed;
+};
+
+Comparison compare_images(const Image& reference, const Image& test);
+
+/// Number of pixels with a value that is infinite or not a number.
+std::size_t count_not_finite(const Image& image);
+
+/// One row of the table that `list metrics` and the report read.
+struct MetricRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view definition;
+  std::string_view citation;
+  std::string_view unit;
+  bool higher_is_better;
+  std::optional<double> (*value)(const Metrics&);
+};
+
+std::span<const MetricRow> metrics();
+
+}  // namespace pellucid

@@ -1,0 +1,42 @@
+#include "compare/report/crop.h"
+
+#include <algorithm>
+
+namespace pellucid {
+namespace {
+
+/// sums.at(x, y): the sum over all pixels above and left of (x, y).
+Raster<double> summed_area(const Raster<double>& values) {
+  Raster<double> sums(values.width + 1, values.height + 1);
+  for (int y = 0; y < values.height; ++y)
+    for (int x = 0; x < values.width; ++x)
+      sums.at(x + 1, y + 1) =
+          values.at(x, y) + sums.at(x, y + 1) + sums.at(x + 1, y) - sums.at(x, y);
+  return sums;
+}
+
+}  // namespace
+
+Crop fit_crop(const Crop& crop, int width, int height) {
+  const int x = std::clamp(crop.x, 0, width - 1), y = std::clamp(crop.y, 0, height - 1);
+  return {x, y, std::clamp(crop.width, 1, width - x), std::clamp(crop.height, 1, height - y)};
+}
+
+Crop worst_crop(const Raster<double>& error) {
+  const Raster<double> sums = summed_area(error);
+  Crop best{0, 0, std::max(error.width / 4, 1), std::max(error.height / 4, 1)};
+  double largest = -1;
+  for (int y = 0; y + best.height <= error.height; ++y)
+    for (int x = 0; x + best.width <= error.width; ++x) {
+      const int right = x + best.width, bottom = y + best.height;
+      const double sum =
+          sums.at(right, bottom) - sums.at(x, bottom) - sums.at(right, y) + sums.at(x, y);
+      if (sum <= largest) continue;
+      largest = sum;
+      best.x = x;
+      best.y = y;
+    }
+  return best;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,193 @@
+// The tables for people: Markdown and LaTeX.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "compare/report/tables.h"
+#include "compare/results/measure_columns.h"
+#include "compare/results/readable_columns.h"
+
+namespace pellucid {
+namespace {
+
+std::string cell_text(const ReadableColumn& column, const ResultRow& row) {
+  const std::optional<double> value = column.value(row);
+  return value ? column.text(*value) : "–";
+}
+
+std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow> rows) {
+  std::vector<ResultRow> chosen;
+  for (const ResultRow& row : rows)
+    if (row.scene == scene) chosen.push_back(row);
+  return chosen;
+}
+
+/// The best value of a column among the methods; nothing where no way is better.
+std::optional<double> best_of(const ReadableColumn& column, std::span<const ResultRow> rows) {
+  std::optional<double> best;
+  if (column.better == Measure::Better::neither) return best;
+  for (const ResultRow& row : rows) {
+    if (row.reference || !row.error.empty()) continue;
+    const std::optional<double> value = column.value(row);
+    if (value && (!best || is_better(column, *value, *best))) best = value;
+  }
+  return best;
+}
+
+std::string markdown_line(const ResultRow& row) {
+  std::string line = fmt::format("| {}{} |", row.call(), row.reference ? " (reference)" : "");
+  if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", row.error);
+  for (const ReadableColumn& column : readable_columns())
+    line += fmt::format(" {} |", cell_text(column, row));
+  return line + '\n';
+}
+
+std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
+  std::string header = "| Method |", rule = "|---|";
+  for (const ReadableColumn& column : readable_columns()) {
+    header += fmt::format(" {} |", column.title);
+    rule += "---:|";
+  }
+  std::string text = fmt::format("\n## {}\n\n{}\n{}\n", scene, header, rule);
+  for (const ResultRow& row : rows) text += markdown_line(row);
+  return text;
+}
+
+/// The rows that a table of measures has as its columns.
+std::vector<ResultRow> measured_rows(std::span<const ResultRow> rows) {
+  std::vector<ResultRow> measured;
+  for (const ResultRow& row : rows)
+    if (!row.measures.empty()) measured.push_back(row);
+  return measured;
+}
+
+std::string measure_text(std::optional<double> value) {
+  if (!value) return "–";
+  return *value == std::floor(*value) && std::abs(*value) < 1e15 ? fmt::format("{:.0f}", *value)
+                                                                 : fmt::format("{:.4g}", *value);
+}
+
+/// Many numbers of few methods: a line for each number.
+std::string markdown_measures(std::span<const ResultRow> rows) {
+  const std::vector<ResultRow> measured = measured_rows(rows);
+  if (measured.empty()) return "";
+  std::string text = "\n| |", rule = "|---|";
+  for (const ResultRow& row : measured) {
+    text += fmt::format(" {} |", row.call());
+    rule += "---:|";
+  }
+  text += '\n' + rule + '\n';
+  for (const Measure& measure : measure_columns(measured)) {
+    text += fmt::format("| {} |", heading(measure));
+    for (const ResultRow& row : measured)
+      text += fmt::format(" {} |", measure_text(measure_of(row, measure.name)));
+    text += '\n';
+  }
+  return text;
+}
+
+/// "fourier:bands=5 2.1e-02, …: the same here", a line for each scene.
+std::string markdown_claim(const Claim& claim, const Study& study,
+                           std::span<const ResultRow> rows) {
+  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, claim.by->title);
+  for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows)) {
+    text += fmt::format("- {}:", check.scene);
+    for (const auto& [call, value] : check.values)
+      text += fmt::format(" {} {},", call, claim.by->text(value));
+    text.back() = ';';
+    text += check.against.empty() ? " the same here" : " otherwise here:";
+    for (const auto& [better, worse] : check.against)
+      text += fmt::format(" {} before {};", worse, better);
+    text += '\n';
+  }
+  return text;
+}
+
+/// 1.23e-04 as $1.23\cdot10^{-4}$.
+std::string latex_number(const std::string& text) {
+  if (text == "∞") return "$\\infty$";
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  return fmt::format("${}\\cdot10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
+  std::string line = latex_escaped(row.call());
+  if (!row.error.empty())
+    return line + fmt::format(" & \\multicolumn{{{}}}{{l}}{{failed: {}}} \\\\\n",
+                              readable_columns().size(), latex_escaped(row.error));
+  for (const ReadableColumn& column : readable_columns()) {
+    const std::string text = latex_number(cell_text(column, row));
+    const bool best = !row.reference && best_of(column, rows) == column.value(row) &&
+                      column.better != Measure::Better::neither;
+    line += best ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text) : " & " + text;
+  }
+  return line + " \\\\\n";
+}
+
+std::string latex_block(std::string_view scene, std::span<const ResultRow> rows) {
+  std::string text = fmt::format("\\midrule\n\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\\n",
+                                 readable_columns().size() + 1, latex_escaped(scene));
+  for (const ResultRow& row : rows) text += latex_line(row, rows);
+  return text;
+}
+
+std::string latex_measures(std::string_view scene, std::span<const ResultRow> rows) {
+  const std::vector<ResultRow> measured = measured_rows(rows);
+  if (measured.empty()) return "";
+  std::string text = fmt::format("\n\\begin{{tabular}}{{l{}}}\n\\toprule\n\\textit{{{}}}",
+                                 std::string(measured.size(), 'r'), latex_escaped(scene));
+  for (const ResultRow& row : measured) text += " & " + latex_escaped(row.call());
+  text += " \\\\\n\\midrule\n";
+  for (const Measure& measure : measure_columns(measured)) {
+    text += latex_escaped(heading(measure));
+    for (const ResultRow& row : measured)
+      text += " & " + latex_number(measure_text(measure_of(row, measure.name)));
+    text += " \\\\\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace
+
+std::string latex_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c == '\\'  ? "\\textbackslash{}"
+               : c == '~' ? "\\textasciitilde{}"
+               : c == '^' ? "\\textasciicircum{}"
+                          : std::string(1, c);
+  }
+  return escaped;
+}
+
+std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
+  std::string text = fmt::format("# {}\n", study.title);
+  if (!study.source.empty()) text += fmt::format("\n{}\n", study.source);
+  for (const auto& scene : study.scenes) {
+    const std::vector<ResultRow> here = rows_of(scene_name(scene), rows);
+    text += markdown_block(scene_name(scene), here) + markdown_measures(here);
+  }
+  if (!study.claims.empty()) text += "\n## What the source found\n";
+  for (const Claim& claim : study.claims) text += markdown_claim(claim, study, rows);
+  return text + markdown_costs(study, rows);
+}
+
+std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
+  std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n", study.title);
+  text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
+                      std::string(readable_columns().size(), 'r'));
+  for (const ReadableColumn& column : readable_columns())
+    text += fmt::format(" & {}", column.title);
+  text += " \\\\\n";
+  for (const auto& scene : study.scenes)
+    text += latex_block(scene_name(scene), rows_of(scene_name(scene), rows));
+  text += "\\bottomrule\n\\end{tabular}\n";
+  for (const auto& scene : study.scenes)
+    text += latex_measures(scene_name(scene), rows_of(scene_name(scene), rows));
+  return text + latex_costs(study, rows);
+}
+
+}  // namespace pellucid

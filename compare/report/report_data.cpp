@@ -1,0 +1,180 @@
+#include "compare/report/report_data.h"
+
+#include <OpenImageIO/strutil.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "compare/cells/cell.h"
+#include "compare/pictures/error_map.h"
+#include "compare/pictures/image_file.h"
+#include "compare/report/crop.h"
+#include "core/files/output_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string data_uri(const fs::path& png) {
+  return "data:image/png;base64," + OIIO::Strutil::base64_encode(read_text(png));
+}
+
+std::string hex(const Vec3& color) {
+  const auto byte = [](double c) { return displayed_byte(float(c)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
+}
+
+/// Enough colours for a gradient that looks like the map.
+json error_scale_json() {
+  constexpr int stops = 33;
+  json colors = json::array();
+  for (int i = 0; i < stops; ++i) {
+    const double share = double(i) / (stops - 1);
+    colors.push_back(hex(
+        ErrorScale::color(ErrorScale::min * std::pow(ErrorScale::max / ErrorScale::min, share))));
+  }
+  return {{"min", ErrorScale::min}, {"max", ErrorScale::max}, {"colors", colors}};
+}
+
+const ResultRow* find(std::span<const ResultRow> rows, const Cell& cell) {
+  for (const ResultRow& row : rows)
+    if (row.scene == cell.scene && row.method == cell.call.row->name &&
+        row.parameters == cell.call.parameters.given())
+      return &row;
+  return nullptr;
+}
+
+json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
+  json j = to_json(row);
+  j["name"] = cell.call.text();
+  j["title"] = cell.call.row->title;
+  if (!row.error.empty()) return j;
+  j["picture"] = data_uri(files.preview());
+  for (json& picture : j["pictures"])
+    picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));
+  if (!row.reference) j["error_map"] = data_uri(files.error_map());
+  return j;
+}
+
+void add_error(const Image& reference, const Image& test, Raster<double>& sum) {
+  for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+    sum.pixels[i] += pixel_error(reference.pixels[i], test.pixels[i]);
+}
+
+/// One scene's part of a study: its cells that are done, the reference first.
+struct SceneCells {
+  std::string name;
+  std::vector<Cell> cells;
+};
+
+std::vector<SceneCells> done_scenes(const Study& study, std::span<const ResultRow> rows) {
+  std::vector<SceneCells> scenes;
+  for (const Cell& cell : expand_cells(study)) {
+    const ResultRow* row = find(rows, cell);
+    if (cell.reference) scenes.push_back({cell.scene, {}});
+    if (row && row->error.empty()) scenes.back().cells.push_back(cell);
+  }
+  std::erase_if(scenes,
+                [](const SceneCells& s) { return s.cells.empty() || !s.cells[0].reference; });
+  return scenes;
+}
+
+Crop choose_crop(const Study& study, const fs::path& folder, const SceneCells& scene) {
+  const Image reference = read_image(CellFiles(folder, scene.cells[0]).picture());
+  const auto given = study.crops.find(scene.name);
+  if (given != study.crops.end()) return fit_crop(given->second, reference.width, reference.height);
+  Raster<double> error(reference.width, reference.height);
+  for (const Cell& cell : scene.cells)
+    if (!cell.call.row->promises.exact)
+      add_error(reference, read_image(CellFiles(folder, cell).picture()), error);
+  return worst_crop(error);
+}
+
+json scene_json(const Study& study, const fs::path& folder, const SceneCells& scene) {
+  const Image reference = read_image(CellFiles(folder, scene.cells[0]).picture());
+  const Crop crop = choose_crop(study, folder, scene);
+  return {{"name", scene.name},
+          {"width", reference.width},
+          {"height", reference.height},
+          {"crop", {crop.x, crop.y, crop.width, crop.height}}};
+}
+
+json methods_json(const Study& study) {
+  json methods = json::object();
+  for (const Cell& cell : expand_cells(study)) {
+    const MethodRow& row = *cell.call.row;
+    methods[std::string(row.name)] = {{"title", row.title},
+                                      {"citation", row.citation},
+                                      {"equations", row.equations},
+                                      {"bytes_per_pixel", row.bytes_per_pixel},
+                                      {"exact", row.promises.exact}};
+  }
+  return methods;
+}
+
+json check_json(const Claim& claim, const ClaimCheck& check) {
+  json values = json::array();
+  for (const auto& [call, value] : check.values)
+    values.push_back({{"call", call}, {"text", claim.by->text(value)}});
+  return {{"scene", check.scene}, {"values", values}, {"against", check.against}};
+}
+
+json claims_json(const Study& study, std::span<const ResultRow> rows) {
+  json claims = json::array();
+  for (const Claim& claim : study.claims) {
+    json checks = json::array();
+    for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
+      checks.push_back(check_json(claim, check));
+    claims.push_back({{"text", claim.text}, {"by", claim.by->title}, {"checks", checks}});
+  }
+  return claims;
+}
+
+json cost_line_json(const CostLine& line) {
+  json steps = json::array();
+  for (const std::optional<double>& step : line.steps) steps.push_back(step ? json(*step) : json());
+  return {{"scene", line.scene},
+          {"call", line.call},
+          {"milliseconds", line.milliseconds},
+          {"bytes", line.bytes ? json(*line.bytes) : json()},
+          {"steps", steps},
+          {"bottleneck", line.bottleneck ? json(*line.bottleneck) : json()}};
+}
+
+json costs_json(const Study& study, std::span<const ResultRow> rows) {
+  json tables = json::array(), ratios = json::array();
+  for (const CostTable& table : cost_tables(study, rows)) {
+    json lines = json::array();
+    for (const CostLine& line : table.lines) lines.push_back(cost_line_json(line));
+    tables.push_back({{"title", table.title}, {"steps", table.steps}, {"lines", lines}});
+  }
+  for (const CostRatio& ratio : cost_ratios(study, rows))
+    ratios.push_back({{"scene", ratio.scene},
+                      {"call", ratio.call},
+                      {"here", ratio.here},
+                      {"published", ratio.published ? json(*ratio.published) : json()}});
+  return {{"tables", tables}, {"ratios", ratios}, {"reference", study.reference.text()}};
+}
+
+}  // namespace
+
+json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
+  json list = json::array(), scenes = json::array();
+  for (const Cell& cell : expand_cells(study))
+    if (const ResultRow* row = find(rows, cell))
+      list.push_back(row_json(cell, CellFiles(folder, cell), *row));
+  for (const SceneCells& scene : done_scenes(study, rows))
+    scenes.push_back(scene_json(study, folder, scene));
+  return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+          {"rows", list},
+          {"scenes", scenes},
+          {"methods", methods_json(study)},
+          {"claims", claims_json(study, rows)},
+          {"costs", costs_json(study, rows)},
+          {"error_scale", error_scale_json()}};
+}
+
+}  // namespace pellucid

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "compare/results/result_row.h"
+
+namespace pellucid {
+
+/// What measuring a method on a scene gives: the row without its metrics, and the pictures.
+struct CellMeasurement {
+  ResultRow row;
+  Image image;
+  CountImage layers;           // empty when the method does not count them
+  std::vector<Image> further;  // of row.pictures
+};
+
+}  // namespace pellucid

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "compare/results/result_row.h"
+
+namespace pellucid {
+
+/// A column for people: its number, how it is written, and which way is better.
+struct ReadableColumn {
+  std::string_view name;   // in study files: "rmse"
+  std::string_view title;  // unit included
+  std::optional<double> (*value)(const ResultRow&);
+  std::string (*text)(double);
+  Measure::Better better;
+};
+
+std::span<const ReadableColumn> readable_columns();
+
+/// Whether `a` is the better number. False where no way is better.
+bool is_better(const ReadableColumn& column, double a, double b);
+
+}  // namespace pellucid

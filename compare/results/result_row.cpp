@@ -1,0 +1,198 @@
+#include "compare/results/result_row.h"
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace pellucid {
+namespace {
+
+using nlohmann::json;
+
+/// JSON has no infinity: an infinite PSNR (equal pictures) and a missing SSIM are null.
+json finite_or_null(std::optional<double> value) {
+  return value && std::isfinite(*value) ? json(*value) : json(nullptr);
+}
+
+std::optional<double> optional_number(const json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+json metrics_json(const Metrics& m) {
+  return {{"rmse", m.rmse},
+          {"ssim", finite_or_null(m.ssim)},
+          {"psnr", finite_or_null(m.psnr)},
+          {"max_error", m.max_error.value},
+          {"max_error_pixel", {m.max_error.x, m.max_error.y}}};
+}
+
+Metrics metrics_from(const json& j) {
+  return {j.at("rmse"),
+          optional_number(j.at("psnr")).value_or(std::numeric_limits<double>::infinity()),
+          optional_number(j.at("ssim")),
+          {j.at("max_error"), j.at("max_error_pixel").at(0), j.at("max_error_pixel").at(1)}};
+}
+
+json spread_json(const Spread& s) { return {{"median", s.median}, {"min", s.min}, {"max", s.max}}; }
+
+Spread spread_from(const json& j) { return {j.at("median"), j.at("min"), j.at("max")}; }
+
+json seconds_json(const ResultRow& row) {
+  json steps = json::array();  // in the order in which they run
+  for (const auto& [name, spread] : row.steps) {
+    steps.push_back(spread_json(spread));
+    steps.back()["name"] = name;
+  }
+  json seconds = spread_json(row.seconds);
+  seconds["steps"] = steps;
+  seconds["setup"] = row.setup_seconds;
+  seconds["repeats"] = row.repeats;
+  return seconds;
+}
+
+void seconds_from(const json& j, ResultRow& row) {
+  row.seconds = spread_from(j);
+  for (const json& step : j.at("steps")) row.steps.emplace_back(step.at("name"), spread_from(step));
+  row.setup_seconds = j.at("setup");
+  row.repeats = j.at("repeats");
+}
+
+json bytes_json(const ResultRow& row) {
+  json parts = json::array();
+  for (const NamedBytes& part : row.bytes)
+    parts.push_back({{"name", part.name}, {"bytes", part.bytes}});
+  return {{"total", row.total_bytes()}, {"parts", parts}};
+}
+
+json coverage_json(const CoverageCheck& c) {
+  return {{"layers_differ", c.differing},
+          {"layers_differ_by_more", c.differing_by_more},
+          {"pixels", c.pixels},
+          {"rmse_equal_layers", finite_or_null(c.rmse_elsewhere)}};
+}
+
+CoverageCheck coverage_from(const json& j) {
+  return {j.at("layers_differ"), j.at("layers_differ_by_more"), j.at("pixels"),
+          optional_number(j.at("rmse_equal_layers"))};
+}
+
+constexpr std::string_view better_names[] = {"lower", "higher", "neither"};
+
+json measures_json(const ResultRow& row) {
+  json list = json::array();
+  for (const Measure& m : row.measures)
+    list.push_back({{"name", m.name},
+                    {"title", m.title},
+                    {"unit", m.unit},
+                    {"value", m.value},
+                    {"better", better_names[std::size_t(m.better)]}});
+  return list;
+}
+
+Measure measure_from(const json& j) {
+  const auto better = std::find(std::begin(better_names), std::end(better_names),
+                                j.at("better").get<std::string_view>());
+  return {j.at("name"), j.at("title"), j.at("unit"), j.at("value"),
+          Measure::Better(better - std::begin(better_names))};
+}
+
+json pictures_json(const ResultRow& row) {
+  json list = json::array();
+  for (const RowPicture& p : row.pictures)
+    list.push_back({{"name", p.name}, {"title", p.title}, {"min", p.min}, {"max", p.max}});
+  return list;
+}
+
+json curves_json(const ResultRow& row) {
+  json list = json::array();
+  for (const RowCurve& c : row.curves)
+    list.push_back({{"name", c.name},
+                    {"label", c.label},
+                    {"title", c.title},
+                    {"x_title", c.x_title},
+                    {"y_title", c.y_title},
+                    {"x", c.x},
+                    {"y", c.y}});
+  return list;
+}
+
+void add_results(const ResultRow& row, json& j) {
+  j["metrics"] = to_json(row.metrics);
+  j["seconds"] = seconds_json(row);
+  j["bytes"] = bytes_json(row);
+  j["fragments"] = row.fragments;
+  j["stored"] = row.stored;
+  j["dropped"] = row.dropped;
+  j["truncated_pixels"] = row.truncated;
+  j["max_layers"] = row.max_layers;
+  if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
+  j["measures"] = measures_json(row);
+  j["pictures"] = pictures_json(row);
+  j["curves"] = curves_json(row);
+  j["explanation"] = row.explanation;
+  j["scene_provenance"] = row.scene_provenance;
+}
+
+void results_from(const json& j, ResultRow& row) {
+  row.metrics = {metrics_from(j.at("metrics")), metrics_from(j.at("metrics").at("displayed"))};
+  seconds_from(j.at("seconds"), row);
+  for (const json& part : j.at("bytes").at("parts"))
+    row.bytes.push_back({part.at("name"), part.at("bytes")});
+  row.fragments = j.at("fragments");
+  row.stored = j.at("stored");
+  row.dropped = j.at("dropped");
+  row.truncated = j.at("truncated_pixels");
+  row.max_layers = j.at("max_layers");
+  if (j.contains("coverage")) row.coverage = coverage_from(j.at("coverage"));
+  for (const json& measure : j.at("measures")) row.measures.push_back(measure_from(measure));
+  for (const json& p : j.at("pictures"))
+    row.pictures.push_back({p.at("name"), p.at("title"), p.at("min"), p.at("max")});
+  for (const json& c : j.at("curves"))
+    row.curves.push_back({c.at("name"), c.at("label"), c.at("title"), c.at("x_title"),
+                          c.at("y_title"), c.at("x"), c.at("y")});
+  row.explanation = j.at("explanation");
+  row.scene_provenance = j.at("scene_provenance");
+}
+
+}  // namespace
+
+std::uint64_t ResultRow::total_bytes() const {
+  std::uint64_t sum = 0;
+  for (const NamedBytes& part : bytes) sum += part.bytes;
+  return sum;
+}
+
+json to_json(const Comparison& comparison) {
+  json j = metrics_json(comparison.linear);
+  j["displayed"] = metrics_json(comparison.displayed);
+  return j;
+}
+
+json to_json(const ResultRow& row) {
+  json j = {{"scene", row.scene},           {"method", row.method},
+            {"parameters", row.parameters}, {"parameter_values", row.parameter_values},
+            {"reference", row.reference},   {"fingerprint", row.fingerprint},
+            {"machine", row.machine}};
+  if (row.error.empty())
+    add_results(row, j);
+  else
+    j["error"] = row.error;
+  return j;
+}
+
+ResultRow row_from_json(const json& j) {
+  ResultRow row;
+  row.scene = j.at("scene");
+  row.method = j.at("method");
+  row.parameters = j.at("parameters");
+  for (const auto& item : j.at("parameter_values").items())
+    row.parameter_values.emplace(item.key(), item.value());
+  row.reference = j.at("reference");
+  row.fingerprint = j.at("fingerprint");
+  row.machine = j.at("machine");
+  row.error = j.value("error", "");
+  if (row.error.empty()) results_from(j, row);
+  return row;
+}
+
+}  // namespace pellucid

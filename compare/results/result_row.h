@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/pictures/metrics.h"
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// Wall-clock seconds over the repeats.
+struct Spread {
+  double median = 0, min = 0, max = 0;
+};
+
+/// Where a method that is exact, or makes layers of its own, sees another number of layers than the
+/// reference. An exact one does at the very edge of a triangle, which two renderers may give to
+/// either side.
+struct CoverageCheck {
+  std::uint64_t differing = 0;          // pixels with another number of layers
+  std::uint64_t differing_by_more = 0;  // … by more than one
+  std::uint64_t pixels = 0;
+  std::optional<double> rmse_elsewhere;  // over the pixels with equal numbers, if there are any
+};
+
+/// A further picture of a cell: images/SCENE/METHOD.NAME.png.
+struct RowPicture {
+  std::string name, title;
+  double min = 0, max = 1;  // ends of its logarithmic scale
+};
+
+/// Numbers over numbers. The report draws those of one name in one plot, whichever rows they are
+/// of.
+struct RowCurve {
+  std::string name;
+  std::string label;  // of the curve; empty: its row's name
+  std::string title, x_title, y_title;
+  std::vector<double> x, y;
+};
+
+/// What one cell of a study found out.
+struct ResultRow {
+  std::string scene, method, parameters;  // parameters as given: "bands=5"
+  bool reference = false;
+  std::string error;  // empty: the cell is done, and what follows holds
+
+  std::string fingerprint;      // of everything that the picture depends on
+  RawOptions parameter_values;  // defaults included
+  int repeats = 0;
+  Comparison metrics;
+  Spread seconds;
+  std::vector<std::pair<std::string, Spread>> steps;
+  double setup_seconds = 0;  // geometry uploaded, hierarchies built
+  std::vector<NamedBytes> bytes;
+  std::uint64_t fragments = 0;
+  std::uint64_t stored = 0, dropped = 0, truncated = 0;  // see RenderStats
+  std::uint32_t max_layers = 0;
+  std::optional<CoverageCheck> coverage;
+  std::vector<Measure> measures;  // that only some methods have
+  std::vector<RowPicture> pictures;
+  std::vector<RowCurve> curves;
+  std::vector<std::string> explanation;                 // what the method modelled, and why
+  std::map<std::string, std::string> scene_provenance;  // how the scene was made
+  std::map<std::string, std::string> machine;           // with the method's own facts: driver, …
+
+  std::uint64_t total_bytes() const;
+  /// "fourier:bands=5", as MethodCall::text() of its cell.
+  std::string call() const { return parameters.empty() ? method : method + ':' + parameters; }
+};
+
+nlohmann::json to_json(const ResultRow& row);
+
+/// Throws nlohmann's exceptions when `json` was not made by to_json.
+ResultRow row_from_json(const nlohmann::json& json);
+
+nlohmann::json to_json(const Comparison& comparison);
+
+}  // namespace pellucid

@@ -1,0 +1,263 @@
+#include "compare/run/run_study.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "compare/cells/cell.h"
+#include "compare/cells/measure_cell.h"
+#include "compare/measures/further_measures.h"
+#include "compare/pictures/error_map.h"
+#include "compare/pictures/image_file.h"
+#include "compare/report/report.h"
+#include "compare/report/tables.h"
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "core/options/names.h"
+#include "scene/files/scene_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A cell of this run, and its row once there is one.
+struct Job {
+  Cell cell;
+  CellFiles files;
+  std::string fingerprint;
+  bool selected = true;
+  std::optional<ResultRow> row = std::nullopt;
+};
+
+bool fits(const std::string& pattern, const std::string& text) {
+  return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
+}
+
+bool is_selected(const Cell& cell, const std::string& only) {
+  return only.empty() || fits(only, cell.scene) || fits(only, cell.call.text()) ||
+         fits(only, std::string(cell.call.row->name)) || fits(only, cell.name());
+}
+
+std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
+  std::vector<Job> jobs;
+  std::string scene;
+  for (const Cell& cell : expand_cells(study)) {
+    // A scene's first cell is its reference.
+    if (cell.reference) scene = scene_fingerprint(cell.scene_file);
+    const bool one_scene = !study.reference_scene || cell.reference;
+    const std::string scene_of_cell =
+        one_scene ? scene : scene + scene_fingerprint(cell.scene_file);
+    jobs.push_back({cell, CellFiles(options.folder, cell),
+                    cell_fingerprint(scene_of_cell, cell, study.reference, options.context),
+                    is_selected(cell, options.only)});
+  }
+  if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
+    throw InputError(
+        fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
+                    "or SCENE/METHOD:PARAMETERS, such as '{}'",
+                    options.only, jobs.back().cell.name()));
+  return jobs;
+}
+
+/// Cells that this run does not have to compute: all that were finished when it resumes; otherwise
+/// those that it leaves out. Rows that this run will replace go first, so that a kill can't leave
+/// them to be taken for its own.
+void read_known_rows(std::vector<Job>& jobs, bool resume) {
+  for (Job& job : jobs) {
+    if (resume || !job.selected)
+      job.row = read_finished(job.files, job.fingerprint);
+    else
+      fs::remove(job.files.row());
+  }
+}
+
+/// The scene and its reference, loaded when the first cell asks for them.
+class SceneAtHand {
+ public:
+  explicit SceneAtHand(fs::path file) : file_(std::move(file)) {}
+
+  const Scene& scene() {
+    if (!scene_) scene_ = std::make_unique<Scene>(load_scene(file_));
+    return *scene_;
+  }
+  /// Read back as it was stored, so that every run of a cell compares with the same bits.
+  void set_reference(const CellFiles& files) { reference_files_ = files; }
+  const Image& reference() {
+    if (reference_.pixels.empty()) reference_ = read_image(reference_files_->picture());
+    return reference_;
+  }
+  const CountImage& reference_layers() {
+    if (layers_.pixels.empty()) layers_ = read_counts(reference_files_->layers());
+    return layers_;
+  }
+  bool has_reference_layers() const { return fs::exists(reference_files_->layers()); }
+
+ private:
+  fs::path file_;
+  std::unique_ptr<Scene> scene_;
+  std::optional<CellFiles> reference_files_;
+  Image reference_;
+  CountImage layers_;
+};
+
+void write_picture(const CellFiles& files, const CellMeasurement& measured) {
+  write_image(files.picture(), measured.image);
+  write_image(files.preview(), measured.image);
+  if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
+}
+
+void write_further(const CellFiles& files, const CellMeasurement& measured) {
+  for (std::size_t i = 0; i < measured.further.size(); ++i)
+    write_image(files.further(measured.row.pictures[i].name), measured.further[i]);
+}
+
+void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHand& at_hand) {
+  const Image& reference = at_hand.reference();
+  measured.row.metrics = compare_images(reference, measured.image);
+  if (job.cell.reference) return;
+  write_image(job.files.error_map(), error_map(reference, measured.image));
+  const Promises& promises = job.cell.call.row->promises;
+  const bool comparable = (promises.exact || promises.own_layers) &&
+                          !measured.layers.pixels.empty() && at_hand.has_reference_layers();
+  if (comparable)
+    measured.row.coverage =
+        check_coverage(reference, at_hand.reference_layers(), measured.image, measured.layers);
+}
+
+/// The number of layers per pixel, where a method made its own of them: to be seen beside the
+/// reference's.
+void add_layer_picture(CellMeasurement& measured) {
+  const RowPicture scale{"layers", "Layers per pixel", 1, 100};
+  Image picture(measured.layers.width, measured.layers.height, Rgba(1));
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+    if (const std::uint32_t n = measured.layers.pixels[i])
+      picture.pixels[i] = Rgba(glm::vec3(logarithmic_color(n, scale.min, scale.max)), 1);
+  measured.row.pictures.push_back(scale);
+  measured.further.push_back(std::move(picture));
+}
+
+bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
+
+ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
+                  const RenderContext& context) {
+  CellMeasurement measured = measure_cell(job.cell, at_hand.scene(), study.repeats, context);
+  const bool beside_layers =
+      job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
+  if (makes_layers(job.cell.call) || beside_layers) add_layer_picture(measured);
+  write_picture(job.files, measured);
+  if (job.cell.reference) at_hand.set_reference(job.files);
+  compare_with_reference(job, measured, at_hand);
+  for (const std::string& name : job.cell.measures)
+    find_row("measure", name, further_measures())
+        .measure(at_hand.scene(), at_hand.reference(), measured);
+  write_further(job.files, measured);
+  measured.row.fingerprint = job.fingerprint;
+  return measured.row;
+}
+
+ResultRow failed(const Job& job, const std::string& why) {
+  ResultRow row = identity_row(job.cell);
+  row.fingerprint = job.fingerprint;
+  row.error = why;
+  return row;
+}
+
+/// An adverse cell must not take the others with it: any exception becomes its row's error.
+ResultRow compute_or_fail(const Job& job, SceneAtHand& at_hand, const Study& study,
+                          const RenderContext& context) {
+  try {
+    return compute(job, at_hand, study, context);
+  } catch (const std::exception& error) {
+    return failed(job, error.what());
+  }
+}
+
+class StudyRun {
+ public:
+  StudyRun(const Study& study, const StudyOptions& options)
+      : study_(study), options_(options), jobs_(make_jobs(study, options)) {
+    for (const Job& job : jobs_) job.files.make_folders();
+    read_known_rows(jobs_, options.resume);
+    for (const Job& job : jobs_) outcome_.kept += job.row && job.selected;
+  }
+
+  StudyOutcome run() {
+    for (std::size_t first = 0; first < jobs_.size(); first += cells_per_scene())
+      run_scene(std::span(jobs_).subspan(first, cells_per_scene()));
+    finish();
+    return std::move(outcome_);
+  }
+
+ private:
+  std::size_t cells_per_scene() const { return 1 + study_.methods.size(); }
+
+  void run_scene(std::span<Job> jobs) {
+    const auto pending = [](const Job& job) { return job.selected && !job.row; };
+    if (std::none_of(jobs.begin(), jobs.end(), pending)) return;
+    Job& reference = jobs.front();
+    SceneAtHand at_hand(jobs.back().cell.scene_file);
+    SceneAtHand of_reference(reference.cell.scene_file);
+    const bool one_scene = reference.cell.scene_file == jobs.back().cell.scene_file;
+    if (!reference.row) run_job(reference, one_scene ? at_hand : of_reference);
+    at_hand.set_reference(reference.files);
+    for (Job& job : jobs.subspan(1))
+      if (pending(job)) reference.row->error.empty() ? run_job(job, at_hand) : skip(job);
+  }
+
+  void run_job(Job& job, SceneAtHand& at_hand) {
+    report(options_.progress, progress(), job.cell.name());
+    record(job, compute_or_fail(job, at_hand, study_, options_.context));
+  }
+
+  void skip(Job& job) { record(job, failed(job, "its scene's reference failed")); }
+
+  /// Where no row can be written, on a full disk, the study ends.
+  void record(Job& job, ResultRow row) {
+    write_row(job.files, row);
+    job.row = std::move(row);
+    ++outcome_.computed;
+    write_text(options_.folder / "results.csv", csv_table(known_rows()));
+    if (options_.on_row) options_.on_row(*job.row);
+  }
+
+  double progress() const {
+    const auto done =
+        std::count_if(jobs_.begin(), jobs_.end(), [](const Job& j) { return !!j.row; });
+    return double(done) / double(jobs_.size());
+  }
+
+  std::vector<ResultRow> known_rows() const {
+    std::vector<ResultRow> rows;
+    for (const Job& job : jobs_)
+      if (job.row) rows.push_back(*job.row);
+    return rows;
+  }
+
+  void finish() {
+    report(options_.progress, 1, "report");
+    outcome_.rows = known_rows();
+    write_text(options_.folder / "results.csv", csv_table(outcome_.rows));
+    write_text(options_.folder / "results.json", results_json(study_, outcome_.rows));
+    write_text(options_.folder / "table.md", markdown_table(study_, outcome_.rows));
+    write_text(options_.folder / "table.tex", latex_table(study_, outcome_.rows));
+    if (study_.published)
+      write_text(options_.folder / "costs.csv", csv_costs(study_, outcome_.rows));
+    write_report(options_.folder, study_, outcome_.rows);
+  }
+
+  const Study& study_;
+  const StudyOptions& options_;
+  std::vector<Job> jobs_;
+  StudyOutcome outcome_;
+};
+
+}  // namespace
+
+StudyOutcome run_study(const Study& study, const StudyOptions& options) {
+  return StudyRun(study, options).run();
+}
+
+}  // namespace pellucid

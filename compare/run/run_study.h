@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "compare/results/result_row.h"
+#include "compare/study/study.h"
+
+namespace pellucid {
+
+struct StudyOptions {
+  std::filesystem::path folder;  // where results go
+  bool resume = false;           // keep cells that were finished for the same scenes and parameters
+  std::string only;              // shell pattern; empty: every cell
+  RenderContext context;
+  Progress progress;
+  std::function<void(const ResultRow&)> on_row;  // called when a cell is done or has failed
+};
+
+struct StudyOutcome {
+  std::vector<ResultRow> rows;  // of every cell that is known, in the study's order
+  std::size_t computed = 0;     // by this run
+  std::size_t kept = 0;         // finished before
+};
+
+/// Runs the cells whose scene, method, or "SCENE/METHOD:PARAMETERS" fits `only`, each scene's
+/// reference first, and leaves in the folder:
+///
+///     cells/SCENE/METHOD.json                the cell's row, written last, whole or not at all
+///     images/SCENE/METHOD.{exr,png}          the picture; METHOD.error.png, METHOD.layers.exr
+///     results.{csv,json}, table.{md,tex}     made from the cells' rows; the CSV after every cell
+///     report.html
+///
+/// Cells share nothing but their scene's reference picture, which is computed where it is missing:
+/// several runs may share the work by `only` and a folder, and a last one with `resume` collects
+/// it. A cell that fails becomes a row with its error, and the study goes on. Throws InputError
+/// when the folder cannot be written or nothing fits `only`.
+StudyOutcome run_study(const Study& study, const StudyOptions& options);
+
+}  // namespace pellucid

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "compare/results/result_row.h"
+#include "compare/study/study.h"
+
+namespace pellucid {
+
+/// What a picture has to reach; at least one of the first two.
+struct ErrorBound {
+  std::optional<double> max_rmse;
+  std::optional<double> min_ssim;  // a picture without SSIM (a side below 11 pixels) fails it
+  std::optional<std::uint64_t> max_bytes;
+
+  bool holds_for(const ResultRow& row) const;
+};
+
+enum class Cost { seconds, bytes };
+
+struct TuneRequest {
+  std::filesystem::path scene;
+  MethodCall reference;
+  std::vector<MethodCall> candidates;
+  ErrorBound bound;
+  Cost cost = Cost::seconds;  // median time, or bytes beyond the scene and the picture
+  int repeats = 3;
+  RenderContext context;
+  Progress progress;
+  std::function<void(const ResultRow&)> on_row;  // called when a candidate is measured
+};
+
+struct TuneOutcome {
+  std::vector<ResultRow> rows;       // of the candidates, the cheapest first; failed ones last
+  const ResultRow* best() const;     // the cheapest within the bound; null when none is
+  std::vector<bool> within_bound{};  // row by row
+};
+
+/// Renders the scene by the reference and by every candidate, and finds the cheapest within the
+/// bound. A candidate that fails becomes a row with its error. Throws InputError for a bound that
+/// bounds no error or is not positive, WorkError when the reference fails.
+TuneOutcome tune(const TuneRequest& request);
+
+}  // namespace pellucid

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/methods/method_call.h"
+#include "compare/methods/surface_methods.h"
+#include "compare/study/claims.h"
+#include "compare/study/costs.h"
+#include "scene/renderer.h"
+
+namespace pellucid {
+
+/// In its column and row, from the top left.
+struct Pixel {
+  int x = 0, y = 0;
+};
+
+/// A part of a picture, in pixels from the top left.
+struct Crop {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// A study file: scenes × methods × parameters against one reference.
+struct Study {
+  std::string name;  // the file's stem
+  std::string title;
+  std::string source;  // the figure or table that it reproduces
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> scenes;
+  MethodCall reference;
+  /// What the reference draws in place of each scene: of lines that stand for a surface, the
+  /// surface.
+  std::optional<std::filesystem::path> reference_scene;
+  std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
+  int repeats = 3;
+  std::map<std::string, Crop> crops;                 // by scene
+  std::vector<Claim> claims;                         // of the source
+  std::vector<std::string> measures;                 // names of FurtherMeasure, for each picture
+  std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
+  std::optional<PublishedCosts> published;           // times and bytes that the source printed
+};
+
+/// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
+/// "NAME[:key=value,…]", {"method": NAME, key: value or [values], …}, or "*": every method in all
+/// the settings of its row. The entries of "integrators" are written alike, of the other table, and
+/// come before the methods. Scenes are relative to the file. Throws InputError that names file, key
+/// and accepted values, also for scenes that are not there.
+Study load_study(const std::filesystem::path& file, std::span<const MethodRow> methods,
+                 std::span<const MethodRow> integrators = surface_methods());
+
+/// A scene's name in cells, tables and paths: its file's stem.
+std::string scene_name(const std::filesystem::path& scene);
+
+/// The file of a study given by its path, or by its name in ./studies, in the current folder or
+/// among those that come with the program. Throws InputError with the nearest names.
+std::filesystem::path find_study(std::string_view name_or_file);
+
+/// The names of its scenes, in their order.
+std::vector<std::string> scene_names(const Study& study);
+
+struct StudySummary {
+  std::string name, title, source;
+  std::filesystem::path file;
+};
+
+/// The studies that come with the program, by name.
+std::vector<StudySummary> list_studies();
+
+}  // namespace pellucid

@@ -1,0 +1,119 @@
+#include "core/files/json_node.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "core/options/names.h"
+
+namespace pellucid {
+namespace {
+
+std::string join(std::initializer_list<std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+}  // namespace
+
+JsonNode::JsonNode(std::string file, const nlohmann::json& root)
+    : file_(std::move(file)), value_(&root) {}
+
+JsonNode::JsonNode(std::string file, std::string place, const nlohmann::json& value)
+    : file_(std::move(file)), place_(std::move(place)), value_(&value) {}
+
+void JsonNode::fail(const std::string& what) const {
+  throw InputError(fmt::format("{}: {}{}{}", file_, place_, place_.empty() ? "" : ": ", what));
+}
+
+void JsonNode::refuse(std::string_view accepted) const {
+  // A long value would hide the message.
+  std::string given = value_->dump();
+  if (given.size() > 60) given = given.substr(0, 57) + "...";
+  fail(fmt::format("{}; accepted: {}", given, accepted));
+}
+
+bool JsonNode::is_string() const { return value_->is_string(); }
+bool JsonNode::is_object() const { return value_->is_object(); }
+bool JsonNode::is_array() const { return value_->is_array(); }
+
+void JsonNode::accept_keys(std::initializer_list<std::string_view> known) const {
+  if (!value_->is_object()) refuse("an object with the keys " + join(known));
+  for (const auto& item : value_->items())
+    if (std::find(known.begin(), known.end(), item.key()) == known.end())
+      fail(unknown_name("key", item.key(), std::vector<std::string_view>(known)));
+}
+
+bool JsonNode::has(std::string_view key) const {
+  return value_->is_object() && value_->contains(std::string(key));
+}
+
+JsonNode JsonNode::operator[](std::string_view key) const {
+  if (!has(key)) fail(fmt::format("the key '{}' is missing", key));
+  const std::string place = place_.empty() ? std::string(key) : fmt::format("{}.{}", place_, key);
+  return {file_, place, value_->at(std::string(key))};
+}
+
+std::vector<JsonNode> JsonNode::elements() const {
+  if (!value_->is_array()) refuse("an array");
+  std::vector<JsonNode> nodes;
+  for (std::size_t i = 0; i < value_->size(); ++i)
+    nodes.push_back({file_, fmt::format("{}[{}]", place_, i), (*value_)[i]});
+  return nodes;
+}
+
+double JsonNode::number(double min, double max) const {
+  const bool valid = value_->is_number() && value_->get<double>() >= min &&
+                     value_->get<double>() <= max && std::isfinite(value_->get<double>());
+  if (valid) return value_->get<double>();
+  if (std::isfinite(min) && std::isfinite(max)) refuse(fmt::format("{} … {}", min, max));
+  if (std::isfinite(min)) refuse(fmt::format("a number ≥ {}", min));
+  refuse("a finite number");
+}
+
+int JsonNode::integer(int min, int max) const {
+  const bool valid = value_->is_number_integer() && value_->get<std::int64_t>() >= min &&
+                     value_->get<std::int64_t>() <= max;
+  if (!valid) refuse(fmt::format("an integer, {} … {}", min, max));
+  return value_->get<int>();
+}
+
+bool JsonNode::boolean() const {
+  if (!value_->is_boolean()) refuse("true or false");
+  return value_->get<bool>();
+}
+
+std::string JsonNode::string() const {
+  if (!value_->is_string()) refuse("a string");
+  return value_->get<std::string>();
+}
+
+std::string JsonNode::one_of(std::initializer_list<std::string_view> accepted) const {
+  if (value_->is_string())
+    for (const std::string_view word : accepted)
+      if (value_->get_ref<const std::string&>() == word) return std::string(word);
+  refuse(join(accepted));
+}
+
+Vec3 JsonNode::vec3() const {
+  if (!value_->is_array() || value_->size() != 3) refuse("three numbers");
+  constexpr double any = std::numeric_limits<double>::max();
+  const auto parts = elements();
+  return {parts[0].number(-any, any), parts[1].number(-any, any), parts[2].number(-any, any)};
+}
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  try {
+    return nlohmann::json::parse(read_text(path));
+  } catch (const nlohmann::json::parse_error& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: …": drop the prefix.
+    const std::string what = error.what();
+    throw InputError(fmt::format("{}: {}", path.string(), what.substr(what.find("] ") + 2)));
+  }
+}
+
+}  // namespace pellucid

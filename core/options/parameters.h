@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace pellucid {
+
+/// One parameter of a method, integrator or field: a row of a constexpr table. `list`, the command
+/// line, study files and the report all read it.
+struct ParameterSpec {
+  enum class Kind { integer, real, choice, flag, text };
+
+  std::string_view name;
+  Kind kind = Kind::real;
+  std::string_view default_value = {};  // as written on the command line; empty: not set
+  double min = -std::numeric_limits<double>::infinity();  // numbers: inclusive bounds
+  double max = std::numeric_limits<double>::infinity();
+  std::string_view unit = {};     // "world units", "1", "bands", …
+  std::string_view choices = {};  // kind choice: "on|off"
+  std::string_view help = {};     // one line
+
+  /// "1 … 15", "on|off", "any number", …
+  std::string accepted() const;
+};
+
+/// Tables of methods that share parameters.
+template <std::size_t... N>
+constexpr auto concatenate(const std::array<ParameterSpec, N>&... tables) {
+  std::array<ParameterSpec, (N + ...)> all{};
+  auto next = all.begin();
+  ((next = std::copy(tables.begin(), tables.end(), next)), ...);
+  return all;
+}
+
+/// Options as they were written: name → text.
+using RawOptions = std::map<std::string, std::string, std::less<>>;
+
+struct NameAndOptions {
+  std::string name;
+  RawOptions options;
+};
+
+/// Splits "fourier:bands=5,clamp=0.99". Commas inside parentheses do not split, so that a value may
+/// be a formula. Throws InputError for an option without "=", an empty name or a repeated key.
+NameAndOptions parse_name_and_options(std::string_view text);
+
+/// Values checked against their specifications; missing ones hold their default.
+class Parameters {
+ public:
+  Parameters() = default;
+
+  /// Throws InputError that names `owner`, the key, what was given and what is accepted.
+  Parameters(std::string_view owner, std::span<const ParameterSpec> specs,
+             const RawOptions& options);
+
+  /// The name of the row whose parameters they are: of a method, an integrator, a field.
+  const std::string& owner() const { return owner_; }
+  bool is_set(std::string_view name) const;  // by the caller or by a default
+  double real(std::string_view name) const;
+  int integer(std::string_view name) const;
+  bool flag(std::string_view name) const;
+  const std::string& text(std::string_view name) const;
+
+  /// What the caller gave, as "bands=5,clamp=0.99" in the order of the names; empty for defaults.
+  std::string given() const;
+  /// Every value, defaults included.
+  const RawOptions& all() const { return values_; }
+
+ private:
+  std::string owner_;
+  RawOptions values_;
+  RawOptions given_;
+};
+
+/// Reads the whole of `text` as a number; false when it is not one.
+bool parse_number(std::string_view text, double& value);
+
+}  // namespace pellucid

@@ -1,0 +1,46 @@
+#pragma once
+// The Arnold-Beltrami-Childress flow, an exact steady solution of Euler's equations with chaotic
+// stream lines: T. Dombre, U. Frisch, J. M. Greene, M. Hénon, A. Mehr, A. M. Soward, "Chaotic
+// streamlines in the ABC flows", J. Fluid Mech. 167 (1986), Eq. 1.1. A = √3, B = √2, C = 1 is the
+// case that flow visualization uses (G. Haller, "An objective definition of a vortex", J. Fluid
+// Mech. 525 (2005)).
+//
+// Decay in time: curl v = v and div v = 0, hence ∇²v = -v, and v exp(-νt) solves the Navier-Stokes
+// equations of viscosity ν without forcing (the non-linear term is the gradient of |v|²/2). The
+// parameter `decay` is that ν.
+
+#include "fields/analytic/analytic_field.h"
+
+namespace pellucid::flow {
+
+struct Abc {
+  static constexpr FlowFacts facts{
+      .name = "abc",
+      .title = "Arnold-Beltrami-Childress flow",
+      .citation = "Dombre et al., J. Fluid Mech. 167 (1986), Eq. 1.1",
+      .formula = "(A sin z + C cos y, B sin x + A cos z, C sin y + B cos x) exp(-decay t)",
+      .unsteady_through = "decay",
+      .divergence_free = true,
+      .region = {Vec3(0), Vec3(2 * pi)},
+  };
+  static constexpr ParameterSpec parameters[] = {
+      {.name = "A", .default_value = "1.7320508075688772", .unit = "1", .help = "√3 by default"},
+      {.name = "B", .default_value = "1.4142135623730951", .unit = "1", .help = "√2 by default"},
+      {.name = "C", .default_value = "1", .unit = "1", .help = "0 makes the flow integrable"},
+      {.name = "decay", .default_value = "0", .min = 0, .unit = "1/time", .help = "viscosity"},
+  };
+
+  double A, B, C, decay;
+
+  explicit Abc(const Parameters& p)
+      : A(p.real("A")), B(p.real("B")), C(p.real("C")), decay(p.real("decay")) {}
+
+  template <class T>
+  Triple<T> operator()(const Triple<T>& p, double t) const {
+    const double scale = decay == 0 ? 1 : std::exp(-decay * t);
+    return {scale * (A * sin(p.z) + C * cos(p.y)), scale * (B * sin(p.x) + A * cos(p.z)),
+            scale * (C * sin(p.y) + B * cos(p.x))};
+  }
+};
+
+}  // namespace pellucid::flow

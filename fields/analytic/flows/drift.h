@@ -1,0 +1,28 @@
+#pragma once
+// A uniform velocity that turns: every particle goes on a unit circle, (sin t, 1 - cos t, 0) from
+// its seed. All stream lines are straight: it tells path surfaces from stream surfaces.
+
+#include "fields/analytic/analytic_field.h"
+
+namespace pellucid::flow {
+
+struct Drift {
+  static constexpr FlowFacts facts{
+      .name = "drift",
+      .title = "Turning uniform flow",
+      .citation = "closed form: x + (sin t, 1 - cos t, 0)",
+      .formula = "(cos t, sin t, 0)",
+      .steady = false,
+      .divergence_free = true,
+  };
+  static constexpr std::span<const ParameterSpec> parameters{};
+
+  explicit Drift(const Parameters&) {}
+
+  template <class T>
+  Triple<T> operator()(const Triple<T>&, double t) const {
+    return {T(cos(t)), T(sin(t)), T(0)};
+  }
+};
+
+}  // namespace pellucid::flow

@@ -1,0 +1,41 @@
+#pragma once
+// A shear layer rolled up into a row of vortices, the end of its Kelvin-Helmholtz instability: the
+// exact steady solution of Euler's equations by J. T. Stuart, "On finite amplitude oscillations in
+// laminar mixing layers", J. Fluid Mech. 29 (1967), with the stream function
+//   ψ = ln(c cosh y + sqrt(c² - 1) cos x),
+// a tanh profile for c = 1 and a row of point vortices for c → ∞. Written over sech y, so that it
+// does not overflow. Made three-dimensional by a constant drift along z.
+
+#include "fields/analytic/analytic_field.h"
+
+namespace pellucid::flow {
+
+struct KelvinHelmholtz {
+  static constexpr FlowFacts facts{
+      .name = "kelvin-helmholtz",
+      .title = "Kelvin-Helmholtz shear layer (Stuart's vortices)",
+      .citation = "Stuart, J. Fluid Mech. 29 (1967)",
+      .formula = "(c sinh y / q, k sin x / q, drift), q = c cosh y + k cos x, k = sqrt(c^2 - 1)",
+      .divergence_free = true,
+      .region = {Vec3(0, -4, 0), Vec3(4 * pi, 4, 4)},
+  };
+  static constexpr ParameterSpec parameters[] = {
+      {.name = "c", .default_value = "1.25", .min = 1, .unit = "1", .help = "1: not rolled up"},
+      {.name = "drift", .default_value = "0.25", .unit = "world units/time", .help = "along z"},
+  };
+
+  double c, k, drift;
+
+  explicit KelvinHelmholtz(const Parameters& p)
+      : c(p.real("c")), k(std::sqrt(c * c - 1)), drift(p.real("drift")) {}
+
+  template <class T>
+  Triple<T> operator()(const Triple<T>& p, double) const {
+    const T e = exp(-abs(p.y));
+    const T sech = 2.0 * e / (1.0 + e * e);
+    const T q = c + k * cos(p.x) * sech;
+    return {c * tanh(p.y) / q, k * sin(p.x) * sech / q, T(drift)};
+  }
+};
+
+}  // namespace pellucid::flow

@@ -1,0 +1,29 @@
+#pragma once
+// A saddle whose stretching turns to compression and back: particles go (x exp(sin t),
+// y exp(-sin t), z), and xy is kept.
+
+#include "fields/analytic/analytic_field.h"
+
+namespace pellucid::flow {
+
+struct PulsingSaddle {
+  static constexpr FlowFacts facts{
+      .name = "pulsing-saddle",
+      .title = "Pulsing saddle",
+      .citation = "closed form: (x exp(sin t), y exp(-sin t), z)",
+      .formula = "(x cos t, -y cos t, 0)",
+      .steady = false,
+      .divergence_free = true,
+  };
+  static constexpr std::span<const ParameterSpec> parameters{};
+
+  explicit PulsingSaddle(const Parameters&) {}
+
+  template <class T>
+  Triple<T> operator()(const Triple<T>& p, double t) const {
+    const double rate = cos(t);
+    return {rate * p.x, -rate * p.y, T(0)};
+  }
+};
+
+}  // namespace pellucid::flow

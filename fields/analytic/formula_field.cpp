@@ -1,0 +1,157 @@
+#include "fields/analytic/formula_field.h"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/error.h"
+#include "fields/finite.h"
+
+namespace pellucid {
+namespace {
+
+constexpr std::array<std::string_view, 3> component_names = {"u", "v", "w"};
+using Formulas = std::array<std::string, 3>;
+
+[[noreturn]] void fail(std::string_view component, const std::string& formula, std::size_t column,
+                       std::string_view reason) {
+  throw InputError(
+      fmt::format("formula: {}={}: column {}: {}", component, formula, column, reason));
+}
+
+/// muParser lets a formula assign to its variables; a field's coordinates are not to be changed.
+void refuse_assignment(std::string_view component, const std::string& formula) {
+  const std::string_view comparisons = "=!<>";
+  for (std::size_t i = formula.find('='); i != std::string::npos; i = formula.find('=', i + 1)) {
+    if (formula[i + 1] == '=')
+      ++i;
+    else if (i == 0 || comparisons.find(formula[i - 1]) == std::string_view::npos)
+      fail(component, formula, i + 1, "'=' assigns; to compare use ==");
+  }
+}
+
+/// One thread's parsers and the variables that they read.
+class Formula {
+ public:
+  explicit Formula(const Formulas& formulas) {
+    for (std::size_t i = 0; i < 3; ++i) prepare(i, formulas[i]);
+  }
+  Formula(const Formula&) = delete;  // the parsers point at the variables
+  Formula& operator=(const Formula&) = delete;
+
+  /// NaN when muParser finds at run time that it cannot.
+  Vec3 operator()(const Vec3& x, double t) {
+    x_ = x;
+    t_ = t;
+    try {
+      return {parsers_[0].Eval(), parsers_[1].Eval(), parsers_[2].Eval()};
+    } catch (const mu::ParserError&) {
+      return Vec3(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+
+  bool uses_time() const {
+    for (const mu::Parser& parser : parsers_)
+      if (parser.GetUsedVar().count("t") > 0) return true;
+    return false;
+  }
+
+ private:
+  void prepare(std::size_t i, const std::string& formula) {
+    refuse_assignment(component_names[i], formula);
+    mu::Parser& parser = parsers_[i];
+    parser.DefineVar("x", &x_.x);
+    parser.DefineVar("y", &x_.y);
+    parser.DefineVar("z", &x_.z);
+    parser.DefineVar("t", &t_);
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.DefineConst("e", std::numbers::e);
+    try {
+      parser.SetExpr(formula);
+      parser.Eval();  // compiles
+    } catch (const mu::ParserError& error) {
+      const std::size_t column = error.GetPos() < 0 ? formula.size() : error.GetPos() + 1;
+      fail(component_names[i], formula, column, error.GetMsg());
+    }
+  }
+
+  Vec3 x_{0};
+  double t_ = 0;
+  std::array<mu::Parser, 3> parsers_;
+};
+
+/// Fourth-order central difference along an axis. Its step balances rounding ε/h against
+/// truncation h⁴.
+Vec3 derivative(Formula& formula, const Vec3& x, double t, int axis) {
+  const double step = std::pow(std::numeric_limits<double>::epsilon(), 0.2);
+  const double h = step * std::max(1.0, std::abs(x[axis]));
+  const auto at = [&](double offset) {
+    Vec3 shifted = x;
+    shifted[axis] += offset;
+    return formula(shifted, t);
+  };
+  return (8.0 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+}
+
+class FormulaSampler final : public FieldSampler {
+ public:
+  explicit FormulaSampler(const Formulas& formulas) : formula_(formulas) {}
+
+  SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
+    v = formula_(x, t);
+    return is_finite(v) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+  SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
+    for (int axis = 0; axis < 3; ++axis) jacobian[axis] = derivative(formula_, x, t, axis);
+    const SampleStatus status = velocity(x, t, v);
+    return is_finite(jacobian) ? status : SampleStatus::not_finite;
+  }
+
+ private:
+  Formula formula_;
+};
+
+class FormulaField final : public VectorField {
+ public:
+  explicit FormulaField(Formulas formulas)
+      : formulas_(std::move(formulas)), steady_(!Formula(formulas_).uses_time()) {}
+
+  std::unique_ptr<FieldSampler> sampler() const override {
+    return std::make_unique<FormulaSampler>(formulas_);
+  }
+  bool steady() const override { return steady_; }
+  std::string description() const override {
+    return fmt::format("formula:u={},v={},w={}", formulas_[0], formulas_[1], formulas_[2]);
+  }
+
+ private:
+  Formulas formulas_;
+  bool steady_;
+};
+
+}  // namespace
+
+std::unique_ptr<VectorField> make_formula_field(const RawOptions& components) {
+  constexpr auto text = ParameterSpec::Kind::text;
+  static constexpr ParameterSpec specs[] = {{.name = component_names[0], .kind = text},
+                                            {.name = component_names[1], .kind = text},
+                                            {.name = component_names[2], .kind = text}};
+  const Parameters given("formula", specs, components);
+  Formulas formulas;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!given.is_set(component_names[i]) || given.text(component_names[i]).empty())
+      throw InputError(
+          fmt::format("formula: {}= is missing; expected formula:u=…,v=…,w=… over "
+                      "x, y, z, t",
+                      component_names[i]));
+    formulas[i] = given.text(component_names[i]);
+  }
+  return std::make_unique<FormulaField>(std::move(formulas));
+}
+
+}  // namespace pellucid

@@ -1,0 +1,57 @@
+#include "fields/files/vtk_messages.h"
+
+#include <vtkLogger.h>
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+
+namespace pellucid {
+namespace {
+
+std::mutex& output_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+class Capture final : public vtkOutputWindow {
+ public:
+  static Capture* New();
+
+  void DisplayText(const char* text) override {
+    const std::lock_guard lock(mutex_);  // readers may decompress on several threads
+    if (first.empty() && text) first = text;
+  }
+  std::string first;
+
+ private:
+  std::mutex mutex_;
+};
+
+vtkStandardNewMacro(Capture);
+
+}  // namespace
+
+VtkMessages::VtkMessages()
+    : lock_(output_mutex()),
+      before_(vtkOutputWindow::GetInstance()),
+      verbosity_before_(vtkLogger::GetCurrentVerbosityCutoff()) {
+  capture_.TakeReference(Capture::New());
+  vtkOutputWindow::SetInstance(capture_);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // the second way to stderr
+}
+
+VtkMessages::~VtkMessages() {
+  vtkOutputWindow::SetInstance(before_);
+  vtkLogger::SetStderrVerbosity(verbosity_before_);
+}
+
+std::string VtkMessages::first_line() const {
+  std::string text = static_cast<const Capture*>(capture_.Get())->first;
+  // "ERROR: In FILE, line N\nvtkClass (0x…): what happened\n\n"
+  if (const std::size_t place = text.find("): "); place != std::string::npos)
+    text.erase(0, place + 3);
+  text.erase(std::find(text.begin(), text.end(), '\n'), text.end());
+  return text;
+}
+
+}  // namespace pellucid

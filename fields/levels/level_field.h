@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fields/levels/level.h"
+#include "fields/levels/region_tree.h"
+
+namespace pellucid {
+
+/// How values at samples of several levels become one function of space.
+enum class Reconstruction { trilinear, hat, blend };
+
+struct ReconstructionRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view citation;
+  Reconstruction kind;
+  bool continuous;         // where the resolution changes, too, of levels within one another
+  bool linear_preserving;  // f(x) = x stays f(x) = x
+};
+
+inline constexpr ReconstructionRow reconstructions[] = {
+    {"trilinear", "Trilinear in the finest level alone", "", Reconstruction::trilinear, false,
+     true},
+    {"hat", "Hat-function basis over the cells that no finer level covers",
+     "Wald et al., IEEE VIS 2020; Li, Chen 2023, Eqs. 2, 3", Reconstruction::hat, true, false},
+    {"blend", "Trilinear levels, each faded in over its outermost cells", "", Reconstruction::blend,
+     true, true}};
+
+/// Throws InputError with the nearest names.
+const ReconstructionRow& find_reconstruction(std::string_view name);
+
+/// Of a level: the cell of the lattice of its samples whose first corner is `low`. Only for a hat
+/// basis corners may lie outside the level. Not initialized: to clear eight costs a third of a
+/// sample.
+struct LatticeCell {
+  std::uint32_t level;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<int, 3> low;
+};
+
+/// Levels take part at a point by Σ w (f - value) and Σ w, polynomials of degree 3 (blend: 3 n
+/// where n levels meet) while the point stays in the same lattice cells: the reconstruction is
+/// their quotient plus `value`. Weights are never negative, so it lies in the hull of the samples.
+template <class T>
+struct LevelSum {
+  T sum{0.0};
+  T weight{0.0};
+};
+
+/// Most levels that may meet at one place where they fade: bounds the degree of a polynomial along
+/// a ray.
+constexpr std::size_t most_fading = 5;
+
+/// A scalar field on levels of any boxes and widths. Where they overlap the finest level rules.
+/// Immutable.
+class LevelField {
+ public:
+  using Cells = std::array<LatticeCell, 8>;
+
+  /// Throws InputError without a level, for a level that check_level() refuses, and when more than
+  /// eight levels (blend: five) meet at one place.
+  LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction);
+
+  std::span<const ScalarLevel> levels() const { return levels_; }  // the finest first
+  const ReconstructionRow& reconstruction() const { return *row_; }
+  /// Where values of the level count: its cells for the hat basis, else from its first to its last
+  /// sample. The field is defined in the union of all of them.
+  Box3 domain(std::size_t level) const { return levels_[level].box(hat() ? 0.5 : 0); }
+  const LevelRegion& region(std::size_t level) const { return regions_[level]; }
+  Box3 bounds() const;
+  const RegionTree& tree() const { return tree_; }
+
+  /// Lattice cells around x, finest first; their number is 0 outside of every domain. A coordinate
+  /// on a sample belongs to the cell above it where there is one.
+  std::size_t cells_at(const Vec3& x, Cells& cells) const;
+  /// Lattice cell of `level` around x, kept within what the reconstruction reads.
+  LatticeCell cell_at(std::uint32_t level, const Vec3& x) const;
+
+  /// `x` of any arithmetic: double, Dual, a polynomial along a ray.
+  template <class T>
+  LevelSum<T> sum(std::span<const LatticeCell> cells, const std::array<T, 3>& x,
+                  double value) const;
+
+  std::optional<double> value(const Vec3& x) const;
+  std::optional<Vec3> gradient(const Vec3& x) const;  // per world unit
+
+  std::uint64_t bytes() const;
+
+ private:
+  bool hat() const { return row_->kind == Reconstruction::hat; }
+  /// Whether cells of a finer level lie over the sample.
+  bool covered(std::uint32_t level, const std::array<int, 3>& sample) const;
+  template <class T>
+  void add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double value,
+                LevelSum<T>& out) const;
+  template <class T>
+  T trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double value) const;
+
+  std::vector<ScalarLevel> levels_;
+  const ReconstructionRow* row_;
+  std::vector<LevelRegion> regions_;
+  RegionTree tree_;
+};
+
+}  // namespace pellucid
+
+#include "fields/levels/level_field.inl"

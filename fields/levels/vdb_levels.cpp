@@ -1,0 +1,174 @@
+#include "fields/levels/vdb_levels.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "fields/files/vdb_open.h"
+#include "fields/levels/derived_scalar.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double affine_rounding = 1e-9;  // of a voxel, in the transform of cubes along the axes
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw InputError(fmt::format("{}: {}", path.string(), why));
+}
+
+glm::vec3 sample_of(const openvdb::Vec3s& v) { return {v[0], v[1], v[2]}; }
+glm::vec3 sample_of(const openvdb::Vec3d& v) { return glm::vec3(Vec3(v[0], v[1], v[2])); }
+float sample_of(float v) { return v; }
+float sample_of(double v) { return float(v); }
+
+/// Sets origin and width of the level whose first sample has the index `first`.
+template <class T>
+void place(const openvdb::GridBase& grid, const openvdb::Coord& first, const std::string& name,
+           Level<T>& level) {
+  if (!grid.transform().isLinear())
+    throw InputError(fmt::format("{}: its transform is not affine; accepted: cubes", name));
+  const openvdb::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
+  level.width = m(0, 0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      if (const double wanted = row == column ? level.width : 0;
+          !(std::abs(m(row, column) - wanted) <= affine_rounding * level.width))
+        throw InputError(fmt::format(
+            "{}: its voxels are not cubes along the axes; accepted: one width, no rotation", name));
+  const openvdb::Vec3d origin = grid.transform().indexToWorld(first);
+  level.origin = {origin[0], origin[1], origin[2]};
+}
+
+template <class Grid>
+auto level_of(const Grid& grid, const std::string& name) {
+  Level<decltype(sample_of(typename Grid::ValueType()))> level;
+  const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+  if (box.empty()) throw InputError(fmt::format("{}: it has no active voxels", name));
+  if (!fills_a_box(grid, box))
+    throw InputError(fmt::format(
+        "{}: its active voxels do not fill a box; accepted: a full box per level", name));
+  place(grid, box.min(), name, level);
+  const openvdb::Coord size = box.dim();
+  level.size = {size.x(), size.y(), size.z()};
+  level.samples.reserve(grid.activeVoxelCount());
+  const auto accessor = grid.getConstAccessor();
+  for (int k = box.min().z(); k <= box.max().z(); ++k)
+    for (int j = box.min().y(); j <= box.max().y(); ++j)
+      for (int i = box.min().x(); i <= box.max().x(); ++i)
+        level.samples.push_back(sample_of(accessor.getValue({i, j, k})));
+  check_level(name, level);
+  return level;
+}
+
+bool is_derived(std::string_view scalar) {
+  return std::ranges::any_of(derived_scalars(),
+                             [&](const auto& row) { return row.name == scalar; });
+}
+
+/// The level that the grid gives, if it has the scalar.
+std::vector<ScalarLevel> levels_in(const openvdb::GridBase::Ptr& grid, std::string_view scalar,
+                                   const std::string& name) {
+  if (is_derived(scalar)) {
+    const auto& row = find_derived_scalar(scalar);
+    if (const auto floats = openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid))
+      return {row.compute(level_of(*floats, name))};
+    if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
+      return {row.compute(level_of(*doubles, name))};
+  }
+  if (grid->getName() != scalar) return {};
+  if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
+    return {level_of(*floats, name)};
+  if (const auto doubles = openvdb::gridPtrCast<openvdb::DoubleGrid>(grid))
+    return {level_of(*doubles, name)};
+  return {};
+}
+
+std::vector<ScalarLevel> read(const fs::path& path, std::string_view scalar) {
+  const auto file = open_vdb(path);
+  std::vector<ScalarLevel> levels;
+  std::vector<std::string> found;
+  for (auto name = file->beginName(); name != file->endName(); ++name) {
+    const openvdb::GridBase::Ptr grid = file->readGrid(*name);
+    found.push_back(fmt::format("{} ({})", *name, grid->valueType()));
+    for (ScalarLevel& level :
+         levels_in(grid, scalar, fmt::format("{}: grid {}", path.string(), *name)))
+      levels.push_back(std::move(level));
+  }
+  if (levels.empty())
+    fail(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar,
+                           found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", "))));
+  return levels;
+}
+
+openvdb::Vec3s voxel_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+float voxel_of(float v) { return v; }
+
+template <class T>
+openvdb::GridBase::Ptr grid_of(const std::string& name, const Level<T>& level) {
+  using Voxel = decltype(voxel_of(T()));
+  using Tree = typename openvdb::tree::Tree4<Voxel, 5, 4, 3>::Type;
+  const auto grid = openvdb::Grid<Tree>::create();
+  grid->setName(name);
+  const auto transform = openvdb::math::Transform::createLinearTransform(level.width);
+  transform->postTranslate({level.origin.x, level.origin.y, level.origin.z});
+  grid->setTransform(transform);
+  auto accessor = grid->getAccessor();
+  for (int k = 0; k < level.size[2]; ++k)
+    for (int j = 0; j < level.size[1]; ++j)
+      for (int i = 0; i < level.size[0]; ++i)
+        accessor.setValueOn({i, j, k}, voxel_of(level.at(i, j, k)));
+  return grid;
+}
+
+template <class T>
+void write(const fs::path& path, const std::string& name, std::span<const Level<T>> levels) {
+  if (path.extension() != ".vdb")
+    fail(path, fmt::format("ending '{}'; accepted: .vdb", path.extension().string()));
+  if (levels.empty()) fail(path, "no level to write");
+  openvdb::initialize();
+  openvdb::GridPtrVec grids;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    check_level(fmt::format("level {}", i), levels[i]);
+    grids.push_back(grid_of(name, levels[i]));
+  }
+  OutputFile out(path);
+  try {
+    openvdb::io::File(out.temporary().string()).write(grids);
+  } catch (const openvdb::Exception& error) {
+    throw WorkError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+  out.commit();
+}
+
+}  // namespace
+
+void write_vdb_levels(const fs::path& path, const std::string& name,
+                      std::span<const ScalarLevel> levels) {
+  write(path, name, levels);
+}
+void write_vdb_levels(const fs::path& path, const std::string& name,
+                      std::span<const VectorLevel> levels) {
+  write(path, name, levels);
+}
+
+std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar) {
+  try {
+    return read(path, scalar);
+  } catch (const openvdb::Exception& error) {
+    fail(path, fmt::format("not a valid .vdb file: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    fail(path, "claims more data than this machine's memory holds");
+  } catch (const std::length_error&) {
+    fail(path, "claims more data than can be");
+  }
+}
+
+}  // namespace pellucid

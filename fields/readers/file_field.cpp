@@ -1,0 +1,111 @@
+#include "fields/readers/file_field.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <new>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "fields/readers/meta_image_field.h"
+#include "fields/readers/series_field.h"
+#include "fields/readers/vdb_field.h"
+#include "fields/readers/vtk_field.h"
+
+namespace pellucid {
+namespace {
+
+constexpr FileFormatRow formats[] = {
+    {".vti", "VTK image", read_vtk_field},
+    {".vtr", "VTK rectilinear grid", read_vtk_field},
+    {".vts", "VTK structured grid", read_vtk_field},
+    {".vtu", "VTK unstructured grid", read_vtk_field},
+    {".vtk", "legacy VTK", read_vtk_field},
+    {".mhd", "MetaImage header beside raw data", read_meta_image_field},
+    {".mha", "MetaImage", read_meta_image_field},
+    {".vdb", "OpenVDB", read_vdb_field},
+    {".series", "time series of files, as ParaView writes it", read_series_field},
+};
+
+constexpr ParameterSpec parameters[] = {
+    {.name = "array",
+     .kind = ParameterSpec::Kind::text,
+     .help = "name of the vectors; by default the active or the only ones"},
+    {.name = "sampler",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "linear",
+     .choices = "linear|c1",
+     .help = "c1: cubic, continuous with its derivative"},
+};
+
+struct PathAndOptions {
+  std::string_view path;
+  std::string_view options;  // with the colon
+  const FileFormatRow* format = nullptr;
+};
+
+/// The options begin at the first colon behind a known ending, so that a path may hold colons.
+PathAndOptions split(std::string_view text) {
+  PathAndOptions best{text, {}};
+  for (const FileFormatRow& row : formats)
+    for (std::size_t at = text.find(row.ending); at != std::string_view::npos;
+         at = text.find(row.ending, at + 1)) {
+      const std::size_t end = at + row.ending.size();
+      const bool ends_here = end == text.size() || text[end] == ':';
+      if (ends_here && (!best.format || end < best.path.size()))
+        best = {text.substr(0, end), text.substr(end), &row};
+    }
+  return best;
+}
+
+FileOptions parse_options(const PathAndOptions& parts) {
+  const auto given = parse_name_and_options(fmt::format("file{}", parts.options));
+  const Parameters values(parts.path, parameters, given.options);
+  return {values.is_set("array") ? values.text("array") : "",
+          values.text("sampler") == "c1" ? Interpolation::c1 : Interpolation::linear};
+}
+
+void require_readable(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path) || !std::ifstream(path))
+    throw InputError(fmt::format("{}: cannot read: no such file, or not permitted", path.string()));
+}
+
+}  // namespace
+
+std::span<const FileFormatRow> file_formats() { return formats; }
+std::span<const ParameterSpec> file_parameters() { return parameters; }
+
+std::string file_endings() {
+  std::string endings;
+  for (const FileFormatRow& row : formats)
+    endings += (endings.empty() ? "" : ", ") + std::string(row.ending);
+  return endings;
+}
+
+const FileFormatRow* file_format(std::string_view path) {
+  for (const FileFormatRow& row : formats)
+    if (path.ends_with(row.ending)) return &row;
+  return nullptr;
+}
+
+std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
+                                       const FileFormatRow& format, const FileOptions& options) {
+  require_readable(path);
+  try {
+    return format.read(path, options);
+  } catch (const std::bad_alloc&) {
+    throw InputError(
+        fmt::format("{}: claims more data than this machine's memory holds", path.string()));
+  } catch (const std::length_error&) {
+    throw InputError(fmt::format("{}: claims more data than can be", path.string()));
+  }
+}
+
+std::unique_ptr<VectorField> read_file_field(std::string_view text,
+                                             const std::filesystem::path& base) {
+  const PathAndOptions parts = split(text);
+  if (!parts.format) return nullptr;
+  return read_file(base / parts.path, *parts.format, parse_options(parts));
+}
+
+}  // namespace pellucid

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/options/parameters.h"
+#include "fields/field.h"
+#include "fields/sampled/dense_field.h"
+
+namespace pellucid {
+
+/// What may be asked of a sampled field: "FILE:array=NAME,sampler=c1".
+struct FileOptions {
+  std::string array;  // empty: the active vectors, or the only array of three components
+  Interpolation interpolation = Interpolation::linear;
+};
+
+/// One kind of file that holds a sampled field.
+struct FileFormatRow {
+  std::string_view ending;  // ".vti"
+  std::string_view title;
+  std::unique_ptr<VectorField> (*read)(const std::filesystem::path&, const FileOptions&);
+};
+
+std::span<const FileFormatRow> file_formats();
+std::span<const ParameterSpec> file_parameters();
+
+/// ".vti, .vtr, …", for messages.
+std::string file_endings();
+
+/// The format that a path ends as, or nothing.
+const FileFormatRow* file_format(std::string_view path);
+
+/// Throws InputError for a file that cannot be read or trusted.
+std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
+                                       const FileFormatRow& format, const FileOptions& options);
+
+/// Reads "FILE[:key=value,…]" (relative paths start at `base`) when FILE ends as one of the formats
+/// does; nothing when it does not.
+std::unique_ptr<VectorField> read_file_field(std::string_view text,
+                                             const std::filesystem::path& base);
+
+}  // namespace pellucid

@@ -1,0 +1,206 @@
+#include "fields/readers/series_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "fields/lazy.h"
+#include "fields/readers/file_field.h"
+
+namespace pellucid {
+namespace {
+
+using Path = std::filesystem::path;
+
+struct Frame {
+  double time;
+  std::unique_ptr<VectorField> field;
+};
+using Frames = std::vector<Frame>;
+
+/// Where a time lies between two frames.
+struct Between {
+  std::size_t frame;  // and the next one
+  double s;           // from 0 at `frame` to 1 at the next
+};
+
+Between locate(const Frames& frames, double t) {
+  const auto after = std::upper_bound(frames.begin() + 1, frames.end() - 1, t,
+                                      [](double time, const Frame& f) { return time < f.time; });
+  const std::size_t i = std::size_t(after - frames.begin()) - 1;
+  return {i, (t - frames[i].time) / (frames[i + 1].time - frames[i].time)};
+}
+
+class SeriesSampler final : public FieldSampler {
+ public:
+  explicit SeriesSampler(const Frames& frames) : frames_(frames), samplers_(frames.size()) {}
+
+  SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
+    return mix_over_time(t, [&](FieldSampler& sampler, double weight) {
+      Vec3 part;
+      const SampleStatus status = sampler.velocity(x, t, part);
+      v = weight < 0 ? part : glm::mix(v, part, weight);
+      return status;
+    });
+  }
+
+  SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
+    return mix_over_time(t, [&](FieldSampler& sampler, double weight) {
+      Vec3 part;
+      Mat3 slope;
+      const SampleStatus status = sampler.velocity_and_jacobian(x, t, part, slope);
+      v = weight < 0 ? part : glm::mix(v, part, weight);
+      jacobian = weight < 0 ? slope : jacobian * (1 - weight) + slope * weight;
+      return status;
+    });
+  }
+
+ private:
+  /// `add` takes the first frame with a negative weight and mixes the second into it. At a frame's
+  /// own time the other is not asked.
+  template <class Add>
+  SampleStatus mix_over_time(double t, const Add& add) {
+    if (!(t >= frames_.front().time && t <= frames_.back().time)) return SampleStatus::outside;
+    const auto [frame, s] = locate(frames_, t);
+    if (s == 1) return add(sampler(frame + 1), -1);
+    const SampleStatus status = add(sampler(frame), -1);
+    return status != SampleStatus::ok || s == 0 ? status : add(sampler(frame + 1), s);
+  }
+
+  FieldSampler& sampler(std::size_t frame) {
+    if (!samplers_[frame]) samplers_[frame] = frames_[frame].field->sampler();
+    return *samplers_[frame];
+  }
+
+  const Frames& frames_;
+  std::vector<std::unique_ptr<FieldSampler>> samplers_;  // made when first needed
+};
+
+class SeriesField final : public VectorField {
+ public:
+  SeriesField(Frames frames, std::string description)
+      : frames_(std::move(frames)), description_(std::move(description)) {}
+
+  std::unique_ptr<FieldSampler> sampler() const override {
+    return std::make_unique<SeriesSampler>(frames_);
+  }
+  Box3 domain() const override {
+    Box3 common = frames_.front().field->domain();
+    for (const Frame& frame : frames_) {
+      common.min = glm::max(common.min, frame.field->domain().min);
+      common.max = glm::min(common.max, frame.field->domain().max);
+    }
+    return common;
+  }
+  bool steady() const override { return false; }
+  std::optional<double> cell_size() const override {
+    std::optional<double> smallest;
+    for (const Frame& frame : frames_)
+      if (const auto size = frame.field->cell_size())
+        smallest = std::min(smallest.value_or(*size), *size);
+    return smallest;
+  }
+  std::optional<double> sampling_error() const override {
+    return sampling_error_.get([this] { return error_in_space() + error_in_time(); });
+  }
+  bool fills_domain() const override {
+    return std::all_of(frames_.begin(), frames_.end(),
+                       [](const Frame& frame) { return frame.field->fills_domain(); });
+  }
+  std::string description() const override { return description_; }
+
+ private:
+  double error_in_space() const {
+    double largest = 0;
+    for (const Frame& frame : frames_)
+      largest = std::max(largest, frame.field->sampling_error().value_or(0));
+    return largest;
+  }
+
+  /// h²/8 |∂²v/∂t²| from three frames at a time, the largest over places spread evenly.
+  double error_in_time() const {
+    double largest = 0;
+    for (std::size_t k = 1; k + 1 < frames_.size(); ++k) {
+      const auto before = frames_[k - 1].field->sampler(), at = frames_[k].field->sampler(),
+                 after = frames_[k + 1].field->sampler();
+      const double h1 = frames_[k].time - frames_[k - 1].time;
+      const double h2 = frames_[k + 1].time - frames_[k].time;
+      for (int i = 0; i < 2000; ++i) {
+        const Vec3 x = spread_place(i);
+        Vec3 v0, v1, v2;
+        if (before->velocity(x, 0, v0) != SampleStatus::ok ||
+            at->velocity(x, 0, v1) != SampleStatus::ok ||
+            after->velocity(x, 0, v2) != SampleStatus::ok)
+          continue;
+        const Vec3 second = 2.0 * ((v2 - v1) / h2 - (v1 - v0) / h1) / (h1 + h2);
+        const double gap = std::max(h1, h2);
+        largest = std::max(largest, glm::length(second) * gap * gap / 8);
+      }
+    }
+    return largest;
+  }
+
+  /// Place i of a low-discrepancy sequence in the domain: multiples of the powers of 1/φ₃, the root
+  /// of φ⁴ = φ + 1.
+  Vec3 spread_place(int i) const {
+    const Vec3 s = glm::fract(double(i) * Vec3(0.8191725134, 0.6710436067, 0.5497004779));
+    const Box3 box = domain();
+    return box.min + (box.max - box.min) * s;
+  }
+
+  Frames frames_;
+  std::string description_;
+  Lazy<double> sampling_error_;
+};
+
+[[noreturn]] void fail(const Path& path, std::string_view why) {
+  throw InputError(fmt::format("{}: {}", path.string(), why));
+}
+
+nlohmann::json parse(const Path& path) {
+  try {
+    return nlohmann::json::parse(read_text(path));
+  } catch (const nlohmann::json::exception& error) {
+    fail(path, fmt::format("not a valid .series file: {}", error.what()));
+  }
+}
+
+Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& path,
+                 const FileOptions& options) {
+  if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() ||
+      !entry.contains("time") || !entry["time"].is_number())
+    fail(path, fmt::format("files[{}]: expected {{\"name\": text, \"time\": number}}", number));
+  const std::string name = entry["name"];
+  const FileFormatRow* format = file_format(name);
+  if (!format || format->read == read_series_field)
+    fail(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
+                           number, name, file_endings()));
+  return {entry["time"], read_file(path.parent_path() / name, *format, options)};
+}
+
+}  // namespace
+
+std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& options) {
+  const nlohmann::json description = parse(path);
+  if (!description.is_object() || !description.contains("files") ||
+      !description["files"].is_array() || description["files"].size() < 2)
+    fail(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");
+  Frames frames;
+  for (const nlohmann::json& entry : description["files"]) {
+    frames.push_back(read_frame(entry, frames.size(), path, options));
+    if (frames.size() > 1 && !(frames.back().time > frames[frames.size() - 2].time))
+      fail(path, fmt::format("files[{}]: time {} after {}; times have to ascend", frames.size() - 1,
+                             frames.back().time, frames[frames.size() - 2].time));
+  }
+  std::string text = fmt::format("{}: {} files from t = {} to {}, the first {}",
+                                 path.filename().string(), frames.size(), frames.front().time,
+                                 frames.back().time, frames.front().field->description());
+  return std::make_unique<SeriesField>(std::move(frames), std::move(text));
+}
+
+}  // namespace pellucid

@@ -1,0 +1,165 @@
+#include "fields/readers/vdb_field.h"
+
+#include <fmt/format.h>
+#include <openvdb/openvdb.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "fields/files/vdb_open.h"
+#include "fields/finite.h"
+#include "fields/lazy.h"
+#include "fields/readers/file_field.h"
+#include "fields/readers/vdb_sampler.h"
+#include "fields/sampled/dense_field.h"
+
+namespace pellucid {
+namespace {
+
+using Path = std::filesystem::path;
+
+[[noreturn]] void fail(const Path& path, std::string_view why) {
+  throw InputError(fmt::format("{}: {}", path.string(), why));
+}
+
+template <class Grid>
+class VdbField final : public VectorField {
+ public:
+  VdbField(typename Grid::ConstPtr grid, const GridFrame& frame, std::string description)
+      : grid_(std::move(grid)), frame_(frame), description_(std::move(description)) {}
+
+  std::unique_ptr<FieldSampler> sampler() const override {
+    return std::make_unique<VdbSampler<Grid>>(*grid_, frame_);
+  }
+  Box3 domain() const override {
+    const openvdb::CoordBBox box = grid_->evalActiveVoxelBoundingBox();
+    return frame_.world_box({Vec3(box.min().x(), box.min().y(), box.min().z()),
+                             Vec3(box.max().x(), box.max().y(), box.max().z())});
+  }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return frame_.smallest_unit(); }
+
+  std::optional<double> sampling_error() const override {
+    return sampling_error_.get([this] { return estimate_sampling_error(); });
+  }
+  std::string description() const override { return description_; }
+
+ private:
+  /// As for a dense grid: second differences along the axes over 8, where three voxels are active.
+  double estimate_sampling_error() const {
+    double largest = 0;
+    const auto accessor = grid_->getConstAccessor();
+    for (auto voxel = grid_->cbeginValueOn(); voxel; ++voxel) {
+      if (!voxel.isVoxelValue()) continue;  // a tile is constant
+      const openvdb::Coord at = voxel.getCoord();
+      double error = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        openvdb::Coord step(0);
+        step[axis] = 1;
+        typename Grid::ValueType before, behind;
+        if (accessor.probeValue(at - step, before) && accessor.probeValue(at + step, behind))
+          error += (before - voxel.getValue() * 2 + behind).length() / 8;
+      }
+      if (std::isfinite(error)) largest = std::max(largest, error);
+    }
+    return largest;
+  }
+
+  typename Grid::ConstPtr grid_;
+  GridFrame frame_;
+  std::string description_;
+  Lazy<double> sampling_error_;
+};
+
+GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {
+  if (!grid.transform().isLinear()) fail(path, "its transform is not affine");
+  const openvdb::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
+  Mat3 world_from_index;  // OpenVDB multiplies rows from the left
+  for (int j = 0; j < 3; ++j) world_from_index[j] = Vec3(m(j, 0), m(j, 1), m(j, 2));
+  const GridFrame frame{glm::inverse(world_from_index), Vec3(m(3, 0), m(3, 1), m(3, 2))};
+  if (!is_finite(world_from_index) || !is_finite(frame.grid_from_world) || !is_finite(frame.origin))
+    fail(path, "its transform is not finite, or flat");
+  return frame;
+}
+
+template <class Grid>
+std::unique_ptr<VectorField> make_dense(const Grid& grid, const openvdb::CoordBBox& box,
+                                        const GridFrame& frame, Interpolation interpolation,
+                                        std::string description) {
+  const openvdb::Coord size = box.dim();
+  const auto axis = [&](int a) { return Axis::uniform(box.min()[a], 1, std::size_t(size[a])); };
+  using Sample = glm::vec<3, typename Grid::ValueType::ValueType>;
+  DenseGrid<Sample> dense{{axis(0), axis(1), axis(2)}, {}, frame};
+  dense.samples.reserve(grid.activeVoxelCount());
+  const auto accessor = grid.getConstAccessor();
+  for (int k = box.min().z(); k <= box.max().z(); ++k)
+    for (int j = box.min().y(); j <= box.max().y(); ++j)
+      for (int i = box.min().x(); i <= box.max().x(); ++i) {
+        const auto& v = accessor.getValue({i, j, k});
+        dense.samples.emplace_back(v[0], v[1], v[2]);
+      }
+  return make_dense_field(std::move(dense), interpolation, std::move(description));
+}
+
+template <class Grid>
+std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
+                                            const FileOptions& options, const Path& path) {
+  if (grid->getGridClass() == openvdb::GRID_STAGGERED)
+    fail(path, fmt::format("grid '{}' is staggered; resample it to one position per voxel",
+                           grid->getName()));
+  const GridFrame frame = frame_of(*grid, path);
+  const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
+  if (box.empty()) fail(path, fmt::format("grid '{}' has no active voxels", grid->getName()));
+  const std::string description =
+      fmt::format("{}: {} active voxels of {}", path.filename().string(), grid->activeVoxelCount(),
+                  grid->getName());
+  const openvdb::Coord size = box.dim();
+  const int thinnest = std::min({size.x(), size.y(), size.z()});
+  if (thinnest > 1 && fills_a_box(*grid, box))
+    return make_dense(*grid, box, frame, options.interpolation, description);
+  if (options.interpolation == Interpolation::c1)
+    fail(path, "sampler=c1 needs active voxels that fill a box; this grid takes sampler=linear");
+  return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
+}
+
+bool is_vector_grid(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
+}
+
+/// The name of the grid to read; the file's vector grids are listed when there is no such one.
+std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const Path& path) {
+  std::string names, first;
+  int count = 0;
+  const openvdb::GridPtrVecPtr grids = file.readAllGridMetadata();
+  for (const auto& grid : *grids) {
+    if (!is_vector_grid(*grid)) continue;
+    if (grid->getName() == wanted) return wanted;
+    if (count++ == 0) first = grid->getName();
+    names += (names.empty() ? "" : ", ") + grid->getName();
+  }
+  if (wanted.empty() && count == 1) return first;
+  if (names.empty()) names = "none";
+  if (wanted.empty()) fail(path, fmt::format("which grid? array=NAME; vector grids: {}", names));
+  fail(path, fmt::format("array={}: no such grid; vector grids: {}", wanted, names));
+}
+
+openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
+  const auto file = open_vdb(path);
+  return file->readGrid(pick_grid(*file, wanted, path));
+}
+
+}  // namespace
+
+std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
+  try {
+    const openvdb::GridBase::Ptr grid = read_grid(options.array, path);
+    if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
+      return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
+    return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid),
+                                              options, path);
+  } catch (const openvdb::Exception& error) {
+    fail(path, fmt::format("not a valid .vdb file: {}", error.what()));
+  }
+}
+
+}  // namespace pellucid

@@ -1,0 +1,116 @@
+#include "fields/sampled/cell_field.h"
+
+#include <fmt/format.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkStaticCellLocator.h>
+
+#include <array>
+
+#include "fields/finite.h"
+#include "fields/lazy.h"
+#include "fields/sampled/cell_grid.h"
+
+namespace pellucid {
+namespace {
+
+/// FindCell is safe on several threads as long as each brings its own vtkGenericCell; the grid and
+/// the locator do not change once built.
+class CellSampler final : public FieldSampler {
+ public:
+  CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
+      : locator_(locator), grid_(grid), rounding_(1e-14 * grid.bounds.diagonal()) {}
+
+  SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
+    if (!find(x)) return SampleStatus::outside;
+    v = interpolate();
+    return is_finite(v) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+  SampleStatus velocity_and_jacobian(const Vec3& x, double, Vec3& v, Mat3& jacobian) override {
+    if (!find(x)) return SampleStatus::outside;
+    v = interpolate();
+    jacobian = grid_.jacobian(*cell_, parametric_);
+    return is_finite(v) && is_finite(jacobian) ? SampleStatus::ok : SampleStatus::not_finite;
+  }
+
+ private:
+  bool find(const Vec3& x) {
+    if (!grid_.bounds.contains(x)) return false;
+    double position[3] = {x.x, x.y, x.z};
+    if (locator_->FindCell(position, 0, cell_, parametric_, weights_.data()) < 0) return false;
+    polish(x);
+    return true;
+  }
+
+  /// One more step of Newton's iteration: VTK stops when a step is below a thousandth of a cell,
+  /// and the next one squares the error.
+  void polish(const Vec3& x) {
+    const int type = cell_->GetCellType();
+    if (type == VTK_TETRA || type == VTK_VOXEL) return;  // solved directly
+    Vec3 miss = x;
+    for (int i = 0; i < cell_->GetNumberOfPoints(); ++i)
+      miss -= weights_[std::size_t(i)] * grid_.point(cell_->GetPointId(i));
+    if (glm::length(miss) <= rounding_) return;
+    const Vec3 step = glm::inverse(grid_.slopes(*cell_, parametric_).position) * miss;
+    if (!is_finite(step)) return;
+    for (int axis = 0; axis < 3; ++axis) parametric_[axis] += step[axis];
+    cell_->InterpolateFunctions(parametric_, weights_.data());
+  }
+
+  Vec3 interpolate() const {
+    Vec3 sum(0);
+    for (vtkIdType i = 0; i < cell_->GetNumberOfPoints(); ++i)
+      sum += weights_[std::size_t(i)] * grid_.velocity(cell_->GetPointId(int(i)));
+    return sum;
+  }
+
+  vtkStaticCellLocator* locator_;
+  const CellGrid& grid_;
+  double rounding_;  // of a position in the grid
+  vtkNew<vtkGenericCell> cell_;
+  std::array<double, CellGrid::largest_cell> weights_{};
+  double parametric_[3] = {0, 0, 0};
+};
+
+class CellField final : public VectorField {
+ public:
+  CellField(CellGrid grid, std::string description)
+      : grid_(std::move(grid)), description_(std::move(description)) {
+    locator_->SetDataSet(grid_.cells);
+    locator_->BuildLocator();
+  }
+
+  std::unique_ptr<FieldSampler> sampler() const override {
+    return std::make_unique<CellSampler>(locator_.Get(), grid_);
+  }
+  Box3 domain() const override { return grid_.bounds; }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return grid_.smallest_width(); }
+  std::optional<double> sampling_error() const override {
+    return sampling_error_.get([this] { return grid_.sampling_error(); });
+  }
+  std::string description() const override { return description_; }
+
+ private:
+  CellGrid grid_;
+  vtkNew<vtkStaticCellLocator> locator_;
+  std::string description_;
+  Lazy<double> sampling_error_;
+};
+
+}  // namespace
+
+std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, vtkDataArray* vectors,
+                                             const std::filesystem::path& path) {
+  CellGrid grid = make_cell_grid(data, vectors, path);
+  std::string description =
+      fmt::format("{}: {} points, {} cells, {}, linear", path.filename().string(),
+                  grid.cells->GetNumberOfPoints(), grid.cells->GetNumberOfCells(),
+                  vectors->GetName() ? vectors->GetName() : "vectors");
+  return std::make_unique<CellField>(std::move(grid), std::move(description));
+}
+
+}  // namespace pellucid

@@ -1,0 +1,80 @@
+#include "fields/sampled/sampling_error.h"
+
+#include <array>
+#include <cmath>
+
+namespace pellucid {
+namespace {
+
+template <class Sample>
+class AxisError {
+ public:
+  AxisError(const DenseGrid<Sample>& grid, int axis) : grid_(grid), axis_(axis) {
+    for (int a = 0; a < axis; ++a) stride_ *= grid.axes[a].size();
+  }
+
+  /// Of the cell that begins at sample `index`, number i along the axis.
+  double of_lines(std::size_t index, std::size_t i) const {
+    return scaled_derivative(index, i, 2) / 8;
+  }
+  double of_cubics(std::size_t index, std::size_t i) const {
+    const bool at_end = i == 0 || i + 2 >= grid_.axes[axis_].size();
+    return scaled_derivative(index, i, 3) * std::sqrt(3.0) / (at_end ? 27 : 108) +
+           scaled_derivative(index, i, 4) / 384;
+  }
+
+ private:
+  /// (widest gap)^order times the order-th derivative, from the order + 1 samples nearest to the
+  /// cell. 0 where the axis has fewer.
+  double scaled_derivative(std::size_t index, std::size_t i, std::size_t order) const {
+    const std::size_t size = grid_.axes[axis_].size();
+    if (order >= size) return 0;
+    const std::size_t before = std::min<std::size_t>(i, (order - 1) / 2);
+    const std::size_t first = std::min(i - before, size - 1 - order);
+    const Sample* line = &grid_.samples[index - i * stride_];
+    std::array<Vec3, 5> table{};
+    for (std::size_t k = 0; k <= order; ++k) table[k] = Vec3(line[(first + k) * stride_]);
+    const double gap = divide(table, first, order);
+    const double error = glm::length(table[0]) * std::pow(gap, double(order));
+    return std::isfinite(error) ? error : 0;
+  }
+
+  /// Leaves the derivative in table[0] (divided difference times order!); returns the widest gap.
+  double divide(std::array<Vec3, 5>& table, std::size_t first, std::size_t order) const {
+    const Axis& axis = grid_.axes[axis_];
+    double widest = 0;
+    for (std::size_t level = 1; level <= order; ++level)
+      for (std::size_t k = 0; k + level <= order; ++k) {
+        const double span = axis.position(first + k + level) - axis.position(first + k);
+        table[k] = (table[k + 1] - table[k]) * (double(level) / span);
+        if (level == 1) widest = std::max(widest, span);
+      }
+    return widest;
+  }
+
+  const DenseGrid<Sample>& grid_;
+  int axis_;
+  std::size_t stride_ = 1;
+};
+
+}  // namespace
+
+template <class Sample>
+double estimate_sampling_error(const DenseGrid<Sample>& grid, int support) {
+  const AxisError<Sample> axes[3] = {{grid, 0}, {grid, 1}, {grid, 2}};
+  const auto error = [&](int axis, std::size_t index, std::size_t i) {
+    return support == 2 ? axes[axis].of_lines(index, i) : axes[axis].of_cubics(index, i);
+  };
+  double largest = 0;
+  std::size_t index = 0;
+  for (std::size_t k = 0; k < grid.axes[2].size(); ++k)
+    for (std::size_t j = 0; j < grid.axes[1].size(); ++j)
+      for (std::size_t i = 0; i < grid.axes[0].size(); ++i, ++index)
+        largest = std::max(largest, error(0, index, i) + error(1, index, j) + error(2, index, k));
+  return largest;
+}
+
+template double estimate_sampling_error(const DenseGrid<glm::vec3>&, int);
+template double estimate_sampling_error(const DenseGrid<Vec3>&, int);
+
+}  // namespace pellucid

@@ -1,0 +1,165 @@
+#include "geometry/files/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "geometry/files/mesh_formats.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending(const fs::path& path) {
+  std::string text = path.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// One row per kind of file; what it cannot hold has no reader.
+struct Format {
+  std::string_view ending;
+  TriangleMesh (*mesh)(const fs::path&) = nullptr;
+  LineSet (*lines)(const fs::path&) = nullptr;
+  PointSet (*points)(const fs::path&) = nullptr;
+};
+
+constexpr Format formats[] = {
+    {".ply", read_ply, read_ply_lines, read_ply_points},
+    {".obj", read_obj, read_obj_lines},
+    {".vtp", read_vtk_mesh, read_vtk_lines, read_vtk_points},
+    {".vtu", read_vtk_mesh, read_vtk_lines, read_vtk_points},
+    {".vtk", read_vtk_mesh, read_vtk_lines, read_vtk_points},
+    {".binlines", nullptr, read_binlines},
+    {".csv", nullptr, nullptr, read_csv_points},
+    {".vdb", nullptr, nullptr, read_vdb_points},
+};
+
+constexpr std::string_view written_endings = ".ply, .obj, .vtp";
+
+[[noreturn]] void unknown_ending(const fs::path& path, std::string_view kind,
+                                 std::string_view accepted) {
+  throw InputError(fmt::format("{}: unknown kind of {} file '{}'; accepted: {}", path.string(),
+                               kind, path.extension().string(), accepted));
+}
+
+/// What the reader of the file's row returns. Throws InputError that names the endings with one.
+auto read_with(auto Format::*reader, const fs::path& path, std::string_view kind) {
+  std::string accepted;
+  for (const Format& format : formats) {
+    if (!(format.*reader)) continue;
+    if (format.ending == ending(path)) return (format.*reader)(path);
+    accepted += (accepted.empty() ? "" : ", ") + std::string(format.ending);
+  }
+  unknown_ending(path, kind, accepted);
+}
+
+bool has_all(const VertexAttributes& attributes, std::initializer_list<const char*> names) {
+  return std::all_of(names.begin(), names.end(),
+                     [&](const char* name) { return attributes.contains(name); });
+}
+
+void check_unit_interval(const std::string& file, std::string_view name, std::size_t vertex,
+                         double value) {
+  if (!(value >= 0 && value <= 1))
+    throw InputError(
+        fmt::format("{}: vertex {}: {} is {}; accepted: 0 … 1", file, vertex, name, value));
+}
+
+}  // namespace
+
+void take_attributes(VertexAttributes attributes, Vertices& vertices) {
+  const std::size_t count = vertices.positions.size();
+  const auto take = [&](const char* name) {
+    auto node = attributes.extract(name);
+    return node.empty() ? std::vector<double>(count, 1.0) : std::move(node.mapped());
+  };
+  if (has_all(attributes, {"red", "green", "blue"}) || has_all(attributes, {"alpha"})) {
+    const auto red = take("red"), green = take("green"), blue = take("blue"), alpha = take("alpha");
+    vertices.colors.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      vertices.colors[i] = Rgba(red[i], green[i], blue[i], alpha[i]);
+  }
+  if (has_all(attributes, {"nx", "ny", "nz"})) {
+    const auto x = take("nx"), y = take("ny"), z = take("nz");
+    vertices.normals.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 n(x[i], y[i], z[i]);
+      const double length = glm::length(n);
+      vertices.normals[i] = length > 0 ? n / length : n;
+    }
+  }
+  if (has_all(attributes, {"importance"})) {
+    const auto g = take("importance");
+    vertices.importance.assign(g.begin(), g.end());
+  }
+  vertices.scalars = std::move(attributes);
+}
+
+void check_vertices(const std::string& file, const Vertices& vertices) {
+  for (std::size_t i = 0; i < vertices.positions.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(vertices.positions[i][axis]))
+        throw InputError(fmt::format("{}: vertex {}: {} is {}; accepted: finite numbers", file, i,
+                                     "xyz"[axis], vertices.positions[i][axis]));
+  static constexpr std::string_view channel[] = {"red", "green", "blue", "alpha"};
+  for (std::size_t i = 0; i < vertices.colors.size(); ++i)
+    for (int c = 0; c < 4; ++c) check_unit_interval(file, channel[c], i, vertices.colors[i][c]);
+  for (std::size_t i = 0; i < vertices.importance.size(); ++i)
+    check_unit_interval(file, "importance", i, vertices.importance[i]);
+}
+
+void check_mesh(const std::string& file, const TriangleMesh& mesh) {
+  check_vertices(file, mesh);
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::uint32_t index : mesh.triangles[i])
+      if (index >= count)
+        throw InputError(
+            fmt::format("{}: triangle {}: vertex index {}, but the file has {} vertices", file, i,
+                        index, count));
+  if (mesh.triangles.empty()) throw InputError(file + ": the file holds no triangles");
+}
+
+TriangleMesh read_mesh(const fs::path& path) {
+  TriangleMesh mesh = read_with(&Format::mesh, path, "mesh");
+  check_mesh(path.string(), mesh);
+  return mesh;
+}
+
+LineSet read_lines(const fs::path& path) {
+  LineSet lines = read_with(&Format::lines, path, "line");
+  check_vertices(path.string(), lines);
+  if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
+  return lines;
+}
+
+PointSet read_points(const fs::path& path) {
+  PointSet points = read_with(&Format::points, path, "point");
+  check_vertices(path.string(), points);
+  if (points.positions.empty()) throw InputError(path.string() + ": the file holds no points");
+  return points;
+}
+
+void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
+  const std::string kind = ending(path);
+  if (kind == ".ply") return write_text(path, encode_ply(mesh));
+  if (kind == ".obj") return write_text(path, encode_obj(mesh));
+  if (kind == ".vtp") return write_vtp(path, mesh);
+  unknown_ending(path, "mesh", written_endings);
+}
+
+void write_lines(const fs::path& path, const LineSet& lines) {
+  const std::string kind = ending(path);
+  if (kind == ".ply") return write_text(path, encode_ply(lines));
+  if (kind == ".obj") return write_text(path, encode_obj(lines));
+  if (kind == ".vtp") return write_vtp(path, lines);
+  unknown_ending(path, "line", written_endings);
+}
+
+}  // namespace pellucid

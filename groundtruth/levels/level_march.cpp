@@ -1,0 +1,144 @@
+#include "groundtruth/levels/level_march.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fields/levels/surface_cells.h"
+
+namespace pellucid {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int block_side = 4;  // lattice cells
+constexpr int halvings = 52;   // of a step: to the last bits of a double
+
+/// The block that holds a lattice cell; the cells of a hat basis begin at -1.
+std::array<int, 3> block_of(const std::array<int, 3>& cell) {
+  return {(cell[0] + 1) / block_side, (cell[1] + 1) / block_side, (cell[2] + 1) / block_side};
+}
+
+/// From where to where the ray is within a box, from t = 0 on.
+std::array<double, 2> within(const Box3& box, const WorldRay& ray) {
+  double begin = 0, end = infinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.min[axis] - ray.start[axis], high = box.max[axis] - ray.start[axis];
+    if (ray.direction[axis] == 0) {
+      if (low > 0 || high < 0) end = 0;
+      continue;
+    }
+    const auto [first, last] = std::minmax({low / ray.direction[axis], high / ray.direction[axis]});
+    begin = std::max(begin, first);
+    end = std::min(end, last);
+  }
+  return {begin, end};
+}
+
+bool differ(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b && (*a < 0) != (*b < 0);
+}
+
+}  // namespace
+
+LevelMarch::LevelMarch(const LevelField& field, double value, const MarchOptions& options)
+    : field_(field), value_(value), options_(options) {
+  if (!options.skip_empty) return;
+  for (const ScalarLevel& level : field.levels()) {
+    Blocks blocks{block_of(level.size), {}};
+    for (int& n : blocks.size) ++n;
+    blocks.occupied.resize(std::size_t(blocks.size[0]) * std::size_t(blocks.size[1]) *
+                           std::size_t(blocks.size[2]));
+    blocks_.push_back(std::move(blocks));
+  }
+  for (const LatticeCell& cell : surface_cells(field, value))
+    blocks_[cell.level].occupied[block_index(cell.level, block_of(cell.low))] = 1;
+}
+
+std::size_t LevelMarch::block_index(std::uint32_t level, const std::array<int, 3>& block) const {
+  const auto& size = blocks_[level].size;
+  return std::size_t(block[0]) +
+         std::size_t(size[0]) *
+             (std::size_t(block[1]) + std::size_t(size[1]) * std::size_t(block[2]));
+}
+
+std::optional<double> LevelMarch::height_at(const Vec3& x,
+                                            std::span<const std::uint32_t> levels) const {
+  LevelField::Cells cells;
+  bool owned = false;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    cells[i] = field_.cell_at(levels[i], x);
+    owned |=
+        field_.reconstruction().kind != Reconstruction::hat || field_.domain(levels[i]).contains(x);
+  }
+  if (!owned) return std::nullopt;
+  const auto [sum, weight] =
+      field_.sum<double>(std::span(cells).first(levels.size()), {x.x, x.y, x.z}, value_);
+  return sum / weight;
+}
+
+double LevelMarch::refined(const WorldRay& ray, std::span<const std::uint32_t> levels,
+                           const Sample& a, const Sample& b) const {
+  if (options_.refinement == HitRefinement::linear)
+    return a.t + (b.t - a.t) * (*a.height / (*a.height - *b.height));
+  double low = a.t, high = b.t;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const auto height = height_at(ray.at(middle), levels);
+    (height && !differ(height, a.height) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
+                                           std::span<const std::uint32_t> levels, double t) const {
+  Stretch stretch{true, infinity};
+  for (const std::uint32_t level : levels) {
+    const ScalarLevel& l = field_.levels()[level];
+    const auto block = block_of(field_.cell_at(level, ray.at(t)).low);
+    if (blocks_[level].occupied[block_index(level, block)]) stretch.empty = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (ray.direction[axis] == 0) continue;
+      const int face = (block[axis] + (ray.direction[axis] > 0 ? 1 : 0)) * block_side - 1;
+      const double plane = l.origin[axis] + l.width * face;
+      stretch.end = std::min(stretch.end, (plane - ray.start[axis]) / ray.direction[axis]);
+    }
+  }
+  return stretch;
+}
+
+void LevelMarch::visit_crossings(const WorldRay& ray,
+                                 const std::function<bool(double)>& visit) const {
+  const auto [begin, end] = within(field_.bounds(), ray);
+  thread_local std::vector<RegionTree::Part> parts;
+  parts.clear();
+  field_.tree().append_parts(ray.start, ray.direction, begin, end, parts);
+  Sample last;
+  for (const RegionTree::Part& part : parts) {
+    const double width = field_.levels()[part.levels.front()].width;
+    const double step = width / options_.steps_per_cell / glm::length(ray.direction);
+    Sample at{part.begin, height_at(ray.at(part.begin), part.levels)};
+    // A reconstruction that jumps crosses on the face.
+    if (last.t == at.t && differ(last.height, at.height) && !visit(at.t)) return;
+    Stretch stretch{false, blocks_.empty() ? infinity : part.begin};
+    for (double i = 0; at.t < part.end; ++i) {
+      last = at;
+      if (at.t >= stretch.end) {
+        stretch = stretch_at(ray, part.levels, at.t);
+        // To the last sample within empty blocks, whose sign is that of this one.
+        if (stretch.empty)
+          i = std::max(i, std::ceil((std::min(stretch.end, part.end) - part.begin) / step) - 2);
+      }
+      at.t = std::min(part.begin + step * (i + 1), part.end);
+      at.height = height_at(ray.at(at.t), part.levels);
+      if (differ(last.height, at.height) && !visit(refined(ray, part.levels, last, at))) return;
+    }
+    last = at;
+  }
+}
+
+std::uint64_t LevelMarch::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const Blocks& blocks : blocks_) bytes += blocks.occupied.size();
+  return bytes;
+}
+
+}  // namespace pellucid

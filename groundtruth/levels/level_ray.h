@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "fields/levels/level_field.h"
+
+namespace pellucid {
+
+/// A ray over a field of levels: x(t) = start + t direction, in world coordinates.
+struct WorldRay {
+  Vec3 start, direction;
+  Vec3 at(double t) const { return start + t * direction; }
+};
+
+/// Appends every t, ascending, at which the ray crosses the surface of `value` in the cell, where
+/// the cell's level is the finest; only t ≥ 0.
+void append_level_crossings(const LevelField& field, double value, const LatticeCell& cell,
+                            const WorldRay& ray, std::vector<double>& at);
+
+}  // namespace pellucid

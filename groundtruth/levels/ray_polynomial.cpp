@@ -1,0 +1,109 @@
+#include "groundtruth/levels/ray_polynomial.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+namespace pellucid {
+namespace {
+
+constexpr int most_halvings = 48;
+
+double binomial(int n, int k) {
+  double value = 1;
+  for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+  return value;
+}
+
+/// The one sign change of a polynomial whose ends differ in sign.
+double bracketed(const RayPolynomial& p) {
+  if (p.begin() == 0) return 0;
+  if (p.end() == 0) return 1;
+  std::uintmax_t steps = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      [&](double t) { return p(t); }, 0.0, 1.0, p.begin(), p.end(),
+      boost::math::tools::eps_tolerance<double>(52), steps);
+  return 0.5 * (low + high);
+}
+
+void isolate(const RayPolynomial& p, double from, double length, int halvings,
+             std::vector<double>& at) {
+  const int changes = p.sign_changes();
+  if (changes == 0) return;
+  const bool ends_differ = (p.begin() < 0) != (p.end() < 0);
+  if (changes == 1 || halvings == 0) {
+    if (ends_differ) at.push_back(from + length * bracketed(p));
+    return;
+  }
+  const auto halves = p.split();
+  isolate(halves[0], from, length / 2, halvings - 1, at);
+  isolate(halves[1], from + length / 2, length / 2, halvings - 1, at);
+}
+
+}  // namespace
+
+double RayPolynomial::operator()(double t) const {
+  // Horner in t / (1 - t) or its inverse, whichever is at most 1.
+  const bool low = t <= 0.5;
+  const double u = low ? t / (1 - t) : (1 - t) / t;
+  double value = 0;
+  for (int i = 0; i <= degree_; ++i) value = value * u + c_[std::size_t(low ? degree_ - i : i)];
+  return value * std::pow(low ? 1 - t : t, degree_);
+}
+
+double RayPolynomial::largest_coefficient() const {
+  double largest = 0;
+  for (int i = 0; i <= degree_; ++i) largest = std::max(largest, std::abs(c_[std::size_t(i)]));
+  return largest;
+}
+
+int RayPolynomial::sign_changes() const {
+  int changes = 0;
+  for (std::size_t i = 0; i < std::size_t(degree_); ++i) changes += (c_[i] < 0) != (c_[i + 1] < 0);
+  return changes;
+}
+
+std::array<RayPolynomial, 2> RayPolynomial::split() const {
+  // de Casteljau's scheme on the coefficients without their binomials.
+  const auto n = std::size_t(degree_);
+  std::array<double, most_degree + 1> b{};
+  for (std::size_t i = 0; i <= n; ++i) b[i] = c_[i] / binomial(degree_, int(i));
+  RayPolynomial left, right;
+  left.degree_ = right.degree_ = degree_;
+  for (std::size_t round = 0; round <= n; ++round) {
+    left.c_[round] = b[0] * binomial(degree_, int(round));
+    right.c_[n - round] = b[n - round] * binomial(degree_, int(round));
+    for (std::size_t i = 0; i + round < n; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+  }
+  return {left, right};
+}
+
+RayPolynomial RayPolynomial::elevated(int degree) const {
+  RayPolynomial out = *this;
+  for (; out.degree_ < degree; ++out.degree_)  // times t + (1 - t)
+    for (auto i = std::size_t(out.degree_) + 1; i > 0; --i) out.c_[i] += out.c_[i - 1];
+  return out;
+}
+
+RayPolynomial operator+(const RayPolynomial& p, const RayPolynomial& q) {
+  const int degree = std::max(p.degree_, q.degree_);
+  RayPolynomial out = p.elevated(degree);
+  const RayPolynomial other = q.elevated(degree);
+  for (std::size_t i = 0; i <= std::size_t(degree); ++i) out.c_[i] += other.c_[i];
+  return out;
+}
+
+RayPolynomial operator*(const RayPolynomial& p, const RayPolynomial& q) {
+  RayPolynomial out;
+  out.degree_ = p.degree_ + q.degree_;
+  for (std::size_t i = 0; i <= std::size_t(p.degree_); ++i)
+    for (std::size_t j = 0; j <= std::size_t(q.degree_); ++j) out.c_[i + j] += p.c_[i] * q.c_[j];
+  return out;
+}
+
+void append_sign_changes(const RayPolynomial& p, std::vector<double>& at) {
+  isolate(p, 0, 1, most_halvings, at);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,140 @@
+#include "groundtruth/methods/decoupled.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "core/machine/stopwatch.h"
+#include "core/parallel.h"
+#include "groundtruth/sums/fourier_sum.h"
+#include "groundtruth/sums/picture_sums.h"
+#include "groundtruth/sums/ray_sums.h"
+#include "scene/opacity_energy.h"
+
+namespace pellucid {
+namespace {
+
+constexpr ParameterSpec bands_parameter = {
+    .name = "bands",
+    .kind = ParameterSpec::Kind::integer,
+    .default_value = "0",
+    .min = 0,
+    .max = 64,
+    .unit = "bands",
+    .help = "of the Fourier series that gives G(d); 0: the exact sums"};
+constexpr auto parameters = concatenate(energy_parameters, std::array{bands_parameter});
+
+/// G before and behind each fragment of a ray.
+class ImportanceSums {
+ public:
+  ImportanceSums(const RaySums& ray, int bands) : total_(ray.importance_sum(1)) {
+    if (bands == 0) return;
+    series_.emplace(bands);
+    for (const RayLayer& layer : ray.layers) series_->add(square(layer.importance), layer.d);
+  }
+
+  /// Σ g_j² of the fragment itself and of those before it.
+  double with(const RayLayer& layer) const {
+    return series_ ? series_->up_to(layer.d) : layer.importance_sum;
+  }
+  double before(const RayLayer& layer) const { return with(layer) - square(layer.importance); }
+  double behind(const RayLayer& layer) const { return total_ - with(layer); }
+
+ private:
+  static double square(double g) { return g * g; }
+
+  double total_;
+  std::optional<FourierSum> series_;  // G(1) is exact in the series, too (Eq. 7)
+};
+
+class Decoupled final : public Renderer {
+ public:
+  Decoupled(const Scene& scene, const Parameters& values)
+      : scene_(scene),
+        weights_(energy_weights(values, scene.energy)),
+        bands_(values.integer("bands")),
+        probe_(scene) {}
+
+  Rendering render(const RenderRequest& request) override {
+    Rendering result;
+    result.image = Image(scene_.width, scene_.height);
+    if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
+    const Stopwatch watch;
+    for (int y = 0; y < scene_.height; ++y) result.stats.fragments += draw_row(y, result);
+    result.stats.steps = {{"trace and optimize", watch.seconds()}};
+    result.stats.bytes = {{"hierarchy", probe_.bytes()}};
+    for (const std::uint32_t count : result.layers.pixels)
+      result.stats.max_layers = std::max(result.stats.max_layers, count);
+    return result;
+  }
+
+  std::vector<std::string> explain() const override {
+    return {fmt::format("opacities: of least energy, p={} q={} r={} lambda={}", weights_.p,
+                        weights_.q, weights_.r, weights_.lambda),
+            bands_ ? fmt::format("importance: a Fourier series of {} bands", bands_)
+                   : "importance: exact sums"};
+  }
+
+ private:
+  std::uint64_t draw_row(int y, Rendering& result) const {
+    const std::vector<RaySums> rays = row_sums(scene_, probe_, y);
+    return parallel_sum(
+        tbb::blocked_range<int>(0, scene_.width), std::uint64_t(0),
+        [&](const tbb::blocked_range<int>& columns, std::uint64_t fragments) {
+          for (int x = columns.begin(); x < columns.end(); ++x)
+            fragments += draw_pixel(rays[std::size_t(x)], x, y, result);
+          return fragments;
+        },
+        std::plus<>());
+  }
+
+  std::uint64_t draw_pixel(const RaySums& ray, int x, int y, Rendering& result) const {
+    const ImportanceSums sums(ray, bands_);
+    Vec3 color(0);
+    double transmittance = 1;
+    for (const RayLayer& layer : ray.layers) {
+      const double alpha = opacity(layer, sums);
+      color += transmittance * alpha * layer.color;
+      transmittance *= 1 - alpha;
+    }
+    color += transmittance * scene_.background;
+    result.image.at(x, y) = Rgba(color, 1 - transmittance);
+    if (!result.layers.pixels.empty()) result.layers.at(x, y) = std::uint32_t(ray.layers.size());
+    return ray.layers.size();
+  }
+
+  double opacity(const RayLayer& layer, const ImportanceSums& sums) const {
+    if (scene_.objects[layer.object].opaque) return layer.opacity;
+    return layer.opacity *
+           optimal_opacity(weights_, layer.importance, sums.before(layer), sums.behind(layer));
+  }
+
+  const Scene& scene_;
+  EnergyWeights weights_;
+  int bands_;
+  RayProbe probe_;
+};
+
+std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
+  return std::make_unique<Decoupled>(scene, values);
+}
+
+}  // namespace
+
+const MethodRow& decoupled_method() {
+  static constexpr MethodRow row{
+      .name = "decoupled",
+      .title = "Decoupled opacity optimization (ray tracing)",
+      .citation =
+          "Guenther, Theisel and Gross 2017, Decoupled opacity optimization for points, lines and "
+          "surfaces, CGF 36(2)",
+      .equations = "Baeza Rojo et al. 2019, Eqs. 2, 10, 11, 12",
+      .parameters = parameters,
+      .promises = {.order_independent = true, .convex_hull = true},
+      .bytes_per_pixel = "0; 112 per crossing of a row, and the hierarchy",
+      .optimizes_opacity = true,
+      .make = make};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,202 @@
+// A ray through each of a pixel's samples, all its crossings found in one traversal, ordered by
+// depth, object and primitive, and composited front to back in double.
+
+#include "groundtruth/methods/raytracer.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+
+#include "core/error.h"
+#include "core/machine/stopwatch.h"
+#include "core/parallel.h"
+#include "groundtruth/shapes/crossing_geometry.h"
+#include "groundtruth/sums/composite.h"
+#include "groundtruth/sums/pixel_contrast.h"
+#include "groundtruth/traversal/crossing_finder.h"
+#include "scene/view/pixel_samples.h"
+#include "scene/view_depth.h"
+
+namespace pellucid {
+namespace {
+
+constexpr int packet_columns = 4, packet_rows = 2;  // pixels whose rays are traced together
+constexpr int tile = 16;  // pixels; neighbours share the path through the hierarchy
+
+class Raytracer : public Renderer {
+ public:
+  Raytracer(const Scene& scene, const TraceOptions& options)
+      : scene_(scene),
+        finder_(scene, options.precision, options.march),
+        options_(options),
+        samples_(pixel_samples(scene.samples)),
+        more_samples_(pixel_samples(options.adaptive)) {}
+
+  Rendering render(const RenderRequest& request) override {
+    Rendering result;
+    result.image = Image(scene_.width, scene_.height);
+    if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
+    std::atomic<std::uint64_t> fragments = 0;
+    tbb::enumerable_thread_specific<Buffers> crossings;
+    const Stopwatch watch;
+    parallel_ranges(tbb::blocked_range2d<int>(0, scene_.height, tile, 0, scene_.width, tile),
+                    [&](const tbb::blocked_range2d<int>& range) {
+                      fragments += trace(range, crossings.local(), result);
+                    });
+    result.stats.steps = {{"trace", watch.seconds()}};
+    if (options_.adaptive > 1) {
+      const Stopwatch again;
+      fragments += refine(crossings, result);
+      result.stats.steps.push_back({"refine", again.seconds()});
+    }
+    for (const std::uint32_t count : result.layers.pixels)
+      result.stats.max_layers = std::max(result.stats.max_layers, count);
+    result.stats.fragments = result.stats.stored = fragments;
+    result.stats.bytes = {{"hierarchy", finder_.bytes()}};
+    std::uint64_t hit_bytes = 0;
+    for (const Buffers& buffers : crossings)
+      for (const auto& buffer : buffers) hit_bytes += buffer.capacity() * sizeof(Crossing);
+    result.stats.bytes.push_back({"crossings", hit_bytes});
+    return result;
+  }
+
+  std::vector<std::string> explain() const override {
+    std::vector<std::string> lines{
+        fmt::format("hierarchy over {}; no GL context", describe_primitives(scene_)),
+        scene_.samples == 1
+            ? "one sample at each pixel's centre"
+            : fmt::format("{0} x {0} samples per pixel, their mean", scene_.samples)};
+    if (options_.adaptive > 1)
+      lines.push_back(fmt::format(
+          "{0} x {0} samples where pixels differ from a neighbour by more than {1}: {2} of {3}",
+          options_.adaptive, options_.contrast, refined_, scene_.width * scene_.height));
+    if (options_.stop_below > 0)
+      lines.push_back(fmt::format("rays end where less than {} shows: no pixel errs by more",
+                                  options_.stop_below));
+    lines.push_back(scene_.lighting == Lighting::none ? "no normals: the scene is not lit"
+                                                      : "normals: the scene is lit from the eye");
+    return lines;
+  }
+
+  std::map<std::string, std::string> facts() const override {
+    return {{"embree", RTC_VERSION_STRING}};
+  }
+
+ private:
+  using Buffers = std::array<std::vector<Crossing>, RayPacket::width>;
+
+  struct PixelSum {
+    glm::dvec4 rgba{0};
+    std::uint64_t crossings = 0;
+    std::uint32_t layers = 0;  // of the sample that has most
+  };
+
+  /// Traces the pixels of a tile; returns the number of crossings.
+  std::uint64_t trace(const tbb::blocked_range2d<int>& range, Buffers& crossings,
+                      Rendering& result) const {
+    std::uint64_t count = 0;
+    for (int y = range.rows().begin(); y < range.rows().end(); y += packet_rows)
+      for (int x = range.cols().begin(); x < range.cols().end(); x += packet_columns)
+        count +=
+            trace_packet({x, std::min(x + packet_columns, range.cols().end())},
+                         {y, std::min(y + packet_rows, range.rows().end())}, crossings, result);
+    return count;
+  }
+
+  struct Interval {
+    int begin, end;
+  };
+
+  /// Traces the rays of a few pixels together, sample by sample.
+  std::uint64_t trace_packet(const Interval& x, const Interval& y, Buffers& crossings,
+                             Rendering& result) const {
+    const int columns = x.end - x.begin, rows = y.end - y.begin;
+    std::array<PixelSum, RayPacket::width> sums;
+    std::vector<PictureRay> rays(static_cast<std::size_t>(columns) * rows);
+    for (const Vec2& sample : samples_) {
+      for (std::size_t k = 0; k < rays.size(); ++k)
+        rays[k] = finder_.frame().ray(x.begin + int(k) % columns + sample.x,
+                                      y.begin + int(k) / columns + sample.y);
+      finder_.find(rays, std::span(crossings).first(rays.size()));
+      for (std::size_t k = 0; k < rays.size(); ++k) add_sample(rays[k], crossings[k], sums[k]);
+    }
+    std::uint64_t count = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const std::size_t pixel =
+          std::size_t(y.begin + int(k) / columns) * scene_.width + x.begin + int(k) % columns;
+      count += store(sums[k], samples_.size(), pixel, result);
+    }
+    return count;
+  }
+
+  /// Traces again the pixels that differ from a neighbour, those that then differ, and so on.
+  /// Returns the number of crossings.
+  std::uint64_t refine(tbb::enumerable_thread_specific<Buffers>& crossings, Rendering& result) {
+    std::atomic<std::uint64_t> count = 0;
+    refined_ = 0;
+    std::vector<bool> marked(result.image.pixels.size());
+    for (;;) {
+      const auto pixels = mark_contrasts(result.image, options_.contrast, marked);
+      if (pixels.empty()) return count;
+      refined_ += pixels.size();
+      parallel_for(std::size_t(0), pixels.size(),
+                   [&](std::size_t i) { count += retrace(pixels[i], crossings.local(), result); });
+    }
+  }
+
+  /// Traces the rays of one pixel's many samples together, some at a time.
+  std::uint64_t retrace(std::size_t pixel, Buffers& crossings, Rendering& result) const {
+    const Vec2 corner(double(pixel % scene_.width), double(pixel / scene_.width));
+    PixelSum sum;
+    std::vector<PictureRay> rays;
+    for (std::size_t first = 0; first < more_samples_.size(); first += RayPacket::width) {
+      rays.clear();
+      const std::size_t end = std::min(first + RayPacket::width, more_samples_.size());
+      for (std::size_t k = first; k < end; ++k) {
+        const Vec2 place = corner + more_samples_[k];
+        rays.push_back(finder_.frame().ray(place.x, place.y));
+      }
+      finder_.find(rays, std::span(crossings).first(rays.size()));
+      for (std::size_t k = 0; k < rays.size(); ++k) add_sample(rays[k], crossings[k], sum);
+    }
+    return store(sum, more_samples_.size(), pixel, result);
+  }
+
+  /// Returns the number of crossings.
+  static std::uint64_t store(const PixelSum& sum, std::size_t samples, std::size_t pixel,
+                             Rendering& result) {
+    result.image.pixels[pixel] = Rgba(sum.rgba / double(samples));
+    if (!result.layers.pixels.empty()) result.layers.pixels[pixel] = sum.layers;
+    return sum.crossings;
+  }
+
+  void add_sample(const PictureRay& ray, std::span<const Crossing> crossings, PixelSum& sum) const {
+    const Composite sample = composite(finder_, crossings, scene_.background,
+                                       finder_.frame().world_direction(ray), options_.stop_below);
+    sum.rgba += glm::dvec4(sample.color, 1 - sample.transmittance);
+    sum.crossings += sample.layers;
+    sum.layers = std::max(sum.layers, sample.layers);
+  }
+
+  const Scene& scene_;
+  CrossingFinder finder_;
+  TraceOptions options_;
+  std::vector<Vec2> samples_, more_samples_;
+  std::size_t refined_ = 0;  // pixels of the last picture
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> make_raytracer(const Scene& scene, const TraceOptions& options) {
+  depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
+  if (options.adaptive > 1 && options.adaptive <= scene.samples)
+    throw InputError(fmt::format(
+        "adaptive={0}: the scene takes {1} x {1} samples everywhere; accepted: more than {1}",
+        options.adaptive, scene.samples));
+  return std::make_unique<Raytracer>(scene, options);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,31 @@
+#pragma once
+// CrossingTest for the rays of a packet at once.
+
+#include <array>
+#include <cstdint>
+
+#include "groundtruth/rays/exact_sign.h"
+
+namespace pellucid {
+
+/// Decides which of up to eight rays cross a triangle: to the last bit what their CrossingTests
+/// say one by one, with the edge functions of all rays computed side by side. All rays are of one
+/// camera.
+class PacketTest {
+ public:
+  static constexpr std::size_t width = 8;
+
+  /// Takes a ray's test for the lane, lane 0 always; it has to stay where it is.
+  void set(std::size_t lane, const CrossingTest& test);
+
+  /// The subset of `lanes` (bit i: lane i) whose rays cross the triangle; `edges` then holds their
+  /// edge functions.
+  std::uint32_t crosses(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t lanes,
+                        std::array<EdgeFunctions, width>& edges) const;
+
+ private:
+  std::array<const CrossingTest*, width> tests_{};
+  alignas(64) std::array<double, width> x_{}, y_{}, bound_{};
+};
+
+}  // namespace pellucid

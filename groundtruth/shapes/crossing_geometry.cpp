@@ -1,0 +1,62 @@
+#include "groundtruth/shapes/crossing_geometry.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "core/error.h"
+#include "groundtruth/shapes/disc_geometry.h"
+#include "groundtruth/shapes/exact_isosurface.h"
+#include "groundtruth/shapes/marched_isosurface.h"
+#include "groundtruth/shapes/ribbon_geometry.h"
+#include "groundtruth/shapes/sphere_geometry.h"
+#include "groundtruth/shapes/triangle_geometry.h"
+#include "groundtruth/shapes/tube_geometry.h"
+
+namespace pellucid {
+namespace {
+
+struct Maker {
+  bool opaque;
+  std::uint32_t index;
+  const GeometryContext& context;
+
+  std::unique_ptr<CrossingGeometry> operator()(const TriangleMesh& mesh) const {
+    return std::make_unique<TriangleGeometry>(mesh, index, context);
+  }
+  std::unique_ptr<CrossingGeometry> operator()(const LineObject& lines) const {
+    if (lines.profile == LineObject::Profile::tube)
+      return std::make_unique<TubeGeometry>(lines, index, context);
+    return std::make_unique<RibbonGeometry>(lines, index, context);
+  }
+  std::unique_ptr<CrossingGeometry> operator()(const PointObject& points) const {
+    if (points.profile == PointObject::Profile::sphere)
+      return std::make_unique<SphereGeometry>(points, index, context);
+    return std::make_unique<DiscGeometry>(points, index, context);
+  }
+  std::unique_ptr<CrossingGeometry> operator()(const Isosurface& surface) const {
+    if (context.march)
+      return std::make_unique<MarchedIsosurface>(surface, opaque, index, context, *context.march);
+    return std::make_unique<ExactIsosurface>(surface, index, context);
+  }
+};
+
+}  // namespace
+
+void check_count(std::size_t count, const char* what) {
+  if (count >> 32) throw InputError(fmt::format("{} {}; accepted: fewer than 2^32", count, what));
+}
+
+void RayByRayGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    cross(k, packet.rays[i], *packet.crossings[i]);
+  }
+}
+
+std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,
+                                                const GeometryContext& context) {
+  return std::visit(Maker{object.opaque, index, context}, object.shape);
+}
+
+}  // namespace pellucid

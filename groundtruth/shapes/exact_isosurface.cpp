@@ -1,0 +1,25 @@
+#include "groundtruth/shapes/exact_isosurface.h"
+
+#include "fields/levels/surface_cells.h"
+
+namespace pellucid {
+
+ExactIsosurface::ExactIsosurface(const Isosurface& surface, std::uint32_t index,
+                                 const GeometryContext& context)
+    : IsosurfaceGeometry(surface, index, context),
+      cells_(surface_cells(*surface.field, surface.value)) {
+  check_count(cells_.size(), "cells of an isosurface");
+}
+
+Box3 ExactIsosurface::box(std::uint32_t k) const { return view_box(cell_box(field(), cells_[k])); }
+
+void ExactIsosurface::cross(std::uint32_t k, const SceneRay& ray,
+                            std::vector<Crossing>& crossings) const {
+  const WorldRay world = to_world(ray);
+  thread_local std::vector<double> at;
+  at.clear();
+  append_level_crossings(field(), surface().value, cells_[k], world, at);
+  for (const double t : at) append(ray, world, t, k, crossings);
+}
+
+}  // namespace pellucid

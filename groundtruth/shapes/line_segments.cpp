@@ -1,0 +1,47 @@
+#include "groundtruth/shapes/line_segments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "core/error.h"
+#include "scene/view/ribbon.h"
+
+namespace pellucid {
+namespace {
+
+Vec3 unit(const Vec3& x) {
+  const double length = glm::length(x);
+  return length > 0 ? x / length : x;
+}
+
+}  // namespace
+
+LineSegments::LineSegments(const LineSet& set) : set_(set) {
+  const std::size_t count = set.segment_count();
+  if (count >= std::size_t(1) << 31 || set.positions.size() >= std::size_t(1) << 32)
+    throw InputError(fmt::format("{} segments of lines; accepted: fewer than 2^31", count));
+  first_points_.reserve(count);
+  for (std::size_t k = 0; k < set.line_count(); ++k)
+    for (std::uint64_t i = set.offsets[k]; i + 1 < set.offsets[k + 1]; ++i)
+      first_points_.push_back(static_cast<std::uint32_t>(i));
+}
+
+std::uint32_t LineSegments::line(std::uint32_t segment) const {
+  const auto next =
+      std::upper_bound(set_.offsets.begin(), set_.offsets.end(), first_points_[segment]);
+  return static_cast<std::uint32_t>(next - set_.offsets.begin() - 1);
+}
+
+Vec3 LineSegments::direction(std::uint32_t segment, double along) const {
+  const std::uint32_t i = first_points_[segment];
+  const bool before = segment > 0 && first_points_[segment - 1] + 1 == i;
+  const bool after = segment + 1 < count() && first_points_[segment + 1] == i + 1;
+  // Directions depend on the next points alone.
+  const std::span<const Vec3> points(&set_.positions[i - before], 2u + before + after);
+  return (1 - along) * unit(line_direction(points, before)) +
+         along * unit(line_direction(points, before + 1u));
+}
+
+}  // namespace pellucid

@@ -1,0 +1,101 @@
+#include "groundtruth/shapes/ribbon_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "groundtruth/shapes/triangle_geometry.h"
+#include "groundtruth/shapes/vertex_blend.h"
+#include "scene/view/ribbon.h"
+
+namespace pellucid {
+namespace {
+
+/// Where on its segment a crossing lies.
+struct RibbonPoint {
+  double along;   // 0 at the segment's first point, 1 at its second
+  double across;  // c: -1 … 1 from one rim to the other
+};
+
+/// From the corners of ribbon_triangles: (-w, +w, next +w) and (-w, next +w, next -w).
+RibbonPoint ribbon_point(const Crossing& crossing) {
+  const double u = crossing.u, v = crossing.v;
+  return crossing.primitive % 2 == 0 ? RibbonPoint{v, 2 * (u + v) - 1}
+                                     : RibbonPoint{std::min(u + v, 1.0), 2 * u - 1};
+}
+
+/// Of directions of any length; 0 where one has none.
+double sine_between(const Vec3& p, const Vec3& q) {
+  const double lengths = glm::length(p) * glm::length(q);
+  return lengths > 0 ? glm::length(glm::cross(p, q)) / lengths : 0;
+}
+
+}  // namespace
+
+RibbonGeometry::RibbonGeometry(const LineObject& lines, std::uint32_t index,
+                               const GeometryContext& context)
+    : set_(lines.set),
+      index_(index),
+      frame_(context.frame),
+      lighting_(context.lighting),
+      segments_(lines.set) {
+  const std::span<const Vec3> points(set_.positions);
+  const CameraFrame camera = camera_frame(context.camera);
+  half_widths_.reserve(points.size());
+  std::vector<Vec3> of_line;
+  for (std::size_t k = 0; k < set_.line_count(); ++k) {
+    const auto line = points.subspan(set_.offsets[k], set_.offsets[k + 1] - set_.offsets[k]);
+    ribbon_half_widths(line, lines.radius, camera, context.camera.projection, of_line);
+    for (const Vec3& w : of_line) half_widths_.push_back(frame_.vector_from_world(w));
+  }
+  for (std::uint32_t s = 0; s < box_count(); ++s)
+    for (const Vec3& corner : corners(s)) largest_ = std::max(largest_, size_of(corner));
+}
+
+/// x - w and x + w of the first point, then of the second.
+std::array<Vec3, 4> RibbonGeometry::corners(std::uint32_t segment) const {
+  const std::uint32_t i = segments_.first_point(segment);
+  const Vec3 a = frame_.from_world(set_.positions[i]), b = frame_.from_world(set_.positions[i + 1]);
+  return {a - half_widths_[i], a + half_widths_[i], b - half_widths_[i + 1],
+          b + half_widths_[i + 1]};
+}
+
+std::uint32_t RibbonGeometry::box_count() const { return segments_.count(); }
+
+Box3 RibbonGeometry::box(std::uint32_t segment) const {
+  Box3 box;
+  for (const Vec3& corner : corners(segment)) box.extend(corner);
+  return box;
+}
+
+void RibbonGeometry::cross(std::uint32_t segment, const SceneRay& ray,
+                           std::vector<Crossing>& crossings) const {
+  const std::array<Vec3, 4> corner = corners(segment);
+  const auto triangles = ribbon_triangles(0);
+  for (std::uint32_t j = 0; j < 2; ++j) {
+    const auto& [a, b, c] = triangles[j];
+    cross_triangle(corner[a], corner[b], corner[c], index_, 2 * segment + j, ray, crossings);
+  }
+}
+
+Fragment RibbonGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {
+  const std::uint32_t segment = crossing.primitive / 2;
+  const auto [along, across] = ribbon_point(crossing);
+  Fragment fragment = segments_.blend(segment, along).fragment(set_);
+  if (lighting_ == Lighting::none) return fragment;
+  // |m · v| is the sine of the angle between v and the line.
+  const double c = std::sqrt(std::max(0.0, 1 - across * across)) *
+                   sine_between(segments_.direction(segment, along), world_direction);
+  fragment.color = lit(lighting_, fragment.color, c);
+  return fragment;
+}
+
+double RibbonGeometry::importance(const Crossing& crossing) const {
+  return segments_.blend(crossing.primitive / 2, ribbon_point(crossing).along).importance(set_);
+}
+
+std::uint64_t RibbonGeometry::bytes() const {
+  return half_widths_.size() * sizeof(Vec3) + segments_.bytes();
+}
+
+}  // namespace pellucid

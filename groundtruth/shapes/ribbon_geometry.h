@@ -1,0 +1,37 @@
+#pragma once
+
+#include "groundtruth/shapes/crossing_geometry.h"
+#include "groundtruth/shapes/line_segments.h"
+
+namespace pellucid {
+
+/// Lines as strips that face the eye (see scene/view/ribbon.h): exact triangles over corners that
+/// neighbouring segments share. Crossing::u and v are the weights of a triangle's second and third
+/// corner. Of a line's points only the half widths are kept; corners are made where they are
+/// needed.
+class RibbonGeometry final : public RayByRayGeometry {
+ public:
+  RibbonGeometry(const LineObject& lines, std::uint32_t index, const GeometryContext& context);
+
+  std::uint32_t box_count() const override;
+  Box3 box(std::uint32_t segment) const override;
+  void cross(std::uint32_t segment, const SceneRay& ray,
+             std::vector<Crossing>& crossings) const override;
+  Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
+  double importance(const Crossing& crossing) const override;
+  double largest_coordinate() const override { return largest_; }
+  std::uint64_t bytes() const override;
+
+ private:
+  std::array<Vec3, 4> corners(std::uint32_t segment) const;
+
+  const LineSet& set_;
+  std::uint32_t index_;
+  const ViewFrame& frame_;
+  Lighting lighting_;
+  double largest_ = 0;
+  LineSegments segments_;
+  std::vector<Vec3> half_widths_;  // of each point
+};
+
+}  // namespace pellucid

@@ -1,0 +1,34 @@
+#pragma once
+// Rays against balls and round cylinders, in double and close to the solid, whatever the distance
+// of the eye.
+
+#include <optional>
+
+#include "groundtruth/shapes/crossing_geometry.h"
+
+namespace pellucid {
+
+/// A ray seen from a local origin: x(t) = offset + t direction, t = 0 at the point nearest to it. A
+/// small solid far away loses no digits but those that its own coordinates have lost.
+struct LocalRay {
+  LocalRay(const SceneRay& ray, const Vec3& origin);
+
+  Vec3 at(double t) const { return offset + t * direction; }
+  double depth(double t) const { return nearest_depth + t * direction.z; }
+
+  Vec3 offset, direction;
+  double nearest_depth;
+};
+
+/// The part of a ray within a convex solid, begin < end.
+struct Chord {
+  double begin, end;
+};
+
+/// Of a ball; `center` relative to the ray's origin.
+std::optional<Chord> ball_chord(const LocalRay& ray, const Vec3& center, double radius);
+
+/// Of all within `radius` of the segment from -half to +half: a cylinder and the balls at its ends.
+std::optional<Chord> capsule_chord(const LocalRay& ray, const Vec3& half, double radius);
+
+}  // namespace pellucid

@@ -1,0 +1,186 @@
+#include "groundtruth/shapes/triangle_geometry.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "groundtruth/shapes/vertex_blend.h"
+
+namespace pellucid {
+namespace {
+
+/// A slab as wide as a packet of rays is worth a box of its own: four pixels of a picture of 1000
+/// that shows the scene, which is about 2 wide.
+constexpr double narrowest_slab = 0.008;
+constexpr int most_slabs = 64;
+
+double half_area(const Box3& box) {
+  const Vec3 d = box.max - box.min;
+  return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
+int longest_axis(const Box3& box) {
+  const Vec3 d = box.max - box.min;
+  return d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+}
+
+/// Extends the box by the part of the edge (p, q) whose coordinate along the axis lies in [low,
+/// high].
+void extend_by_clipped(Box3& box, Vec3 p, Vec3 q, int axis, double low, double high) {
+  if (p[axis] > q[axis]) std::swap(p, q);
+  if (q[axis] < low || p[axis] > high) return;
+  const Vec3 edge = q - p;
+  if (p[axis] < low) p += (low - p[axis]) / edge[axis] * edge;
+  if (q[axis] > high) q -= (q[axis] - high) / edge[axis] * edge;
+  box.extend(p);
+  box.extend(q);
+}
+
+VertexBlend<3> blend_at(const TriangleMesh& mesh, const Crossing& crossing) {
+  // Rounding may leave the first weight an ulp below 0, and the colour outside its hull.
+  return {mesh.triangles[crossing.primitive],
+          {std::max(0.0, 1 - crossing.u - crossing.v), crossing.u, crossing.v}};
+}
+
+/// |n · v| for a two-sided surface, n the normalized interpolation of the vertex normals; a normal
+/// without length gives 0.
+double facing(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3& world_direction) {
+  Vec3 n(0);
+  for (int i = 0; i < 3; ++i) n += at.weight[i] * mesh.normals[at.vertex[i]];
+  const double length = glm::length(n) * glm::length(world_direction);
+  return length > 0 ? std::abs(glm::dot(n, world_direction)) / length : 0;
+}
+
+/// Where the ray with the edge functions `edges`, which crosses the triangle, does so.
+Crossing to_crossing(const EdgeFunctions& edges, const Vec3& a, const Vec3& b, const Vec3& c,
+                     std::uint32_t object, std::uint32_t primitive) {
+  const double sum = edges.e[0] + edges.e[1] + edges.e[2];
+  // All zero: the unperturbed ray runs along the triangle; its centre stands for the crossing.
+  const double u = sum != 0 ? edges.e[1] / sum : 1.0 / 3, v = sum != 0 ? edges.e[2] / sum : 1.0 / 3;
+  return {a.z + u * (b.z - a.z) + v * (c.z - a.z), u, v, object, primitive};
+}
+
+}  // namespace
+
+void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t object,
+                    std::uint32_t primitive, const SceneRay& ray,
+                    std::vector<Crossing>& crossings) {
+  EdgeFunctions edges;
+  if (ray.test.crosses(a, b, c, edges))
+    crossings.push_back(to_crossing(edges, a, b, c, object, primitive));
+}
+
+double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
+
+TriangleGeometry::TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index,
+                                   const GeometryContext& context)
+    : mesh_(mesh), index_(index), lighting_(context.lighting) {
+  check_count(mesh.triangles.size(), "triangles");
+  positions_.reserve(mesh.positions.size());
+  for (const Vec3& x : mesh.positions) {
+    positions_.push_back(context.frame.from_world(x));
+    largest_ = std::max(largest_, size_of(positions_.back()));
+  }
+  group_triangles();
+}
+
+/// Two triangles that follow each other share a box when it is hardly larger than their own, as in
+/// the quadrilaterals of a ribbon: half the boxes to visit, as many tests.
+void TriangleGeometry::group_triangles() {
+  constexpr double worth_it = 0.7;  // of the sum of the areas; a quadrilateral has 0.5
+  const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
+  const auto area = [this](std::uint32_t first, std::uint8_t triangles) {
+    return half_area(whole_box({first, triangles, 0, 1}));
+  };
+  for (std::uint32_t t = 0; t < count;) {
+    const bool pair = t + 1 < count && area(t, 2) < worth_it * (area(t, 1) + area(t + 1, 1));
+    add_pieces(t, pair ? 2 : 1);
+    t += pair ? 2 : 1;
+  }
+}
+
+/// Halves the slabs as long as that takes away much of what their boxes hold in vain.
+void TriangleGeometry::add_pieces(std::uint32_t first, std::uint8_t count) {
+  constexpr double worth_it = 0.7;  // of the area; a diagonal's halves have 0.5
+  Piece piece{first, count, 0, 1};
+  const Box3 whole = whole_box(piece);
+  const int axis = longest_axis(whole);
+  const double length = whole.max[axis] - whole.min[axis];
+  double area = half_area(whole);
+  while (2 * piece.slabs <= most_slabs && length > 2 * piece.slabs * narrowest_slab) {
+    const Piece halved{first, count, 0, std::uint8_t(2 * piece.slabs)};
+    const double halved_area = total_area(halved);
+    if (halved_area > worth_it * area) break;
+    piece = halved;
+    area = halved_area;
+  }
+  any_slabs_ |= piece.slabs > 1;
+  for (; piece.slab < piece.slabs; ++piece.slab) pieces_.push_back(piece);
+}
+
+double TriangleGeometry::total_area(Piece piece) const {
+  double area = 0;
+  for (; piece.slab < piece.slabs; ++piece.slab) area += half_area(box(piece));
+  return area;
+}
+
+Box3 TriangleGeometry::whole_box(const Piece& piece) const {
+  Box3 box;
+  for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t)
+    for (const std::uint32_t v : mesh_.triangles[t]) box.extend(positions_[v]);
+  return box;
+}
+
+/// A triangle's part in a slab is spanned by its edges' parts there.
+Box3 TriangleGeometry::box(const Piece& piece) const {
+  const Box3 whole = whole_box(piece);
+  if (piece.slabs == 1) return whole;
+  const int axis = longest_axis(whole);
+  const double width = (whole.max[axis] - whole.min[axis]) / piece.slabs;
+  const double low = whole.min[axis] + piece.slab * width, high = low + width;
+  Box3 box;
+  for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t) {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      extend_by_clipped(box, positions_[p], positions_[q], axis, low, high);
+  }
+  return box;
+}
+
+std::uint32_t TriangleGeometry::box_count() const {
+  return static_cast<std::uint32_t>(pieces_.size());
+}
+
+Box3 TriangleGeometry::box(std::uint32_t k) const { return box(pieces_[k]); }
+
+void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
+  std::array<EdgeFunctions, RayPacket::width> edges;
+  const Piece& piece = pieces_[k];
+  for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t) {
+    const auto& [ia, ib, ic] = mesh_.triangles[t];
+    const Vec3 &a = positions_[ia], &b = positions_[ib], &c = positions_[ic];
+    for (std::uint32_t crossed = packet.test.crosses(a, b, c, lanes, edges); crossed != 0;
+         crossed &= crossed - 1) {
+      const int i = std::countr_zero(crossed);
+      packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
+    }
+  }
+}
+
+Fragment TriangleGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {
+  const VertexBlend<3> at = blend_at(mesh_, crossing);
+  Fragment fragment = at.fragment(mesh_);
+  if (lighting_ != Lighting::none)
+    fragment.color = lit(lighting_, fragment.color, facing(mesh_, at, world_direction));
+  return fragment;
+}
+
+double TriangleGeometry::importance(const Crossing& crossing) const {
+  return blend_at(mesh_, crossing).importance(mesh_);
+}
+
+std::uint64_t TriangleGeometry::bytes() const {
+  return positions_.size() * sizeof(Vec3) + pieces_.size() * sizeof(Piece);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "groundtruth/shapes/crossing_geometry.h"
+#include "groundtruth/shapes/line_segments.h"
+
+namespace pellucid {
+
+/// Lines as round tubes. The tube of a line is one closed solid, all within the radius of the line:
+/// cylinders with balls at joints and ends. A ray enters it (Crossing::v < 0) and leaves it (v > 0)
+/// an even number of times, however the line bends; where the line meets itself, so does the solid.
+/// A segment has a chord or has none, and the chords of a line's segments are united.
+/// Crossing::u is the place along the segment, v is n · v, n the outer normal, v the ray's
+/// direction.
+class TubeGeometry final : public RayByRayGeometry {
+ public:
+  TubeGeometry(const LineObject& lines, std::uint32_t index, const GeometryContext& context);
+
+  std::uint32_t box_count() const override { return segments_.count(); }
+  Box3 box(std::uint32_t segment) const override;
+  void cross(std::uint32_t segment, const SceneRay& ray,
+             std::vector<Crossing>& crossings) const override;
+  bool is_union() const override { return true; }
+  std::uint32_t solid(const Crossing& crossing) const override {
+    return segments_.line(crossing.primitive);
+  }
+  Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
+  double importance(const Crossing& crossing) const override;
+  double largest_coordinate() const override { return 0; }
+  std::uint64_t bytes() const override { return segments_.bytes(); }
+
+ private:
+  std::array<Vec3, 2> ends(std::uint32_t segment) const;
+
+  const LineSet& set_;
+  std::uint32_t index_;
+  const ViewFrame& frame_;
+  Lighting lighting_;
+  double radius_;  // units
+  LineSegments segments_;
+};
+
+}  // namespace pellucid

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/progress.h"
+#include "core/raster.h"
+#include "groundtruth/sums/ray_sums.h"
+
+namespace pellucid {
+
+/// What the rays of a pixel's samples cross (see RaySums), at their ends.
+struct PixelSums {
+  float layers = 0;          // of the sample that has most
+  float coverage = 0;        // share of the samples that cross anything
+  float transmittance = 0;   // mean over samples, of all layers
+  float importance_sum = 0;  // mean of G(1)
+  float optical_depth = 0;   // mean of τ(1); infinite where a layer is opaque
+  float near = std::numeric_limits<float>::infinity();  // view depth, world units; least of all
+  float far = -std::numeric_limits<float>::infinity();  // greatest of all
+};
+
+/// Of every pixel, computed in double; scene.samples² rays each.
+Raster<PixelSums> picture_sums(const Scene& scene, const RayProbe& probe, const Progress& progress);
+
+/// Of the rays through the centres of a row's pixels, from the left.
+std::vector<RaySums> row_sums(const Scene& scene, const RayProbe& probe, int y);
+
+}  // namespace pellucid

@@ -1,0 +1,103 @@
+#include "groundtruth/traversal/box_hierarchy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/parallel.h"
+
+namespace pellucid {
+namespace {
+
+/// Embree asks for boxes from threads of its own, in libraries that the thread sanitizer does not
+/// see into.
+TaskFence embree_tasks;
+
+void give_box(const RTCBoundsFunctionArguments* args) {
+  embree_tasks.enter();
+  const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
+  const Box3 box = object.geometry->box(args->primID);
+  const Vec3 low = box.min - object.center, high = box.max - object.center;
+  RTCBounds& out = *args->bounds_o;
+  out.lower_x = float(low.x) - BoxHierarchy::margin;
+  out.lower_y = float(low.y) - BoxHierarchy::margin;
+  out.lower_z = float(low.z) - BoxHierarchy::margin;
+  out.upper_x = float(high.x) + BoxHierarchy::margin;
+  out.upper_y = float(high.y) + BoxHierarchy::margin;
+  out.upper_z = float(high.z) + BoxHierarchy::margin;
+  embree_tasks.leave();
+}
+
+void throw_embree_error(void*, RTCError code, const char* text) {
+  throw WorkError(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
+}
+
+bool count_memory(void* counter, ssize_t bytes, bool) {
+  embree_tasks.enter();
+  *static_cast<std::atomic<std::int64_t>*>(counter) += bytes;
+  return true;
+}
+
+}  // namespace
+
+BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
+                           const Callbacks& callbacks)
+    : center_(center), objects_(std::move(objects)), device_(rtcNewDevice(nullptr)) {
+  if (!device_) throw WorkError("Embree cannot start on this machine");
+  rtcSetDeviceErrorFunction(device_, throw_embree_error, nullptr);
+  rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &embree_bytes_);
+  scene_ = rtcNewScene(device_);
+  if (!callbacks.built_in) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  for (Object& object : objects_) {
+    object.center = center;
+    const auto* mesh = dynamic_cast<const TriangleGeometry*>(object.geometry.get());
+    const RTCGeometry geometry = callbacks.built_in && mesh ? triangles(*mesh, callbacks.built_in)
+                                                            : boxes(object, callbacks);
+    rtcSetGeometryUserData(geometry, &object);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  embree_tasks.open();
+  rtcCommitScene(scene_);
+  embree_tasks.join();
+}
+
+RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) const {
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, object.geometry->box_count());
+  rtcSetGeometryBoundsFunction(geometry, give_box, nullptr);
+  rtcSetGeometryOccludedFunction(geometry, callbacks.decide);
+  rtcSetGeometryIntersectFunction(geometry, callbacks.decide_and_close);
+  return geometry;
+}
+
+RTCGeometry BoxHierarchy::triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const {
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               mesh.positions().size()));
+  for (const Vec3& x : mesh.positions())
+    for (int k = 0; k < 3; ++k) *vertices++ = float(x[k] - center_[k]);
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(std::uint32_t), mesh.triangles().size()));
+  for (const auto& triangle : mesh.triangles())
+    indices = std::copy(triangle.begin(), triangle.end(), indices);
+  rtcSetGeometryOccludedFilterFunction(geometry, filter);
+  return geometry;
+}
+
+BoxHierarchy::~BoxHierarchy() {
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+}
+
+std::uint64_t BoxHierarchy::bytes() const {
+  std::uint64_t sum = static_cast<std::uint64_t>(embree_bytes_.load());
+  for (const Object& object : objects_) sum += object.geometry->bytes();
+  return sum;
+}
+
+}  // namespace pellucid

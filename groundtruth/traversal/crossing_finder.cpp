@@ -1,0 +1,247 @@
+#include "groundtruth/traversal/crossing_finder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "groundtruth/traversal/box_hierarchy.h"
+#include "groundtruth/traversal/crossing_order.h"
+#include "groundtruth/traversal/solid_union.h"
+
+namespace pellucid {
+namespace {
+
+/// The scene lies within √3 of its centre: a ray is traversed within this distance of its point
+/// that is nearest to the centre.
+constexpr double reach = 1.75;
+/// A ray starts this far behind the eye, so that rounding hides nothing directly in front of it;
+/// what lies behind is sorted out in double.
+constexpr double behind_eye = 1e-3;
+
+constexpr std::size_t width = RayPacket::width;
+
+/// What the callback needs of the rays; Embree hands the context through.
+struct PacketContext {
+  RTCIntersectContext embree;
+  RayPacket rays;
+  std::array<double, width> begins;  // of the traversals, from the rays' starts
+};
+
+/// The packet's rays that a callback is about.
+template <class Arguments>
+std::uint32_t valid_lanes(const Arguments& args, RTCRayN* rays) {
+  std::uint32_t lanes = 0;
+  for (unsigned i = 0; i < args.N; ++i)
+    if (args.valid[i]) lanes |= 1u << RTCRayN_id(rays, args.N, i);
+  return lanes;
+}
+
+/// Decides the candidates of a box, and never reports a hit to Embree, so that the traversal goes
+/// on.
+void decide(const RTCOccludedFunctionNArguments* args) {
+  const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
+  const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
+  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, args->ray));
+}
+
+/// Closes a traversal behind the nearest of these crossings, all with an opaque object: nothing
+/// behind it counts. Boxes are widened by what the ray's rounding moves it; twice that also covers
+/// the rounding of the traversal's end.
+void close(float& far, const SceneRay& ray, double begin, std::span<const Crossing> crossings) {
+  for (const Crossing& crossing : crossings)
+    if (crossing.depth > 0)
+      far =
+          std::min(far, float(crossing.depth / ray.direction.z - begin) + 2 * BoxHierarchy::margin);
+}
+
+/// As decide(); but a ray that an opaque object stops is not asked about boxes that lie behind.
+void decide_and_close(const RTCIntersectFunctionNArguments* args) {
+  const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
+  const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  std::array<std::size_t, width> known;
+  const std::size_t count = context.rays.rays.size();
+  for (std::size_t k = 0; k < count; ++k) known[k] = context.rays.crossings[k]->size();
+  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, rays));
+  // A crossing with a part of a solid may lie within another part.
+  if (!object.opaque || object.geometry->is_union()) return;
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (!args->valid[i]) continue;
+    const unsigned k = RTCRayN_id(rays, args->N, i);
+    close(RTCRayN_tfar(rays, args->N, i), context.rays.rays[k], context.begins[k],
+          std::span(*context.rays.crossings[k]).subspan(known[k]));
+  }
+}
+
+/// Takes every hit of a mesh as it is, its depth from the ray's float parameter, and rejects it, so
+/// that the traversal goes on.
+void take(const RTCFilterFunctionNArguments* args) {
+  const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
+  const auto& mesh = static_cast<const TriangleGeometry&>(*object.geometry);
+  const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (!args->valid[i]) continue;
+    args->valid[i] = 0;
+    const unsigned lane = RTCRayN_id(args->ray, args->N, i);
+    const double t = context.begins[lane] + RTCRayN_tfar(args->ray, args->N, i);
+    context.rays.crossings[lane]->push_back(
+        {t * context.rays.rays[lane].direction.z, RTCHitN_u(args->hit, args->N, i),
+         RTCHitN_v(args->hit, args->N, i), mesh.index(), RTCHitN_primID(args->hit, args->N, i)});
+  }
+}
+
+BoxHierarchy::Callbacks callbacks(Precision precision) {
+  return {decide, decide_and_close, precision == Precision::fast ? take : nullptr};
+}
+
+std::vector<Isosurface::Ball> dilated_spheres(const Scene& scene, double by) {
+  std::vector<Isosurface::Ball> balls;
+  for (const SceneObject& object : scene.objects) {
+    const auto* points = std::get_if<PointObject>(&object.shape);
+    if (!points || !object.opaque || points->profile != PointObject::Profile::sphere) continue;
+    for (const Vec3& center : points->set.positions) balls.push_back({center, points->radius + by});
+  }
+  return balls;
+}
+
+std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame,
+                                               const std::optional<MarchOptions>& march) {
+  GeometryContext context{frame, scene.camera, scene.lighting, march};
+  if (march && march->dilate) context.stops = dilated_spheres(scene, *march->dilate);
+  std::vector<BoxHierarchy::Object> objects;
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
+    objects.push_back({make_geometry(scene.objects[i], i, context), scene.objects[i].opaque});
+  return objects;
+}
+
+}  // namespace
+
+struct CrossingFinder::State {
+  ViewFrame frame;
+  Precision precision;
+  BoxHierarchy hierarchy;
+  double largest = 0;  // coordinate
+  bool any_union = false, any_opaque = false, any_repeats = false;
+  bool may_close = false;  // an opaque object may shorten rays
+
+  State(const Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
+      : frame(scene),
+        precision(precision_),
+        hierarchy(make_objects(scene, frame, march), frame.from_world(scene.bounds().center()),
+                  callbacks(precision_)) {
+    for (const BoxHierarchy::Object& object : hierarchy.objects()) {
+      largest = std::max(largest, object.geometry->largest_coordinate());
+      any_union |= object.geometry->is_union();
+      any_repeats |= object.geometry->repeats();
+      any_opaque |= object.opaque;
+      may_close |= object.opaque && !object.geometry->is_union();
+    }
+    // Hits of Embree's own triangles come to `take` along occlusion rays alone.
+    if (precision == Precision::fast) may_close = false;
+  }
+
+  void prepare(const PictureRay& ray, std::vector<Crossing>& crossings, std::size_t lane,
+               PacketContext& context, RTCRayHit8& traversal) const;
+  void finish(std::vector<Crossing>& crossings) const;
+  void unite(std::vector<Crossing>& crossings) const;
+};
+
+/// Leaves of the crossings with unions those with their surfaces.
+void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
+  std::vector<PartCrossing> parts;
+  std::erase_if(crossings, [&](const Crossing& crossing) {
+    const CrossingGeometry& geometry = *hierarchy.objects()[crossing.object].geometry;
+    if (geometry.is_union()) parts.push_back({geometry.solid(crossing), crossing});
+    return geometry.is_union();
+  });
+  append_union(parts, crossings);
+}
+
+CrossingFinder::CrossingFinder(const Scene& scene, Precision precision,
+                               const std::optional<MarchOptions>& march)
+    : state_(std::make_unique<State>(scene, precision, march)) {}
+
+CrossingFinder::~CrossingFinder() = default;
+
+const ViewFrame& CrossingFinder::frame() const { return state_->frame; }
+
+void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>& crossings,
+                                    std::size_t lane, PacketContext& context,
+                                    RTCRayHit8& embree) const {
+  crossings.clear();
+  const bool perspective = ray.projection == Projection::perspective;
+  const Vec3 direction = perspective ? glm::normalize(Vec3(ray.x, ray.y, 1)) : Vec3(0, 0, 1);
+  const Vec3 eye_point = perspective ? Vec3(0) : Vec3(ray.x, ray.y, 0);
+  const Vec3 start = eye_point - hierarchy.center();
+  const double nearest = -glm::dot(start, direction);
+  const double begin = std::max(nearest - reach, -behind_eye), end = nearest + reach;
+  const Vec3 origin = start + begin * direction;
+  context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction});
+  context.rays.test.set(lane, context.rays.rays.back().test);
+  context.rays.crossings[lane] = &crossings;
+  context.begins[lane] = begin;
+  RTCRay8& traversal = embree.ray;
+  traversal.org_x[lane] = float(origin.x);
+  traversal.org_y[lane] = float(origin.y);
+  traversal.org_z[lane] = float(origin.z);
+  traversal.dir_x[lane] = float(direction.x);
+  traversal.dir_y[lane] = float(direction.y);
+  traversal.dir_z[lane] = float(direction.z);
+  traversal.tfar[lane] = float(end - begin);  // negative: the ray has nothing in front of the eye
+  traversal.mask[lane] = ~0u;
+  traversal.id[lane] = unsigned(lane);
+}
+
+/// Orders the crossings of a traversal and drops those that are not the ray's.
+void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
+  if (any_union) unite(crossings);
+  std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
+  order_crossings(crossings);
+  // To the last bit: each box's test is the same.
+  if (any_repeats)
+    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  if (!any_opaque) return;
+  const auto opaque = [this](const Crossing& c) { return hierarchy.objects()[c.object].opaque; };
+  const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);
+  if (end_of_ray != crossings.end()) crossings.erase(end_of_ray + 1, crossings.end());
+}
+
+void CrossingFinder::find(const PictureRay& ray, std::vector<Crossing>& crossings) const {
+  find({&ray, 1}, {&crossings, 1});
+}
+
+void CrossingFinder::find(std::span<const PictureRay> rays,
+                          std::span<std::vector<Crossing>> crossings) const {
+  PacketContext context{};
+  rtcInitIntersectContext(&context.embree);
+  // Not as coherent rays: Embree 3.13.5 then brings a candidate twice to rays of which a component
+  // of the direction is 0.
+  context.rays.rays.reserve(width);  // the packet's test points into it
+  RTCRayHit8 traversal{};
+  alignas(32) int valid[width] = {};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    state_->prepare(rays[i], crossings[i], i, context, traversal);
+    valid[i] = traversal.ray.tfar[i] >= 0 ? -1 : 0;
+  }
+  const RTCScene scene = state_->hierarchy.scene();
+  if (state_->may_close)
+    rtcIntersect8(valid, scene, &context.embree, &traversal);
+  else
+    rtcOccluded8(valid, scene, &context.embree, &traversal.ray);
+  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i]);
+}
+
+Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {
+  const BoxHierarchy::Object& object = state_->hierarchy.objects()[crossing.object];
+  Fragment fragment = object.geometry->shade(crossing, world_direction);
+  if (object.opaque) fragment.opacity = 1;
+  return fragment;
+}
+
+double CrossingFinder::importance(const Crossing& crossing) const {
+  return state_->hierarchy.objects()[crossing.object].geometry->importance(crossing);
+}
+
+std::uint64_t CrossingFinder::bytes() const { return state_->hierarchy.bytes(); }
+
+}  // namespace pellucid

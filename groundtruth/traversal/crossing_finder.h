@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "groundtruth/levels/level_march.h"
+#include "groundtruth/rays/crossing.h"
+#include "groundtruth/rays/exact_sign.h"
+#include "scene/scene.h"
+
+namespace pellucid {
+
+/// Finds every crossing of a ray with a scene. Embree's traversal brings the candidates:
+/// its primitives are the boxes of a CrossingGeometry, widened by more than the rounding of rays
+/// and boxes to float, so none is missed; the geometry decides each. Thread-safe once it is made.
+class CrossingFinder {
+ public:
+  /// The scene has to outlive it. With `march` isosurfaces are marched, not crossed exactly.
+  CrossingFinder(const Scene& scene, Precision precision,
+                 const std::optional<MarchOptions>& march = {});
+  ~CrossingFinder();
+
+  const ViewFrame& frame() const;
+
+  /// All crossings of the ray, front to back, up to and with the first opaque one. `crossings` is
+  /// overwritten; its capacity is reused.
+  void find(const PictureRay& ray, std::vector<Crossing>& crossings) const;
+  /// The same for up to RayPacket::width rays at once: faster where they are neighbours.
+  /// `crossings` has as many elements as `rays`.
+  void find(std::span<const PictureRay> rays, std::span<std::vector<Crossing>> crossings) const;
+
+  /// Of a crossing that `find` returned; `world_direction` is its ray's, of any length.
+  Fragment shade(const Crossing& crossing, const Vec3& world_direction) const;
+  double importance(const Crossing& crossing) const;  // g; 0 where the object has none
+
+  std::uint64_t bytes() const;  // of the hierarchy and of what the geometries keep
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pellucid

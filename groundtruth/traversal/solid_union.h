@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "groundtruth/rays/crossing.h"
+
+namespace pellucid {
+
+/// A crossing with the solid that its part belongs to.
+struct PartCrossing {
+  std::uint32_t solid;
+  Crossing crossing;
+};
+
+/// Of the crossings of a ray with parts of solids, an entry (v < 0) and an exit for every part that
+/// it meets, appends those with the solids: where the ray goes from no part of a solid into one,
+/// and from its last part out. Touching parts are one. Sorts `parts`.
+void append_union(std::vector<PartCrossing>& parts, std::vector<Crossing>& crossings);
+
+}  // namespace pellucid

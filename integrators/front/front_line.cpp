@@ -1,0 +1,149 @@
+#include "integrators/front/front_line.h"
+
+#include <algorithm>
+
+namespace pellucid {
+namespace {
+
+/// Between seeds closer than this (in s) a front line is never refined: doubles end at 1e-16, and
+/// trajectories are as exact as 1e-9 of the curve.
+constexpr double closest_seeds = 1e-12;
+
+}  // namespace
+
+void FrontLine::start(std::span<const double> seeds, bool ring) {
+  std::vector<Place> places;
+  for (const double s : seeds) places.push_back(place(s, 0, {}));
+  if (ring) places.push_back({places.front().s + 1, 0, places.front().particle});
+  edges_.clear();
+  for (std::size_t i = 1; i < places.size(); ++i) span(places[i - 1], places[i], {}, false);
+  link_edges();
+}
+
+std::span<const FrontLine::Edge> FrontLine::join(int left, int right, bool split) {
+  Shadow shadow = std::move(at(left).shadow);
+  if (shadow) shadow->release(0.5 * (at(left).head.t + at(right).head.t));
+  at(left).right = at(right).left = -1;
+  edges_.clear();
+  span({at(left).s, at(left).head.t, left}, {seed_after(left, right), at(right).head.t, right},
+       std::move(shadow), split);
+  link_edges();
+  return edges_;
+}
+
+/// A particle from the seed at s, by the path that is known or a new one.
+FrontLine::Place FrontLine::place(double s, double t, Shadow path) {
+  if (!path) path = run_.spawn(s, t);
+  if (path && !path->reach(t, run_.sampler())) run_.drop(std::move(path), EndReason::torn);
+  if (!path) return {s, t, -1};
+  particles_.emplace_back(s, std::move(*path));
+  particles_.back().head = front_point(particles_.back().path, t);
+  return {s, t, size() - 1};
+}
+
+/// The seed of `right` as `left` sees it: on a ring the last ribbon runs on past s = 1.
+double FrontLine::seed_after(int left, int right) const {
+  const double s = at(right).s;
+  return s > at(left).s ? s : s + 1;
+}
+
+/// By tolerance every ribbon has a shadow particle halfway between the seeds of its own two: the
+/// measure of what the mesh leaves out, at a constant cost per vertex, and the ribbon's next
+/// particle when it gets one.
+FrontLine::Shadow FrontLine::shadow_between(const Place& a, const Place& b, Shadow known) {
+  if (!refinement_.by_tolerance() || known || !run_.may_spawn()) return known;
+  return run_.spawn(0.5 * (a.s + b.s), 0.5 * (a.t + b.t));
+}
+
+bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
+  Vec3 middle(0);
+  if (shadow) {
+    const double t = 0.5 * (a.t + b.t);
+    shadow->reach(t, run_.sampler());
+    middle = shadow->position_at(std::min(t, shadow->time()));
+  } else if (refinement_.by_tolerance()) {
+    return false;
+  }
+  return !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, middle);
+}
+
+/// Seeds that all but coincide have led to places that do not: the surface stretches, and a ribbon
+/// is no better for its narrow seeds.
+bool FrontLine::is_stretched(const Place& a, const Place& b) const {
+  constexpr double stretched = 100;
+  const SurfaceOptions& options = run_.options();
+  return glm::distance(at(a.particle).head.flow.x, at(b.particle).head.flow.x) >
+         stretched * options.rip * options.extent;
+}
+
+/// When the front has a particle between the two. One that stands still is where it is at any time,
+/// also at the other one's.
+double FrontLine::time_between(const Place& a, const Place& b) const {
+  const auto stands = [&](int p) { return p >= 0 && at(p).path.end() == EndReason::stagnated; };
+  if (!stands(a.particle) && !stands(b.particle)) return 0.5 * (a.t + b.t);
+  return std::max(a.t, b.t);
+}
+
+/// Where only one of the places is reached, the other end of the gap is searched for.
+void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) {
+  if (a.particle < 0 && b.particle < 0) return;
+  const bool both = a.particle >= 0 && b.particle >= 0;
+  if (!refines_) {
+    if (both) edges_.push_back({a.particle, b.particle, {}});
+    return;
+  }
+  if (both) shadow = shadow_between(a, b, std::move(shadow));
+  const bool narrow = b.s - a.s <= run_.options().rip;
+  // Neighbours that part, or of which one is missing, lie on either side of an edge of the surface.
+  const bool at_edge = !both || are_parting(at(a.particle).head, at(b.particle).head);
+  const bool fine =
+      both && (is_fine(a, b, shadow.get()) || (narrow && !at_edge && !is_stretched(a, b)));
+  if (fine && (!split || narrow)) {
+    edges_.push_back({a.particle, b.particle, std::move(shadow)});
+    return;
+  }
+  const bool torn = (narrow && at_edge) || b.s - a.s <= closest_seeds;
+  if (both && torn) run_.tear(a.s, b.s);
+  if (torn || (!shadow && !run_.may_spawn())) return run_.drop(std::move(shadow), EndReason::torn);
+  const Place middle = place(0.5 * (a.s + b.s), time_between(a, b), std::move(shadow));
+  span(a, middle, {}, false);
+  span(middle, b, {}, false);
+}
+
+void FrontLine::link_edges() {
+  for (auto& [left, right, shadow] : edges_) {
+    at(left).right = right;
+    at(right).left = left;
+    at(left).shadow = std::move(shadow);
+    for (const int p : {left, right})
+      if (at(p).head.vertex == FrontPoint::no_vertex) at(p).head.vertex = run_.add_vertex(at(p));
+  }
+}
+
+bool FrontLine::is_halfway(int middle) const {
+  const FrontParticle& particle = at(middle);
+  const double left = at(particle.left).s, here = seed_after(particle.left, middle);
+  return here - left == seed_after(middle, particle.right) - particle.s;
+}
+
+void FrontLine::take_out(int middle) {
+  FrontParticle& particle = at(middle);
+  FrontParticle& left = at(particle.left);
+  run_.drop(std::move(left.shadow), EndReason::merged);
+  run_.drop(std::move(particle.shadow), EndReason::merged);
+  particle.merged = true;
+  particle.next.reset();
+  particle.lent = refinement_.by_tolerance();
+  if (particle.lent) left.shadow = std::make_unique<Trajectory>(std::move(particle.path));
+  left.right = particle.right;
+  at(particle.right).left = particle.left;
+  particle.left = particle.right = -1;
+}
+
+std::optional<Vec3> FrontLine::surface_between(int left, double t) {
+  Trajectory* shadow = at(left).shadow.get();
+  if (!shadow || !shadow->reach(t, run_.sampler())) return std::nullopt;
+  return shadow->position_at(t);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,46 @@
+#include "integrators/front/front_particle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucid {
+namespace {
+
+// Each vector is normalized by itself: velocities of 1e±200 would leave the range of a product.
+Vec3 unit_or_zero(const Vec3& v, double length) { return length > 0 ? v / length : Vec3(0); }
+
+Vec3 surface_normal(const Vec3& w, const Vec3& direction) {
+  const Vec3 normal = glm::cross(unit_or_zero(w, glm::length(w)), direction);
+  const double sine = glm::length(normal);
+  return sine > 1e-9 ? normal / sine : Vec3(0);
+}
+
+}  // namespace
+
+FrontPoint front_point(const Trajectory& path, double t) {
+  FrontPoint point;
+  point.t = t;
+  point.flow = path.at(t);
+  point.speed = glm::length(point.flow.v);
+  point.direction = unit_or_zero(point.flow.v, point.speed);
+  point.normal = surface_normal(point.flow.w, point.direction);
+  return point;
+}
+
+Separation separation(const FrontPoint& a, const FrontPoint& b) {
+  const Vec3 joining = b.flow.x - a.flow.x;
+  const double distance = glm::length(joining);
+  // The mean direction; two that are opposite, or rest, have none.
+  const Vec3 flow = a.direction + b.direction;
+  const double length2 = glm::dot(flow, flow);
+  if (a.speed == 0 || b.speed == 0 || !(length2 > 1e-12)) return {distance, distance};
+  return {distance, glm::length(joining - (glm::dot(joining, flow) / length2) * flow)};
+}
+
+bool are_parting(const FrontPoint& a, const FrontPoint& b) {
+  const Vec3 joining = b.flow.x - a.flow.x;
+  const double along = glm::dot(b.flow.v - a.flow.v, joining);
+  return along > 0 && along > 0.5 * (a.speed + b.speed) * glm::length(joining);
+}
+
+}  // namespace pellucid

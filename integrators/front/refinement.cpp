@@ -1,0 +1,224 @@
+#include "integrators/front/refinement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "integrators/paths/trajectory_options.h"
+
+namespace pellucid {
+namespace {
+
+// Vertex normals across an edge differ by at most so much, unless the edge is very short. Between
+// them the surface would turn unseen: rolled up thinner than the threshold, it would be cut across.
+constexpr double coarse_cosine = 0.866;  // 30°
+constexpr double fine_cosine = 0.978;    // 12°
+double cosine(const FrontPoint& a, const FrontPoint& b) {
+  if (a.normal == Vec3(0) || b.normal == Vec3(0)) return 1;
+  return glm::dot(a.normal, b.normal);
+}
+
+/// Time until the particle has moved by `move` at its present speed.
+double time_to_move(const FrontPoint& here, double move) {
+  return std::min(move / here.speed, std::numeric_limits<double>::max());
+}
+
+/// The longest time whose chord's sagitta is allowed, by the present curvature.
+double time_to_bend(const FlowPoint& here, const Vec3& acceleration, double sagitta) {
+  const double speed2 = glm::dot(here.v, here.v);
+  const Vec3 across = acceleration - glm::dot(acceleration, here.v) / speed2 * here.v;
+  return std::sqrt(8 * sagitta / glm::length(across));
+}
+
+/// How fast the ribbon towards a neighbour twists out of its plane: over a time dt the middle of
+/// its diagonal leaves the surface by dt / 4 of this.
+double twist_rate(const FrontPoint& here, const FrontPoint& neighbour) {
+  const Vec3 apart = neighbour.flow.v - here.flow.v;
+  return std::max(std::abs(glm::dot(apart, here.normal)),
+                  std::abs(glm::dot(apart, neighbour.normal)));
+}
+
+// Triangles are at most so many times longer than wide, or wider than long, by choice.
+constexpr double longest_aspect = 8;
+constexpr double widest_aspect = 3;
+
+/// The shortest time that a ribbon's triangles should take, so as not to be too wide.
+double shortest_time(const FrontPoint& a, const FrontPoint& b) {
+  return separation(a, b).width / (widest_aspect * 0.5 * (a.speed + b.speed));
+}
+
+/// How far the middle of the ribbon's diagonal strays from the surface in the shortest time.
+double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
+  return 0.25 * shortest_time(a, b) * twist_rate(a, b);
+}
+
+// A trajectory that bends between two vertices by a large part of its ribbon's width tilts the
+// ribbon's triangles by that part, as in Schwarz's lantern.
+constexpr double largest_tilt = 0.15;
+
+/// By how much the step to `next` has to be shortened: 1 when it will do.
+double shortening(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                  const FrontPoint* left, const FrontPoint* right, const FrontPoint& next) {
+  const double moved = glm::distance(next.flow.x, head.flow.x);
+  const bool is_short = moved <= shortest_edge(refinement);
+  if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
+  if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
+  const Vec3 middle = path.position_at(0.5 * (head.t + next.t));
+  const double sagitta = distance_to_segment(middle, head.flow.x, next.flow.x);
+  double largest = refinement.step > 0 ? refinement.step : refinement.largest_step_sagitta();
+  for (const FrontPoint* neighbour : {left, right})
+    if (neighbour && !is_short)
+      largest = std::min(largest, largest_tilt * separation(head, *neighbour).width);
+  if (sagitta <= largest) return 1;
+  return std::clamp(0.9 * std::sqrt(largest / sagitta), 0.3, 0.8);
+}
+
+}  // namespace
+
+double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right) {
+  if (!refinement.by_tolerance() || refinement.step > 0) return time_to_move(head, refinement.step);
+  const double sagitta = refinement.largest_step_sagitta();
+  // A ribbon that has become as thin as the tolerance has no shape to keep.
+  const double thin = 8 * refinement.tolerance;
+  double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
+  for (const FrontPoint* neighbour : {left, right}) {
+    if (!neighbour) continue;
+    const double width = separation(head, *neighbour).width;
+    const double twist = 4 * refinement.largest_sagitta() / twist_rate(head, *neighbour);
+    dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
+                   time_to_move(head, longest_aspect * std::max(width, thin))});
+  }
+  return std::min(dt, std::numeric_limits<double>::max());
+}
+
+double allowed_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, const FrontPoint& next) {
+  const double moved = next.t - head.t;
+  if (!(moved > 0)) return std::numeric_limits<double>::infinity();
+  const double part = shortening(refinement, path, head, left, right, next);
+  return part >= 1 ? std::numeric_limits<double>::infinity() : std::max(part, 0.1) * moved;
+}
+
+double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double length2 = glm::dot(ab, ab);
+  const double u = length2 > 0 ? std::clamp(glm::dot(x - a, ab) / length2, 0.0, 1.0) : 0;
+  return glm::distance(x, a + u * ab);
+}
+
+double shortest_edge(const Refinement& refinement) {
+  constexpr double part_of_threshold = 1. / 32;
+  return refinement.by_tolerance() ? refinement.tolerance
+                                   : part_of_threshold * refinement.threshold;
+}
+
+Refinement refinement_of(const Parameters& parameters, double default_threshold,
+                         double steps_per_threshold) {
+  Refinement refinement;
+  refinement.tolerance = positive(parameters, "tolerance", 0);
+  if (refinement.by_tolerance() && parameters.is_set("threshold"))
+    throw InputError("threshold and tolerance are both given; accepted: one of them");
+  if (!refinement.by_tolerance()) {
+    refinement.threshold = positive(parameters, "threshold", default_threshold);
+    refinement.step = refinement.threshold / steps_per_threshold;
+  }
+  refinement.step = positive(parameters, "step", refinement.step);
+  return refinement;
+}
+
+bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
+                   const Vec3& middle) {
+  const auto [distance, width] = separation(a, b);
+  const double shortest = shortest_edge(refinement);
+  if (are_parting(a, b) && distance > shortest) return true;
+  if (cosine(a, b) < coarse_cosine && distance > shortest) return true;
+  if (!refinement.by_tolerance())
+    return width > refinement.threshold || distance > 2 * refinement.threshold;
+  if (twist_sagitta(a, b) > refinement.largest_sagitta() && distance > shortest) return true;
+  return distance_to_segment(middle, a.flow.x, b.flow.x) > refinement.largest_sagitta();
+}
+
+bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
+                    const Vec3& middle) {
+  if (are_parting(a, b) || cosine(a, b) < fine_cosine) return false;
+  const auto [distance, width] = separation(a, b);
+  if (!refinement.by_tolerance())
+    return width <= 0.5 * refinement.threshold && distance <= refinement.threshold;
+  // Twice as long an edge has four times the sagitta.
+  return std::max(distance_to_segment(middle, a.flow.x, b.flow.x), twist_sagitta(a, b)) <
+         refinement.largest_sagitta() / 4;
+}
+
+namespace {
+
+struct TriangleShape {
+  double facing;         // cosine between its normal and that of the corner where it differs most
+  double smallest_sine;  // of its angles
+};
+
+TriangleShape shape_of(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  const Vec3 ab = b.flow.x - a.flow.x, bc = c.flow.x - b.flow.x, ca = a.flow.x - c.flow.x;
+  const Vec3 area = glm::cross(ab, bc);
+  const double twice_area = glm::length(area);
+  if (!(twice_area > 0)) return {1, 0};
+  TriangleShape shape{1, 0};
+  for (const FrontPoint* corner : {&a, &b, &c})
+    if (corner->normal != Vec3(0))
+      shape.facing = std::min(shape.facing, glm::dot(area, corner->normal) / twice_area);
+  // Twice the area over the product of the two longest sides.
+  const double l0 = glm::length(ab), l1 = glm::length(bc), l2 = glm::length(ca);
+  shape.smallest_sine = twice_area * std::min({l0, l1, l2}) / (l0 * l1 * l2);
+  return shape;
+}
+
+}  // namespace
+
+bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  const auto [facing, smallest_sine] = shape_of(a, b, c);
+  return smallest_sine > 0.1 && facing >= coarse_cosine;
+}
+
+double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  const auto [facing, smallest_sine] = shape_of(a, b, c);
+  return std::min(facing, coarse_cosine) + smallest_sine;
+}
+
+namespace {
+
+/// How long the particle may go, and where it then is: at most at the end of its path.
+struct AllowedStep {
+  double dt;
+  FrontPoint next;
+};
+
+AllowedStep step_of(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
+  constexpr int most_attempts = 12;
+  AllowedStep step{planned_step(refinement, path, head, left, right), {}};
+  for (int attempt = 0;; ++attempt) {
+    path.reach(head.t + step.dt, sampler);
+    step.next = front_point(path, std::min(head.t + step.dt, path.time()));
+    const double allowed = allowed_step(refinement, path, head, left, right, step.next);
+    if (std::isinf(allowed) || attempt == most_attempts) return step;
+    step.dt = allowed;
+  }
+}
+
+}  // namespace
+
+std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
+                                      const FrontPoint& head, const FrontPoint* left,
+                                      const FrontPoint* right, FieldSampler& sampler) {
+  const auto [dt, next] = step_of(refinement, path, head, left, right, sampler);
+  // Half a step further tells whether a sliver would be left at the end.
+  if (path.reach(head.t + 1.5 * dt, sampler)) return next;
+  const double left_over = path.time() - head.t;
+  if (left_over <= 1e-6 * dt || left_over <= 0) return std::nullopt;
+  if (left_over > dt && left_over < 1.5 * dt) return front_point(path, head.t + 0.5 * left_over);
+  return next;
+}
+
+}  // namespace pellucid

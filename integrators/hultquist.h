@@ -1,9 +1,0 @@
-#pragma once
-
-#include "integrators/integrate_surface.h"
-
-namespace pellucid {
-
-const IntegratorRow& hultquist_integrator();
-
-}  // namespace pellucid

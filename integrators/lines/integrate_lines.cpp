@@ -1,0 +1,271 @@
+#include "integrators/lines/integrate_lines.h"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/machine/stopwatch.h"
+#include "core/options/names.h"
+#include "core/parallel.h"
+#include "integrators/paths/counting_sampler.h"
+#include "integrators/paths/stepping_parameters.h"
+#include "integrators/paths/trajectory_options.h"
+
+namespace pellucid {
+namespace {
+
+/// One particle's line before the lines are joined.
+struct Line {
+  struct Point {
+    Vec3 x;
+    double t, time, speed;
+  };
+  std::vector<Point> points;
+  EndCounts ends;
+};
+
+/// Where vertices go on a trajectory.
+struct Spacing {
+  double step = 0;  // world units; 0: by the turn
+  double turn = 0;  // radians between the directions at two vertices
+  double longest;   // time units
+};
+
+double next_time(const Trajectory& path, double t, const Spacing& spacing) {
+  const FlowPoint here = path.at(t);
+  const double speed = glm::length(here.v);
+  if (spacing.step > 0) return t + std::min(spacing.step / speed, spacing.longest);
+  const double turning = glm::length(glm::cross(here.v, path.acceleration(t))) / (speed * speed);
+  return t + std::min(spacing.turn / turning, spacing.longest);
+}
+
+Line::Point line_point(const FlowPoint& flow, double t, double time) {
+  return {flow.x, t, time, glm::length(flow.v)};
+}
+
+Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& spacing,
+            FieldSampler& sampler) {
+  Line line;
+  Trajectory path(options, seed, Vec3(0), sampler);
+  const auto add = [&](double t) {
+    line.points.push_back(line_point(path.at(t), t, options.start_time + (options.path ? t : 0)));
+  };
+  for (double t = 0; path.exists();) {
+    add(t);
+    path.release(t);
+    // The first step's own acceleration is not known before it is made.
+    path.reach(std::nextafter(t, options.duration), sampler);
+    const double wanted = next_time(path, t, spacing);
+    path.reach(wanted, sampler);
+    const double next = std::min(wanted, path.time());
+    if (!(next > t)) break;
+    t = next;
+  }
+  ++line.ends[path.end().value_or(EndReason::steps)];
+  return line;
+}
+
+/// A streak line at the end of the journey: of the particles let go at the seed one after another,
+/// the youngest first.
+Line streak(TrajectoryOptions options, const Vec3& seed, int releases, FieldSampler& sampler) {
+  const double duration = options.duration, begin = options.start_time;
+  Line line;
+  Vec3 v;
+  if (sampler.velocity(seed, begin + duration, v) == SampleStatus::ok)
+    line.points.push_back({seed, 0, begin + duration, glm::length(v)});
+  for (int i = 1; i <= releases; ++i) {
+    options.duration = duration * i / releases;
+    options.start_time = begin + duration - options.duration;
+    Trajectory path(options, seed, Vec3(0), sampler);
+    const bool arrives = path.exists() && path.reach(options.duration, sampler);
+    if (path.end()) ++line.ends[*path.end()];
+    // Whoever is gone ends the line: those let go before are beyond the gap.
+    if (!arrives) break;
+    line.points.push_back(
+        line_point(path.at(options.duration), options.duration, begin + duration));
+  }
+  return line;
+}
+
+LineSet joined(std::span<const Line> lines, LineStats& stats) {
+  LineSet set;
+  auto &t = set.scalars["t"], &time = set.scalars["time"], &speed = set.scalars["speed"];
+  for (const Line& line : lines) {
+    for (const Line::Point& point : line.points) {
+      set.positions.push_back(point.x);
+      t.push_back(point.t);
+      time.push_back(point.time);
+      speed.push_back(point.speed);
+    }
+    set.offsets.push_back(set.positions.size());
+    for (const auto& [reason, count] : line.ends) stats.ends[reason] += count;
+  }
+  return set;
+}
+
+/// The seeds' extent, or how far the first particle would go at its first speed.
+double extent_of(const LineRequest& request) {
+  Box3 box;
+  for (const Vec3& seed : request.seeds) box.extend(seed);
+  if (box.diagonal() > 0) return box.diagonal();
+  Vec3 v(0);
+  const auto sampler = request.field->sampler();
+  const bool known = sampler->velocity(request.seeds[0], request.start_time, v) == SampleStatus::ok;
+  const double extent = glm::length(v) * request.duration;
+  return known && extent > 0 && std::isfinite(extent) ? extent : 1;
+}
+
+void check(const LineRequest& request) {
+  if (!request.field || request.seeds.empty())
+    throw InputError("integrate: a field and at least one seed are needed");
+  for (const Vec3& x : request.seeds)
+    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z))
+      throw InputError(fmt::format("seed ({}, {}, {}) is not finite", x.x, x.y, x.z));
+}
+
+/// Runs `one(options, seed, sampler)` for all seeds in parallel.
+template <class One>
+IntegratedLines run_all(const LineRequest& request, const Parameters& parameters, bool path,
+                        const One& one) {
+  check(request);
+  const Stopwatch watch;
+  const TrajectoryOptions options = trajectory_options(
+      *request.field, {request.duration, request.start_time, path}, extent_of(request), parameters);
+  tbb::enumerable_thread_specific<CountingSampler> samplers(
+      [&] { return CountingSampler(*request.field); });
+  std::vector<Line> lines(request.seeds.size());
+  parallel_for(std::size_t(0), lines.size(),
+               [&](std::size_t i) { lines[i] = one(options, request.seeds[i], samplers.local()); });
+  IntegratedLines result;
+  result.lines = joined(lines, result.stats);
+  for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;
+  for (const CountingSampler& sampler : samplers) result.stats.evaluations += sampler.evaluations();
+  // Position and three scalars, once in the single lines and once in the set.
+  result.stats.bytes = result.lines.positions.size() * 2 * sizeof(Line::Point);
+  result.stats.seconds = watch.seconds();
+  return result;
+}
+
+Spacing spacing_of(const LineRequest& request, const Parameters& parameters) {
+  constexpr double radians = 0.017453292519943295769;
+  return {positive(parameters, "step", 0), radians * parameters.real("turn"),
+          request.duration / 20};
+}
+
+template <bool path>
+IntegratedLines run_following(const LineRequest& request, const Parameters& parameters) {
+  const Spacing spacing = spacing_of(request, parameters);
+  return run_all(request, parameters, path,
+                 [&](const TrajectoryOptions& options, const Vec3& seed, FieldSampler& sampler) {
+                   return follow(options, seed, spacing, sampler);
+                 });
+}
+
+IntegratedLines run_streaks(const LineRequest& request, const Parameters& parameters) {
+  const int releases = parameters.integer("releases");
+  return run_all(request, parameters, true,
+                 [&](const TrajectoryOptions& options, const Vec3& seed, FieldSampler& sampler) {
+                   return streak(options, seed, releases, sampler);
+                 });
+}
+
+constexpr ParameterSpec particles_parameter = {.name = "particles",
+                                               .kind = ParameterSpec::Kind::integer,
+                                               .default_value = "20",
+                                               .min = 1,
+                                               .max = 1e6,
+                                               .unit = "particles",
+                                               .help = "lines, evenly spaced on the seed curve"};
+
+constexpr ParameterSpec following_own[] = {
+    particles_parameter,
+    {.name = "step",
+     .min = 0,
+     .unit = "world units",
+     .help = "between a line's vertices; default: by the turn"},
+    {.name = "turn",
+     .default_value = "3",
+     .min = 0.01,
+     .max = 90,
+     .unit = "degrees",
+     .help = "a line turns at most so far between two vertices"},
+};
+
+constexpr ParameterSpec streak_own[] = {
+    particles_parameter,
+    {.name = "releases",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "200",
+     .min = 1,
+     .max = 1e6,
+     .unit = "particles",
+     .help = "let go at each seed, evenly spaced in time"},
+};
+
+constexpr auto following_parameters = with_stepping_parameters(following_own);
+constexpr auto streak_parameters = with_stepping_parameters(streak_own);
+
+constexpr LineIntegratorRow rows[] = {
+    {"stream-lines", "Stream lines: the field stands still at the start time",
+     "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization",
+     following_parameters, run_following<false>},
+    {"path-lines", "Path lines: the field's time runs along",
+     "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization",
+     following_parameters, run_following<true>},
+    {"streak-lines", "Streak lines: particles let go at a seed one after another",
+     "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization",
+     streak_parameters, run_streaks},
+};
+
+}  // namespace
+
+std::span<const LineIntegratorRow> line_integrators() { return rows; }
+
+namespace {
+
+struct RowAndParameters {
+  const LineIntegratorRow& row;
+  Parameters parameters;
+};
+
+RowAndParameters parse(std::string_view integrator) {
+  const NameAndOptions parsed = parse_name_and_options(integrator);
+  const LineIntegratorRow& row = find_row("line integrator", parsed.name, line_integrators());
+  return {row, Parameters(row.name, row.parameters, parsed.options)};
+}
+
+}  // namespace
+
+int line_particles(std::string_view integrator) {
+  return parse(integrator).parameters.integer("particles");
+}
+
+IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& request) {
+  const auto [row, parameters] = parse(integrator);
+  return row.run(request, parameters);
+}
+
+std::vector<Vec3> seeds_on(const SeedCurve& curve, int count) {
+  std::vector<Vec3> seeds;
+  const int intervals = curve.closed ? count : count - 1;
+  for (int i = 0; i < count; ++i)
+    seeds.push_back(curve.point_at(intervals > 0 ? double(i) / intervals : 0.5));
+  return seeds;
+}
+
+std::vector<Vec3> seeds_in(const Box3& box, int nx, int ny, int nz) {
+  const auto part = [](int i, int n) { return n > 1 ? double(i) / (n - 1) : 0.5; };
+  std::vector<Vec3> seeds;
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i)
+        seeds.push_back(box.min +
+                        Vec3(part(i, nx), part(j, ny), part(k, nz)) * (box.max - box.min));
+  return seeds;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,291 @@
+// Explicit Runge-Kutta integration with PI step size control and dense output after Hairer,
+// Nørsett, Wanner, "Solving Ordinary Differential Equations I", 2nd ed. 1993: II.4 (step size),
+// IV.2 of volume II, Eq. 2.43c (PI controller), II.6 (dense output).
+#include "integrators/paths/trajectory.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace pellucid {
+namespace {
+
+Vec3 first(const std::array<double, 6>& y) { return {y[0], y[1], y[2]}; }
+Vec3 second(const std::array<double, 6>& y) { return {y[3], y[4], y[5]}; }
+
+std::array<double, 6> joined(const Vec3& a, const Vec3& b) {
+  return {a.x, a.y, a.z, b.x, b.y, b.z};
+}
+
+double largest(const Vec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+
+template <class State>
+void add(State& y, double factor, const State& k) {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * k[i];
+}
+
+EndReason reason_of(SampleStatus status) {
+  return status == SampleStatus::outside ? EndReason::left_domain : EndReason::not_finite;
+}
+
+bool is_ghost(Companion companion) {
+  return companion == Companion::ghost_reset || companion == Companion::ghost_rescaled;
+}
+
+// Where a step that leaves the domain stops being halved, in tolerances.
+constexpr double edge_tolerances = 1000;
+
+}  // namespace
+
+Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& tangent,
+                       FieldSampler& sampler)
+    : options_(&options) {
+  assert(options.stepper && options.duration > 0);
+  Vec3 companion = tangent;
+  if (options.companion == Companion::none) companion = Vec3(0);
+  if (is_ghost(options.companion))
+    companion = seed + options.ghost_distance * glm::normalize(tangent);
+  y_ = joined(seed, companion);
+  const SampleStatus status = slope(0, y_, f_, sampler);
+  if (status != SampleStatus::ok) {
+    end_ = reason_of(status);
+    return;
+  }
+  exists_ = true;
+  // A step of no length, so that at(0) is known.
+  steps_.push_back({0, 0, {y_, f_, {}, {}, {}}});
+  if (speed() * options.duration <= options.still)
+    end_ = EndReason::stagnated;
+  else
+    h_ = first_step(sampler);
+}
+
+/// II.4, "starting step size", with the acceleration from one Euler step: over h the error of order
+/// p + 1 is about |v| τ (h / τ)^(p + 1), τ the time in which the velocity turns.
+double Trajectory::first_step(FieldSampler& sampler) {
+  if (!options_->stepper->adaptive) return largest_step();
+  const double probe = std::min(largest_step(), 1e-3 * options_->duration);
+  State y = y_, f;
+  add(y, probe, f_);
+  if (slope(probe, y, f, sampler) != SampleStatus::ok) return probe;
+  const double turn = glm::length(first(f) - first(f_)) / probe;
+  if (turn <= 1e-9 * speed() / options_->duration) return largest_step();
+  const double tau = speed() / turn;
+  return tau * std::pow(options_->tolerance / (speed() * tau), 1. / options_->stepper->order);
+}
+
+double Trajectory::speed() const { return glm::length(first(f_)); }
+
+double Trajectory::largest_step() const {
+  const double move = std::max(options_->max_move / speed(), kinkless_step());
+  return std::min({options_->max_step, options_->duration, move});
+}
+
+/// Samples and the smooth field that they stand for differ by at most the sampling error ε, so that
+/// the kinks at all the cells' faces together move a step of length h by at most 2 ε h: when that
+/// is within the tolerance, a step may be longer than a cell, as in samples of a linear field. But
+/// not so near to the samples' end that the way might lead out and in again.
+double Trajectory::kinkless_step() const {
+  if (!options_->filled) return 0;
+  const Vec3 x = first(y_);
+  const Vec3 room = glm::min(x - options_->filled->min, options_->filled->max - x);
+  const double nearest = std::max(0.0, std::min({room.x, room.y, room.z}));
+  return std::min(options_->tolerance / (2 * options_->velocity_error), 0.5 * nearest / speed());
+}
+
+SampleStatus Trajectory::slope(double t, const State& y, State& f, FieldSampler& sampler) {
+  const double time = options_->start_time + (options_->path ? t : 0);
+  Vec3 v, w(0);
+  SampleStatus status;
+  if (options_->companion == Companion::variation) {
+    Mat3 jacobian;
+    status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
+    w = jacobian * second(y);
+  } else {
+    status = sampler.velocity(first(y), time, v);
+  }
+  if (status == SampleStatus::ok && is_ghost(options_->companion)) {
+    // Past the domain's edge the ghost keeps its distance.
+    if (sampler.velocity(second(y), time, w) != SampleStatus::ok) w = v;
+  }
+  f = joined(v, w);
+  return status;
+}
+
+bool Trajectory::reach(double t, FieldSampler& sampler) {
+  while (t_ < t && !end_) step(sampler);
+  return t_ >= t;
+}
+
+bool Trajectory::skip_to(double t, FieldSampler& sampler) {
+  while (t_ < t && !end_) {
+    step(sampler);
+    release(t_);
+  }
+  return t_ >= t;
+}
+
+void Trajectory::step(FieldSampler& sampler) {
+  const double left = options_->duration - t_;
+  const double wanted = std::min(h_, largest_step());
+  // The last two steps share what is left rather than leave a sliver to the last one.
+  const double h = wanted >= left ? left : wanted > 0.5 * left ? 0.5 * left : wanted;
+  std::array<State, 7> k;
+  State y1;
+  const SampleStatus status = try_step(h, k, y1, sampler);
+  if (++step_count_ >= options_->max_steps) end_ = EndReason::steps;
+  if (status != SampleStatus::ok) return shrink_after(status, h);
+
+  const double error = options_->stepper->adaptive ? error_of(h, k, y1) : 0;
+  const double order = options_->stepper->order;
+  // Below the tolerance's own length an error cannot matter: so discontinuities are stepped over.
+  const bool accepted = !(error > 1) || h * speed() <= options_->tolerance;
+  if (accepted) accept(h, k, y1, sampler);
+  if (!options_->stepper->adaptive) return;
+  // PI control: Eq. 2.43c with β = 0.2 / p = 0.04 for p = 5, as DOPRI5 has it.
+  const double beta = 0.2 / order;
+  double factor = 0.92 * std::pow(std::max(error, 1e-10), 0.75 * beta - 1 / order);
+  if (accepted) factor *= std::pow(last_error_, beta);
+  factor = std::clamp(factor, 0.2, accepted && !near_edge_ ? 5. : 1.);
+  if (accepted) last_error_ = std::max(error, 1e-4), near_edge_ = false;
+  h_ = std::max(h * factor, std::numeric_limits<double>::min());
+}
+
+SampleStatus Trajectory::try_step(double h, std::array<State, 7>& k, State& y1,
+                                  FieldSampler& sampler) {
+  const ButcherTableau& rk = *options_->stepper;
+  k[0] = f_;
+  for (int i = 1; i < rk.stages; ++i) {
+    State y = y_;
+    for (int j = 0; j < i; ++j)
+      if (rk.a[i][j] != 0) add(y, h * rk.a[i][j], k[j]);
+    const SampleStatus status = slope(t_ + rk.c[i] * h, y, k[i], sampler);
+    if (status != SampleStatus::ok) return status;
+  }
+  y1 = y_;
+  for (int i = 0; i < rk.stages; ++i)
+    if (rk.b[i] != 0) add(y1, h * rk.b[i], k[i]);
+  return slope(t_ + h, y1, k[rk.stages], sampler);
+}
+
+/// The estimated error in tolerances.
+double Trajectory::error_of(double h, const std::array<State, 7>& k, const State& y1) const {
+  const ButcherTableau& rk = *options_->stepper;
+  State e{};
+  for (int i = 0; i <= rk.stages; ++i)
+    if (rk.error[i] != 0) add(e, h * rk.error[i], k[i]);
+  // What rounding leaves of a position far from the origin.
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() *
+                          std::max(largest(first(y_)), largest(first(y1)));
+  const double tolerance = std::max(options_->tolerance, 0.1 * options_->velocity_error * h);
+  const double position = glm::length(first(e)) / (tolerance + rounding);
+  if (options_->companion != Companion::variation) return position;
+  return std::max(position, glm::length(second(e)) / (companion_tolerance() *
+                                                      std::max(glm::length(second(y_)), 1e-300)));
+}
+
+/// Of w, in its own length: its direction needs far less than the position, 1e-6 is 1e-4 degrees.
+/// In samples the Jacobian jumps at every cell's face, and steps would have to be as short as the
+/// tolerance there. But over a cell of width h the Jacobian is itself off by some 4 ε / h, with the
+/// sampling error ε, for a time h / |v|: of that turn, 4 ε / |v|, a hundredth is let pass.
+double Trajectory::companion_tolerance() const {
+  return std::clamp(0.04 * options_->velocity_error / speed(), 1e-6, 1e-3);
+}
+
+/// The way out of the domain, or into samples that are not numbers, is halved down to the edge.
+void Trajectory::shrink_after(SampleStatus status, double h) {
+  near_edge_ = true;
+  h_ = 0.5 * h;
+  if (h_ * speed() > edge_tolerances * options_->tolerance && t_ + h_ > t_) return;
+  end_ = reason_of(status);
+}
+
+void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1,
+                        FieldSampler& sampler) {
+  const ButcherTableau& rk = *options_->stepper;
+  State r5{};
+  for (int i = 0; i <= rk.stages; ++i)
+    if (rk.dense[i] != 0) add(r5, h * rk.dense[i], k[i]);
+  Step step{t_, h, {}};
+  for (int i = 0; i < 6; ++i) {
+    // x(θ) = r₁ + θ (r₂ + (1-θ) (r₃ + θ (r₄ + (1-θ) r₅))), multiplied out.
+    const double r2 = y1[i] - y_[i], r3 = h * k[0][i] - r2, r4 = r2 - h * k[rk.stages][i] - r3;
+    step.coefficients[0][i] = y_[i];
+    step.coefficients[1][i] = r2 + r3;
+    step.coefficients[2][i] = r4 - r3 + r5[i];
+    step.coefficients[3][i] = -r4 - 2 * r5[i];
+    step.coefficients[4][i] = r5[i];
+  }
+  steps_.push_back(step);
+  length_ += glm::length(first(y1) - first(y_));
+  t_ = h >= options_->duration - t_ ? options_->duration : t_ + h;
+  y_ = y1;
+  f_ = k[rk.stages];
+  if (is_ghost(options_->companion)) restrain_ghost(sampler);
+  if (t_ >= options_->duration)
+    end_ = EndReason::duration;
+  else if (length_ >= options_->max_length)
+    end_ = EndReason::length;
+  else if (speed() * options_->duration <= options_->still)
+    end_ = EndReason::stagnated;
+}
+
+void Trajectory::restrain_ghost(FieldSampler& sampler) {
+  const Vec3 apart = second(y_) - first(y_);
+  const double distance = glm::length(apart);
+  const bool far = distance > options_->ghost_distance;
+  if (distance == 0 || !(far || options_->companion == Companion::ghost_rescaled)) return;
+  y_ = joined(first(y_), first(y_) + options_->ghost_distance / distance * apart);
+  slope(t_, y_, f_, sampler);
+}
+
+const Trajectory::Step& Trajectory::step_at(double t) const {
+  auto step = steps_.end() - 1;
+  while (step != steps_.begin() && t < step->begin) --step;
+  return *step;
+}
+
+FlowPoint Trajectory::at(double t) const {
+  const Step& step = step_at(t);
+  const auto& c = step.coefficients;
+  if (step.length == 0) {
+    const Vec3 w = is_ghost(options_->companion) ? second(c[0]) - first(c[0]) : second(c[0]);
+    return {first(c[0]), first(c[1]), w};
+  }
+  const double theta = std::min((t - step.begin) / step.length, 1.0);
+  State y = c[4];
+  Vec3 slope = first(c[4]) * 4.0;
+  for (int n = 3; n >= 0; --n) {
+    for (int i = 0; i < 6; ++i) y[i] = y[i] * theta + c[n][i];
+    if (n > 0) slope = slope * theta + first(c[n]) * double(n);
+  }
+  const Vec3 w = is_ghost(options_->companion) ? second(y) - first(y) : second(y);
+  return {first(y), slope / step.length, w};
+}
+
+Vec3 Trajectory::position_at(double t) const {
+  const Step& step = step_at(t);
+  const auto& c = step.coefficients;
+  if (step.length == 0) return first(c[0]);
+  const double theta = std::min((t - step.begin) / step.length, 1.0);
+  Vec3 x = first(c[4]);
+  for (int n = 3; n >= 0; --n) x = x * theta + first(c[n]);
+  return x;
+}
+
+Vec3 Trajectory::acceleration(double t) const {
+  const Step& step = step_at(t);
+  if (step.length == 0) return Vec3(0);
+  const auto& c = step.coefficients;
+  const double theta = std::min((t - step.begin) / step.length, 1.0);
+  const Vec3 curve = 2.0 * first(c[2]) + theta * (6.0 * first(c[3]) + theta * 12.0 * first(c[4]));
+  return curve / (step.length * step.length);
+}
+
+void Trajectory::release(double t) {
+  auto keep = steps_.begin();
+  while (keep + 1 != steps_.end() && keep->begin + keep->length < t) ++keep;
+  steps_.erase(steps_.begin(), keep);
+}
+
+}  // namespace pellucid

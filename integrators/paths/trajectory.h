@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/vec.h"
+#include "fields/field.h"
+#include "integrators/paths/butcher_tableau.h"
+#include "integrators/paths/end_reason.h"
+
+namespace pellucid {
+
+/// What travels with a particle to tell how the surface lies around it.
+enum class Companion {
+  none,
+  variation,      // w = ∂x/∂s by the variational equation dw/dt = J(x) w
+  ghost_reset,    // a second particle, pulled back when it is farther than `ghost_distance`
+  ghost_rescaled  // a second particle, put back to `ghost_distance` after every step
+};
+
+struct TrajectoryOptions {
+  const ButcherTableau* stepper = nullptr;  // of steppers(); default dopri5
+  double duration = 1;                      // time units
+  double start_time = 0;                    // the field's time at the seed
+  bool path = false;                        // the field's time runs along; else it stands still
+  double tolerance = 1e-9;                  // world units: largest estimated error of one step
+  double max_step = std::numeric_limits<double>::infinity();  // time units
+  double max_move = std::numeric_limits<double>::infinity();  // world units in one step
+  double velocity_error = 0;  // of the field; errors far below it are not worth steps
+  /// Where samples fill a box: there max_move does not hold for a step that is free of kinks.
+  std::optional<Box3> filled;
+  double still = 0;  // world units: moving less in the whole duration is standing
+  double max_length = std::numeric_limits<double>::infinity();  // world units
+  std::uint64_t max_steps = 1'000'000;
+  Companion companion = Companion::none;
+  double ghost_distance = 1e-5;  // world units
+};
+
+/// A point of a trajectory.
+struct FlowPoint {
+  Vec3 x{0};  // position
+  Vec3 v{0};  // velocity
+  Vec3 w{0};  // ∂x/∂s up to a positive factor; 0 without a companion
+};
+
+/// One particle's way, integrated as far as it is asked for and known everywhere between by dense
+/// output. Not shared between threads while it is advanced.
+class Trajectory {
+ public:
+  /// `options` must outlive it. `tangent` is dc/ds of the seed curve.
+  Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& tangent,
+             FieldSampler& sampler);
+
+  /// Integrates until t is covered. False when the particle ends before t.
+  bool reach(double t, FieldSampler& sampler);
+
+  /// The same, and forgets the way there.
+  bool skip_to(double t, FieldSampler& sampler);
+
+  /// t between what was released and time().
+  FlowPoint at(double t) const;
+  /// The position alone.
+  Vec3 position_at(double t) const;
+  /// Second time derivative of the position.
+  Vec3 acceleration(double t) const;
+  /// Forgets what lies before t.
+  void release(double t);
+
+  double time() const { return t_; }  // since the seed; up to where it is integrated
+  /// Set when the particle goes no further than time().
+  const std::optional<EndReason>& end() const { return end_; }
+  /// False when not even the seed has a velocity.
+  bool exists() const { return exists_; }
+  std::uint64_t bytes() const { return steps_.capacity() * sizeof(Step); }  // beside itself
+
+ private:
+  using State = std::array<double, 6>;  // position; companion
+
+  /// x(θ) = Σ coefficients[i] θ^i, θ = (t - begin) / length.
+  struct Step {
+    double begin, length;
+    std::array<State, 5> coefficients;
+  };
+
+  SampleStatus slope(double t, const State& y, State& f, FieldSampler& sampler);
+  SampleStatus try_step(double h, std::array<State, 7>& k, State& y1, FieldSampler& sampler);
+  double error_of(double h, const std::array<State, 7>& k, const State& y1) const;
+  void step(FieldSampler& sampler);
+  void accept(double h, const std::array<State, 7>& k, const State& y1, FieldSampler& sampler);
+  void restrain_ghost(FieldSampler& sampler);
+  double first_step(FieldSampler& sampler);
+  double companion_tolerance() const;
+  double largest_step() const;
+  double kinkless_step() const;
+  double speed() const;
+  void shrink_after(SampleStatus status, double h);
+  const Step& step_at(double t) const;
+
+  const TrajectoryOptions* options_;
+  double t_ = 0;
+  double h_ = 0;           // the next step to try
+  double last_error_ = 1;  // of the PI controller
+  double length_ = 0;
+  State y_{}, f_{};
+  std::vector<Step> steps_;
+  std::optional<EndReason> end_;
+  bool exists_ = false;
+  bool near_edge_ = false;  // a step failed: the domain's edge is close
+  std::uint64_t step_count_ = 0;
+};
+
+}  // namespace pellucid

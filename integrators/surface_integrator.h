@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/options/parameters.h"
+#include "core/progress.h"
+#include "fields/field.h"
+#include "geometry/triangle_mesh.h"
+#include "integrators/paths/end_reason.h"
+#include "integrators/paths/seed_curve.h"
+
+namespace pellucid {
+
+/// What a surface took.
+struct SurfaceStats {
+  std::uint64_t particles = 0;    // trajectories started on the seed curve
+  std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian, discarded tries too
+  double seconds = 0;             // wall clock
+  std::uint64_t bytes = 0;        // largest size of the mesh and the trajectories together
+  std::uint64_t trimmed = 0;      // facets on the border that stood off the surface
+  EndCounts ends;                 // how many particles ended for which reason
+};
+
+/// A surface to be swept by the particles of a seed curve.
+struct SurfaceRequest {
+  const VectorField* field = nullptr;
+  SeedCurve seed;
+  double duration = 0;    // > 0
+  double start_time = 0;  // where the field's own time starts
+  bool path = false;      // path surface of an unsteady field; otherwise its time stays start_time
+  Progress progress;
+};
+
+/// The mesh has unit `normals` and the scalars "s" (on the seed curve), "t" (since the seed),
+/// "time" (t + start_time) and "speed".
+struct IntegratedSurface {
+  TriangleMesh mesh;
+  SurfaceStats stats;
+};
+
+/// What a row of the table promises; a property test holds every row to it.
+struct IntegratorPromises {
+  bool refines = false;       // neighbours that part get new particles between them
+  bool coarsens = false;      // neighbours that meet are merged
+  bool bounds_error = false;  // the mesh lies within `tolerance` of the surface
+};
+
+/// One row of the table that `trace`, `list`, study files and the tests read.
+struct IntegratorRow {
+  std::string_view name;
+  std::string_view title;
+  std::string_view citation;
+  std::span<const ParameterSpec> parameters;
+  IntegratorPromises promises;
+  IntegratedSurface (*run)(const SurfaceRequest&, const Parameters&);
+};
+
+}  // namespace pellucid

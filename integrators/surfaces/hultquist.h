@@ -1,0 +1,9 @@
+#pragma once
+
+#include "integrators/surface_integrator.h"
+
+namespace pellucid {
+
+const IntegratorRow& hultquist_integrator();
+
+}  // namespace pellucid

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "integrators/surface_integrator.h"
+
+namespace pellucid {
+
+/// The surface integrators, one row each.
+std::span<const IntegratorRow> integrators();
+
+/// `integrator` is "NAME[:key=value,…]". Throws InputError for an unknown name, key or value, and
+/// for a request that no surface can be made of.
+IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRequest& request);
+
+}  // namespace pellucid

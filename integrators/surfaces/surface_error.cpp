@@ -1,0 +1,150 @@
+#include "integrators/surfaces/surface_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "integrators/front/surface_parameters.h"
+#include "integrators/front/surface_particles.h"
+#include "integrators/mesh/mesh_samples.h"
+
+namespace pellucid {
+namespace {
+
+constexpr double degrees = 57.295779513082320877;
+
+/// A point of the mesh with its parameters on the surface.
+struct Sample {
+  double s, t;
+  Vec3 x, facet;  // facet: unit normal
+};
+
+struct Deviation {
+  double distance = 0, degrees = 0;
+};
+
+Sample sample_of(const TriangleMesh& mesh, const MeshSample& place, bool closed) {
+  const auto& corners = mesh.triangles[place.triangle];
+  const auto &s = mesh.scalars.at("s"), &t = mesh.scalars.at("t");
+  const double first = s[corners[0]];
+  Sample sample{0, 0, position_of(mesh, place), Vec3(0)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Over the seam of a closed curve s jumps from 1 to 0.
+    const double turn = closed ? std::round(first - s[corners[k]]) : 0;
+    sample.s += place.barycentric[k] * (s[corners[k]] + turn);
+    sample.t += place.barycentric[k] * t[corners[k]];
+  }
+  const Vec3& x = mesh.positions[corners[0]];
+  const Vec3 area = glm::cross(mesh.positions[corners[1]] - x, mesh.positions[corners[2]] - x);
+  const double length = glm::length(area);
+  sample.facet = length > 0 ? area / length : Vec3(0);
+  return sample;
+}
+
+class ExactSurface {
+ public:
+  ExactSurface(const SurfaceRequest& request, const SurfaceOptions& options)
+      : request_(request), source_(request, options) {}
+
+  Deviation deviation(Sample sample);
+
+ private:
+  FlowPoint point(double s, double& t);
+
+  const SurfaceRequest& request_;
+  ParticleSource source_;
+};
+
+/// Where the surface ends before t, its last point: t is set back.
+FlowPoint ExactSurface::point(double s, double& t) {
+  Trajectory path = source_.start(s);
+  if (!path.exists()) return {request_.seed.point_at(s), Vec3(0), Vec3(0)};
+  path.reach(t, source_.sampler());
+  t = std::min(t, path.time());
+  return path.at(t);
+}
+
+Deviation ExactSurface::deviation(Sample sample) {
+  double &s = sample.s, &t = sample.t;
+  FlowPoint here = point(s, t);
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    const Vec3 off = sample.x - here.x;
+    // Least squares for off ≈ w ds + v dt.
+    const double ww = glm::dot(here.w, here.w), vv = glm::dot(here.v, here.v);
+    const double wv = glm::dot(here.w, here.v), determinant = ww * vv - wv * wv;
+    if (!(determinant > 1e-12 * ww * vv)) break;
+    const double wo = glm::dot(here.w, off), vo = glm::dot(here.v, off);
+    double next_s = s + (vv * wo - wv * vo) / determinant;
+    double next_t = t + (ww * vo - wv * wo) / determinant;
+    // On the surface's border one parameter is fixed, and the other one alone is corrected.
+    if (!request_.seed.closed && (next_s < 0 || next_s > 1)) {
+      next_s = std::clamp(next_s, 0.0, 1.0);
+      next_t = t + (vo - wv * (next_s - s)) / vv;
+    }
+    if (next_t < 0 || next_t > request_.duration) {
+      next_t = std::clamp(next_t, 0.0, request_.duration);
+      next_s = s + (wo - wv * (next_t - t)) / ww;
+      if (!request_.seed.closed) next_s = std::clamp(next_s, 0.0, 1.0);
+    }
+    const FlowPoint next = point(next_s, next_t);
+    if (!(glm::distance(next.x, sample.x) < glm::length(off))) break;
+    const bool settled = glm::distance(next.x, here.x) < 1e-4 * glm::length(off);
+    s = next_s, t = next_t, here = next;
+    if (settled) break;
+  }
+  const Vec3 normal = glm::cross(here.w, here.v);
+  const double sine = glm::length(glm::cross(normal, sample.facet));
+  return {glm::distance(here.x, sample.x),
+          degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
+}
+
+std::vector<double> spread_to_vertices(const TriangleMesh& mesh,
+                                       std::span<const MeshSample> samples,
+                                       const std::vector<Deviation>& deviations) {
+  std::vector<double> values(mesh.positions.size());
+  double distance = 0;
+  for (std::size_t triangle = 0, i = 0; triangle < mesh.triangles.size(); ++triangle) {
+    if (i < samples.size() && samples[i].triangle == triangle) distance = 0;
+    for (; i < samples.size() && samples[i].triangle == triangle; ++i)
+      distance = std::max(distance, deviations[i].distance);
+    for (const std::uint32_t corner : mesh.triangles[triangle])
+      values[corner] = std::max(values[corner], distance);
+  }
+  return values;
+}
+
+SurfaceError summary(std::span<const MeshSample> samples,
+                     const std::vector<Deviation>& deviations) {
+  SurfaceError error;
+  error.samples = deviations.size();
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const auto& [distance, angle] = deviations[i];
+    error.mean += samples[i].weight * distance;
+    error.rms += samples[i].weight * distance * distance;
+    error.max = std::max(error.max, distance);
+    error.normal_mean_degrees += samples[i].weight * angle;
+    error.normal_max_degrees = std::max(error.normal_max_degrees, angle);
+  }
+  error.rms = std::sqrt(error.rms);
+  return error;
+}
+
+}  // namespace
+
+SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& request,
+                           std::uint64_t samples) {
+  SurfaceOptions options = surface_options(request, Parameters("truth", surface_parameters, {}));
+  options.trajectory.tolerance = 1e-13 * options.extent;
+  ExactSurface truth(request, options);
+  const std::vector<MeshSample> chosen = sample_mesh(mesh, samples);
+  std::vector<Deviation> deviations(chosen.size());
+  parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
+    deviations[i] = truth.deviation(sample_of(mesh, chosen[i], request.seed.closed));
+  });
+  SurfaceError error = summary(chosen, deviations);
+  error.at_vertices = spread_to_vertices(mesh, chosen, deviations);
+  return error;
+}
+
+}  // namespace pellucid

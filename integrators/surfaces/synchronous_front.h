@@ -1,0 +1,10 @@
+#pragma once
+
+#include "integrators/surface_integrator.h"
+
+namespace pellucid {
+
+const IntegratorRow& fixed_front_integrator();
+const IntegratorRow& adaptive_front_integrator();
+
+}  // namespace pellucid

@@ -1,4 +1,0 @@
-// The opaque fragment that ends a pixel's layers is one of them.
-#include "composite.glsl"
-
-void main() { picture = vec4(behind().a); }

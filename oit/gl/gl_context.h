@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "oit/gl/gl.h"
+#include "oit/gl/gl_platform.h"
+
+namespace pellucid {
+
+/// An OpenGL 4.5 core context without a window. It belongs to whoever made it; it is current on the
+/// thread that last called make_current().
+class GlContext {
+ public:
+  /// `kind`: "osmesa" or "egl". The new context is current. Throws InputError for another kind,
+  /// WorkError when there is none or when the driver lacks what the methods need.
+  explicit GlContext(std::string_view kind);
+  ~GlContext();
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+
+  void make_current() const { platform_->make_current(); }
+  const Gl& gl() const { return gl_; }
+  /// Renderer and version as the driver reports them.
+  const std::string& driver() const { return driver_; }
+  /// Throws WorkError with the driver's own words when OpenGL has reported an error since the last
+  /// call.
+  void check(std::string_view what) const;
+
+ private:
+  std::unique_ptr<GlPlatform> platform_;
+  Gl gl_;
+  std::string driver_;
+  std::unique_ptr<std::string> message_;  // the driver's last; its address is given to the driver
+};
+
+}  // namespace pellucid

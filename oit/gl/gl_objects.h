@@ -1,0 +1,192 @@
+#pragma once
+// Owners of OpenGL names. Each is move-only and deletes what it owns; the context that made it has
+// to be current then.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/vec.h"
+#include "oit/gl/gl.h"
+
+namespace pellucid {
+
+/// An OpenGL name and its deleter, e.g. GlName<&Gl::DeleteTextures>.
+template <auto Delete>
+class GlName {
+ public:
+  GlName() = default;
+  GlName(const Gl& gl, GLuint id) : gl_(&gl), id_(id) {}
+  GlName(GlName&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
+  GlName& operator=(GlName&& other) noexcept {
+    std::swap(gl_, other.gl_);
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~GlName() {
+    if (id_) (gl_->*Delete)(1, &id_);
+  }
+
+  const Gl& gl() const { return *gl_; }
+  GLuint id() const { return id_; }
+
+ private:
+  const Gl* gl_ = nullptr;
+  GLuint id_ = 0;
+};
+
+/// A two-dimensional texture or array without mipmaps, sampled without filtering.
+class Texture {
+ public:
+  Texture() = default;
+  /// `layers` 0: a plain texture; otherwise an array.
+  Texture(const Gl& gl, GLenum format, int width, int height, int layers = 0);
+
+  GLuint id() const { return name_.id(); }
+  GLenum format() const { return format_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::uint64_t bytes() const { return bytes_; }
+  /// For sampler2D, sampler2DArray, samplerBuffer of layout(binding = unit).
+  void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, id()); }
+  /// For image2D of layout(binding = unit), read and written.
+  void bind_image(GLuint unit) const;
+  void clear(std::uint32_t value) const;  // every component of an unsigned integer format
+  void read(GLenum format, GLenum type, std::size_t bytes, void* data) const;
+  /// One pixel of all `layers`, the first layer first.
+  void read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
+                  void* data) const;
+
+ private:
+  GlName<&Gl::DeleteTextures> name_;
+  GLenum format_ = 0;
+  int width_ = 0, height_ = 0;
+  std::uint64_t bytes_ = 0;
+};
+
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(const Gl& gl, std::uint64_t bytes, const void* data = nullptr)
+      : Buffer(gl, bytes, data, 0) {}
+  template <class T>
+  Buffer(const Gl& gl, const std::vector<T>& data)
+      : Buffer(gl, data.size() * sizeof(T), data.data()) {}
+
+  /// For write().
+  static Buffer writable(const Gl& gl, std::uint64_t bytes) {
+    return {gl, bytes, nullptr, GL_MAP_WRITE_BIT};
+  }
+  /// `fill(T*)` writes `count` of T, one after the other, into the driver's own memory.
+  template <class T, class Fill>
+  static Buffer filled(const Gl& gl, std::uint64_t count, Fill&& fill) {
+    Buffer buffer = writable(gl, count * sizeof(T));
+    if (count) buffer.write<T>(std::forward<Fill>(fill));
+    return buffer;
+  }
+  template <class T, class Fill>
+  void write(Fill&& fill) const {
+    fill(static_cast<T*>(map()));
+    name_.gl().UnmapNamedBuffer(id());
+  }
+
+  GLuint id() const { return name_.id(); }
+  std::uint64_t bytes() const { return bytes_; }
+  /// For an atomic counter, a storage or a uniform block: `target` names which.
+  void bind_base(GLenum target, GLuint binding) const;
+  void clear(std::uint32_t value) const;
+  std::uint32_t read_word(std::size_t index) const;
+  void read(void* data) const { read(bytes_, data); }
+  void read(std::uint64_t bytes, void* data) const;  // the first ones
+
+ private:
+  Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags);
+  void* map() const;
+
+  GlName<&Gl::DeleteBuffers> name_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// A buffer seen as an image of texels. Unlike a storage block it is not limited to 128 MiB on
+/// llvmpipe.
+class BufferTexture {
+ public:
+  BufferTexture() = default;
+  BufferTexture(const Gl& gl, GLenum format, std::uint64_t bytes)
+      : BufferTexture(gl, format, Buffer(gl, bytes)) {}
+  /// Throws InputError for more texels than the driver's textures hold.
+  BufferTexture(const Gl& gl, GLenum format, Buffer buffer);
+
+  std::uint64_t bytes() const { return buffer_.bytes(); }
+  const Buffer& buffer() const { return buffer_; }
+  void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, name_.id()); }
+  void bind_image(GLuint unit) const;
+
+ private:
+  Buffer buffer_;
+  GlName<&Gl::DeleteTextures> name_;
+  GLenum format_ = 0;
+};
+
+/// Colour attachments 0, 1, … in the order given, and a depth texture as the depth attachment; all
+/// of one size, which is the viewport where it is bound.
+class Framebuffer {
+ public:
+  struct Attachment {
+    const Texture& texture;
+    int layers = 0;  // of an array: how many …
+    int first = 0;   // … from this one
+  };
+
+  Framebuffer() = default;
+  Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachments);
+  /// Without attachments, for passes that only store.
+  Framebuffer(const Gl& gl, int width, int height);
+
+  GLuint id() const { return name_.id(); }
+  int attachments() const { return attachments_; }
+  /// Draws into the whole of it from here on.
+  void bind() const;
+  void clear(int index, const glm::vec4& texel) const;
+  /// Clears attachment `index` to `value` in every component.
+  void clear(int index, float value) const { clear(index, glm::vec4(value)); }
+  void clear_all(float value) const;
+  void clear_depth(float value) const;
+
+ private:
+  void check_complete() const;
+
+  GlName<&Gl::DeleteFramebuffers> name_;
+  int attachments_ = 0;
+  int width_ = 0, height_ = 0;
+};
+
+class VertexArray {
+ public:
+  explicit VertexArray(const Gl& gl);
+  GLuint id() const { return name_.id(); }
+  /// Buffer `binding` has `stride` bytes a vertex.
+  void source(GLuint binding, const Buffer& buffer, unsigned stride) const {
+    name_.gl().VertexArrayVertexBuffer(id(), binding, buffer.id(), 0, GLsizei(stride));
+  }
+  /// `count` floats at byte `offset` of each vertex of buffer `binding`.
+  void attribute(GLuint location, GLuint binding, int count, unsigned offset) const;
+
+ private:
+  GlName<&Gl::DeleteVertexArrays> name_;
+};
+
+/// Counts the fragments that pass between begin and end.
+class SampleQuery {
+ public:
+  explicit SampleQuery(const Gl& gl);
+  void begin() const;
+  std::uint64_t end() const;  // waits for the result
+
+ private:
+  GlName<&Gl::DeleteQueries> name_;
+};
+
+}  // namespace pellucid

@@ -1,0 +1,55 @@
+#include <GL/osmesa.h>
+
+#include "oit/gl/gl_platform.h"
+#include "oit/gl/shared_library.h"
+
+namespace pellucid {
+namespace {
+
+class OsmesaPlatform final : public GlPlatform {
+ public:
+  OsmesaPlatform() {
+    // A forward-looking profile has no multisampling unless a framebuffer asks for it.
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              5,
+                              OSMESA_DEPTH_BITS,
+                              0,
+                              OSMESA_STENCIL_BITS,
+                              0,
+                              0};
+    context_ = create_(attributes, nullptr);
+    if (!context_) throw WorkError("OSMesa offers no OpenGL 4.5 core context");
+  }
+  ~OsmesaPlatform() override { destroy_(context_); }
+
+  void make_current() override {
+    if (!make_current_(context_, pixel_, GL_UNSIGNED_BYTE, 1, 1))
+      throw WorkError("OSMesaMakeCurrent failed");
+  }
+  Function entry_point(const char* name) override { return get_(name); }
+
+ private:
+  SharedLibrary library_{"libOSMesa.so.8"};
+  decltype(&OSMesaCreateContextAttribs) create_ =
+      library_.function<decltype(&OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
+  decltype(&OSMesaDestroyContext) destroy_ =
+      library_.function<decltype(&OSMesaDestroyContext)>("OSMesaDestroyContext");
+  decltype(&OSMesaMakeCurrent) make_current_ =
+      library_.function<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+  decltype(&OSMesaGetProcAddress) get_ =
+      library_.function<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress");
+  OSMesaContext context_ = nullptr;
+  unsigned char pixel_[4] = {};  // OSMesa wants a default framebuffer; nothing is drawn into it
+};
+
+}  // namespace
+
+std::unique_ptr<GlPlatform> make_osmesa_platform() { return std::make_unique<OsmesaPlatform>(); }
+
+}  // namespace pellucid

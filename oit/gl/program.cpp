@@ -1,0 +1,108 @@
+#include "oit/gl/program.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "core/error.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+std::string_view shared_file(std::string_view path) {
+  for (const oit_glsl::File& file : oit_glsl::files())
+    if (file.path == path) return file.text();
+  throw WorkError(fmt::format("a shader includes the unknown file '{}'", path));
+}
+
+std::string complete(const FragmentText& source, const Defines& defines) {
+  std::string text = "#version 450 core\n";
+  for (const auto& [name, value] : defines) text += fmt::format("#define {} {}\n", name, value);
+  return text + expand_includes(source.body) + expand_includes(source.appended);
+}
+
+/// A compiled shader, deleted when the program that it is linked into is made.
+class Shader {
+ public:
+  Shader(const Gl& gl, GLenum stage, const std::string& text)
+      : gl_(gl), id_(gl.CreateShader(stage)) {
+    const char* begin = text.c_str();
+    gl.ShaderSource(id_, 1, &begin, nullptr);
+    gl.CompileShader(id_);
+    GLint good = 0;
+    gl.GetShaderiv(id_, GL_COMPILE_STATUS, &good);
+    if (!good) fail();
+  }
+  ~Shader() { gl_.DeleteShader(id_); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  GLuint id() const { return id_; }
+
+ private:
+  [[noreturn]] void fail() {
+    std::string log(4096, '\0');
+    gl_.GetShaderInfoLog(id_, GLsizei(log.size()), nullptr, log.data());
+    gl_.DeleteShader(id_);
+    throw WorkError(fmt::format("a shader does not compile: {}", log.c_str()));
+  }
+
+  const Gl& gl_;
+  GLuint id_;
+};
+
+void link(const Gl& gl, GLuint program) {
+  gl.LinkProgram(program);
+  GLint good = 0;
+  gl.GetProgramiv(program, GL_LINK_STATUS, &good);
+  if (good) return;
+  std::string log(4096, '\0');
+  gl.GetProgramInfoLog(program, GLsizei(log.size()), nullptr, log.data());
+  throw WorkError(fmt::format("a shader program does not link: {}", log.c_str()));
+}
+
+}  // namespace
+
+std::string expand_includes(std::string_view source) {
+  constexpr std::string_view directive = "#include \"";
+  std::string text;
+  for (std::size_t begin = 0; begin < source.size();) {
+    const std::size_t end = std::min(source.find('\n', begin), source.size() - 1) + 1;
+    const std::string_view line = source.substr(begin, end - begin);
+    if (line.starts_with(directive))
+      text += expand_includes(
+          shared_file(line.substr(directive.size(), line.rfind('"') - directive.size())));
+    else
+      text += line;
+    begin = end;
+  }
+  return text;
+}
+
+Program::Program(const GlContext& context, std::string_view vertex, const FragmentText& fragment,
+                 const Defines& defines)
+    : gl_(&context.gl()), id_(gl_->CreateProgram()) {
+  const Shader vertex_shader(*gl_, GL_VERTEX_SHADER, complete({vertex}, defines));
+  const Shader fragment_shader(*gl_, GL_FRAGMENT_SHADER, complete(fragment, defines));
+  gl_->AttachShader(id_, vertex_shader.id());
+  gl_->AttachShader(id_, fragment_shader.id());
+  link(*gl_, id_);
+}
+
+void Program::set(const char* name, float value) const {
+  gl_->ProgramUniform1f(id_, location(name), value);
+}
+void Program::set(const char* name, const glm::vec2& v) const {
+  gl_->ProgramUniform2f(id_, location(name), v.x, v.y);
+}
+void Program::set(const char* name, const glm::vec3& v) const {
+  gl_->ProgramUniform3f(id_, location(name), v.x, v.y, v.z);
+}
+void Program::set(const char* name, int value) const {
+  gl_->ProgramUniform1i(id_, location(name), value);
+}
+void Program::set(const char* name, std::uint32_t value) const {
+  gl_->ProgramUniform1ui(id_, location(name), value);
+}
+
+}  // namespace pellucid

@@ -1,4 +1,0 @@
-// Counted by the query around this pass.
-#include "fragment.glsl"
-
-void main() { fragment(); }

@@ -1,0 +1,106 @@
+#include "oit/lists/fragment_lists.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+// llvmpipe silently ends the loops of a shader after 65535 iterations in all.
+// Sorting and consuming takes about 6 for each layer: up to here one pass does
+// it all …
+constexpr std::uint32_t most_layers_at_once = 4096;
+// … and deeper pixels take a pass for each level of a merge sort, at a quarter
+// of an iteration for each layer.
+constexpr std::uint32_t most_layers = 250'000;
+
+}  // namespace
+
+FragmentLists::Consumer::Consumer(const Stage& stage, Defines defines)
+    : stage_(stage),
+      defines_(std::move(defines)),
+      resolve_(stage.screen_program(oit_glsl::list_resolve_frag_glsl(), defines_)) {}
+
+const FragmentLists::Consumer::LongListPrograms& FragmentLists::Consumer::long_lists() {
+  if (!long_lists_) {
+    long_lists_.emplace(stage_.screen_program(oit_glsl::list_sort_frag_glsl(), defines_),
+                        stage_.screen_program(oit_glsl::list_merge_frag_glsl()),
+                        stage_.screen_program(oit_glsl::list_blend_frag_glsl(), defines_));
+    long_lists_->sort.set("most_layers", int(most_layers_at_once));
+  }
+  return *long_lists_;
+}
+
+FragmentLists::FragmentLists(Stage& stage, std::string_view method)
+    : stage_(stage),
+      method_(method),
+      heads_(stage.target("list heads", GL_R32UI)),
+      node_count_(stage.gl(), sizeof(std::uint32_t)),
+      longest_(stage.gl(), sizeof(std::uint32_t)),
+      no_targets_(stage.gl(), stage.width(), stage.height()),
+      query_(stage.gl()),
+      count_(stage.geometry_program(oit_glsl::list_count_frag_glsl())) {
+  stage.record("counters", node_count_.bytes() + longest_.bytes());
+}
+
+void FragmentLists::reserve() {
+  stage_.begin_pass(no_targets_, {Blend::replace});
+  query_.begin();
+  stage_.draw_geometry(count_);
+  const std::uint64_t fragments = query_.end();
+  if (fragments == pool_.nodes && reserved()) return;
+  pool_ = {};  // the old pool is gone before the new one is there
+  pool_ = make_fragment_pool(stage_.gl(), method_, fragments);
+  stage_.record("list nodes", pool_.bytes());
+}
+
+void FragmentLists::build(const GeometryProgram& program) const {
+  heads_.clear(0);
+  node_count_.clear(0);
+  heads_.bind_image(0);
+  pool_.bind();
+  node_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
+  stage_.begin_pass(no_targets_, {Blend::replace});
+  stage_.draw_geometry(program);
+  finish_stores();
+}
+
+void FragmentLists::consume(Consumer& consumer, const Framebuffer& target) const {
+  longest_.clear(0);
+  longest_.bind_base(GL_SHADER_STORAGE_BUFFER, 0);
+  stage_.begin_pass(target, {Blend::replace});
+  stage_.draw_screen(consumer.resolve_);
+  finish_stores();
+  if (const std::uint32_t longest = longest_.read_word(0)) consume_long(longest, consumer, target);
+}
+
+void FragmentLists::consume_long(std::uint32_t longest, Consumer& consumer,
+                                 const Framebuffer& target) const {
+  if (longest > most_layers)
+    throw WorkError(fmt::format("{}: a pixel has {} layers or more; sorted are at most {}", method_,
+                                longest, most_layers));
+  const Consumer::LongListPrograms& programs = consumer.long_lists();
+  stage_.draw_screen(programs.sort);
+  finish_stores();
+  if (longest > most_layers_at_once) consume_deep(longest, programs, target);
+}
+
+void FragmentLists::consume_deep(std::uint32_t longest, const Consumer::LongListPrograms& programs,
+                                 const Framebuffer& target) const {
+  stage_.begin_pass(no_targets_, {Blend::replace});
+  for (std::uint32_t length = 1; length < longest; length *= 2) {
+    programs.merge.set("length_of_runs", int(length));
+    stage_.draw_screen(programs.merge);
+    finish_stores();
+  }
+  stage_.begin_pass(target, {Blend::replace});
+  stage_.draw_screen(programs.blend);
+}
+
+void FragmentLists::finish_stores() const {
+  stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "oit/lists/fragment_pool.h"
+#include "oit/stage/stage.h"
+
+namespace pellucid {
+
+/// Every fragment of a pixel in a list, sorted: see oit/methods/lists/linked_list.h. What
+/// is done with the sorted ones, front to back, is list_consumer.glsl's.
+class FragmentLists {
+ public:
+  /// The screen passes that sort and consume.
+  class Consumer {
+   public:
+    Consumer(const Stage& stage, Defines defines);
+    bool has_long_lists() const { return long_lists_.has_value(); }
+
+   private:
+    friend FragmentLists;
+    const Stage& stage_;
+    Defines defines_;
+    Program resolve_;
+    struct LongListPrograms {
+      Program sort, merge, blend;
+    };
+    const LongListPrograms& long_lists();
+    std::optional<LongListPrograms> long_lists_;
+  };
+
+  /// `method` for messages.
+  FragmentLists(Stage& stage, std::string_view method);
+
+  /// Counts the fragments and makes a place for each. Throws WorkError where
+  /// the driver has none.
+  void reserve();
+  std::uint64_t fragments() const { return pool_.nodes; }
+  bool reserved() const { return pool_.links.bytes() > 0; }
+  /// By a shader that calls append_fragment() of list_append.glsl for every
+  /// fragment.
+  void build(const GeometryProgram& program) const;
+  /// Empties the lists. Draws into `target`.
+  void consume(Consumer& consumer, const Framebuffer& target) const;
+
+ private:
+  void consume_long(std::uint32_t longest, Consumer& consumer, const Framebuffer& target) const;
+  void consume_deep(std::uint32_t longest, const Consumer::LongListPrograms& programs,
+                    const Framebuffer& target) const;
+  void finish_stores() const;
+
+  Stage& stage_;
+  std::string_view method_;
+  Texture heads_;
+  Buffer node_count_, longest_;
+  FragmentPool pool_;
+  Framebuffer no_targets_;
+  SampleQuery query_;
+  GeometryProgram count_;
+};
+
+/// Layers that are sorted in registers: RUN of list_sort.glsl.
+inline constexpr int most_layers_in_registers = 16;
+
+}  // namespace pellucid

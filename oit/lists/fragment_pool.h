@@ -1,0 +1,28 @@
+#pragma once
+
+#include "oit/gl/gl_objects.h"
+
+namespace pellucid {
+
+/// Places for the nodes of per-pixel lists (fragment_list.glsl), in texture buffers: a storage
+/// block ends at 128 MiB.
+struct FragmentPool {
+  std::uint64_t nodes = 0;  // without node 0, which ends a list
+  BufferTexture links, colors;
+
+  std::uint64_t bytes() const { return links.bytes() + colors.bytes(); }
+  void bind() const {
+    links.bind_image(1);
+    colors.bind_image(2);
+  }
+};
+
+/// Throws WorkError "METHOD: …" when the driver's largest texture buffer holds fewer.
+FragmentPool make_fragment_pool(const Gl& gl, std::string_view method, std::uint64_t nodes);
+
+/// Throws WorkError "METHOD: the picture has COUNT WHAT, …" when that is more than a texture buffer
+/// holds, texel 0 aside.
+void check_texel_count(const Gl& gl, std::string_view method, std::uint64_t count,
+                       std::string_view what);
+
+}  // namespace pellucid

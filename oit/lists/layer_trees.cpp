@@ -1,0 +1,141 @@
+#include "oit/lists/layer_trees.h"
+
+#include "core/error.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+// llvmpipe silently ends the loops of a shader after 65535 iterations, counted over all 8 pixels
+// that it runs at once: what a pixel may take of them before it waits for the next pass.
+constexpr int most_steps = 4000;
+
+/// Makes room for `bytes`; what is there stays.
+void grow(const Gl& gl, GLenum format, std::uint64_t bytes, BufferTexture& texture) {
+  BufferTexture larger(gl, format, bytes);
+  if (texture.bytes() > 0)
+    gl.CopyNamedBufferSubData(texture.buffer().id(), larger.buffer().id(), 0, 0,
+                              GLsizeiptr(texture.bytes()));
+  texture = std::move(larger);
+}
+
+}  // namespace
+
+LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
+    : stage_(stage),
+      heads_(stage.target("list heads", GL_R32UI)),
+      trees_(stage.target("trees", GL_RG32UI)),
+      fragment_count_(stage.gl(), sizeof(std::uint32_t)),
+      layer_count_(stage.gl(), sizeof(std::uint32_t)),
+      unfinished_(stage.gl(), sizeof(std::uint32_t)),
+      pool_(make_fragment_pool(stage.gl(), "tree", 0)),
+      no_targets_(stage.gl(), stage.width(), stage.height()),
+      build_(stage.geometry_program(oit_glsl::list_build_frag_glsl())),
+      insert_(stage.screen_program(oit_glsl::tree_insert_frag_glsl())),
+      composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl())) {
+  stage.record("counters", fragment_count_.bytes() + layer_count_.bytes() + unfinished_.bytes());
+  insert_.set("epsilon2", rule.epsilon2);
+  insert_.set("first_met", int(rule.first_met));
+  insert_.set("most_steps", most_steps);
+  reserve(1);
+}
+
+void LayerTrees::clear() {
+  trees_.clear(0);
+  layer_count_.clear(0);
+  frame_fragments_ = fragments_ = layers_ = 0;
+}
+
+// The fragments are not counted first: a pool that was too small grows, and the pass is drawn once
+// more. What did not fit was only counted.
+void LayerTrees::rasterize(const Geometry& geometry, bool crossings) {
+  crossings_ = crossings;
+  for (;;) {
+    heads_.clear(0);
+    fragment_count_.clear(0);
+    heads_.bind_image(0);
+    pool_.bind();
+    fragment_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
+    stage_.begin_pass(no_targets_, {Blend::replace});
+    stage_.draw_geometry(build_, geometry);
+    finish_stores();
+    frame_fragments_ = fragment_count_.read_word(0);
+    if (frame_fragments_ <= pool_.nodes) break;
+    const std::uint64_t nodes = frame_fragments_ + frame_fragments_ / 4;
+    pool_ = {};  // the old pool is gone before the new one is there
+    pool_ = make_fragment_pool(stage_.gl(), "tree", nodes);
+    stage_.record("list nodes", pool_.bytes());
+  }
+  fragments_ += frame_fragments_;
+}
+
+void LayerTrees::reserve(std::uint64_t layers) {
+  if (layers <= capacity_) return;
+  check_texel_count(stage_.gl(), "tree", layers, "layers and fragments");
+  // By half, so that all growing together copies a layer three times at most.
+  capacity_ = std::max(layers, capacity_ + capacity_ / 2);
+  const std::uint64_t n = capacity_ + 1;
+  grow(stage_.gl(), GL_RGBA32UI, 16 * n, nodes_);
+  grow(stage_.gl(), GL_RG32UI, 8 * n, links_);
+  grow(stage_.gl(), GL_RGBA32F, 16 * n, colors_);
+  stage_.record("layers", nodes_.bytes() + links_.bytes() + colors_.bytes());
+}
+
+void LayerTrees::insert() {
+  reserve(layers_ + frame_fragments_);
+  heads_.bind_image(0);
+  pool_.bind();
+  bind();
+  layer_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
+  insert_.set("crossings", int(crossings_));
+  stage_.begin_pass(no_targets_, {Blend::replace});
+  do {
+    unfinished_.clear(0);
+    stage_.draw_screen(insert_);
+    finish_stores();
+  } while (unfinished_.read_word(0) > 0);
+  layers_ = layer_count_.read_word(0);
+}
+
+void LayerTrees::composite(const Framebuffer& picture) const {
+  unfinished_.clear(0);
+  bind();
+  stage_.begin_pass(picture, {Blend::replace});
+  stage_.draw_screen(composite_);
+  finish_stores();
+  if (unfinished_.read_word(0) > 0)
+    throw WorkError("tree: a pixel has more than 500000 layers; draw a smaller picture");
+}
+
+void LayerTrees::bind() const {
+  trees_.bind_image(3);
+  nodes_.bind_image(4);
+  links_.bind_image(5);
+  colors_.bind_image(6);
+  unfinished_.bind_base(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+void LayerTrees::finish_stores() const {
+  stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+// Counts in float are exact up to 2^24 layers.
+LayerTrees::Counts LayerTrees::count() const {
+  const Texture target(stage_.gl(), GL_RG32F, stage_.width(), stage_.height());
+  const Framebuffer framebuffer(stage_.gl(), {{target}});
+  const Program program = stage_.screen_program(oit_glsl::tree_count_frag_glsl());
+  bind();
+  stage_.begin_pass(framebuffer, {Blend::replace});
+  stage_.draw_screen(program);
+  std::vector<glm::vec2> pixels(stage_.pixel_count());
+  target.read(GL_RG, GL_FLOAT, pixels.size() * sizeof pixels[0], pixels.data());
+  Counts counts{CountImage(stage_.width(), stage_.height()), 0, 0};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    counts.layers.pixels[i] = std::uint32_t(pixels[i].x);
+    counts.out_of_order += std::uint64_t(pixels[i].y);
+    counts.pixels_out_of_order += pixels[i].y > 0;
+  }
+  return counts;
+}
+
+}  // namespace pellucid

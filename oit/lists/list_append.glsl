@@ -1,0 +1,12 @@
+// Building the lists. After fragment.glsl.
+#include "oit/lists/fragment_list.glsl"
+
+layout(binding = 0) uniform atomic_uint node_count;
+
+// `content`: straight colour and opacity, or what list_consumer.glsl finds in their place.
+void append_fragment(Fragment f, vec4 content) {
+  int node = int(atomicCounterIncrement(node_count)) + 1;
+  uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
+  imageStore(nodes, node, uvec4(next, floatBitsToUint(f.depth), primitive_order(), 0u));
+  imageStore(colors, node, content);
+}

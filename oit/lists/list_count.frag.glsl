@@ -1,0 +1,4 @@
+// Counted by the query around this pass.
+#include "oit/shapes/fragment.glsl"
+
+void main() { fragment(); }

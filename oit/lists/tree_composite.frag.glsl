@@ -1,0 +1,22 @@
+// Composites every pixel's layers from front to back. A pixel of so many that llvmpipe ends its
+// loop (after 65535 iterations, without an error) is counted.
+#include "oit/stage/composite.glsl"
+#include "oit/stage/front_to_back.glsl"
+#include "oit/lists/layer_nodes.glsl"
+
+layout(binding = 0) buffer Unfinished { uint unfinished; };
+
+#define REPEAT8(X) X X X X X X X X
+
+void main() {
+  Composite c = nothing;
+  uint id = load_tree(ivec2(gl_FragCoord.xy)).first;
+  while (id != 0u) {
+    REPEAT8(if (id != 0u) {
+      add_layer(c, imageLoad(layer_colors, int(id)));
+      id = load_next(id);
+    })
+  }
+  if (id != 0u) atomicAdd(unfinished, 1u);
+  picture = over(c, behind());
+}

@@ -1,0 +1,53 @@
+// Puts the fragments of every pixel's list into its tree, and takes them out of the list; a pixel
+// of many stops early and is counted.
+#include "oit/lists/fragment_list.glsl"
+#include "oit/lists/layer_nodes.glsl"
+
+layout(binding = 0) uniform atomic_uint layer_count;
+layout(binding = 0) buffer Unfinished { uint unfinished; };
+
+uniform float epsilon2;
+uniform bool crossings;   // the lists hold crossings of meshes
+uniform bool first_met;
+uniform int most_steps;
+
+void merge(uint id, float depth, vec4 color) {
+  uint count = load_count(id) + 1u;
+  store_count(id, count);
+  imageStore(layer_colors, int(id),
+             running_mean(imageLoad(layer_colors, int(id)), color, float(count)));
+  Layer layer = load_layer(id);
+  layer.depth = running_mean(layer.depth, depth, float(count));
+  store_layer(id, layer);
+}
+
+Tree add(Tree tree, Entry entry, Place place, vec4 color) {
+  uint id = atomicCounterIncrement(layer_count) + 1u;
+  tree = insert_layer(tree, entry, place, id);
+  store_count(id, crossings ? entry.order : 1u);
+  imageStore(layer_colors, int(id), color);
+  return tree;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint fragment = imageLoad(heads, pixel).r;
+  if (fragment == 0u) discard;
+  Tree tree = load_tree(pixel);
+  for (int steps = 0; fragment != 0u && steps < most_steps;) {
+    uvec4 texel = imageLoad(nodes, int(fragment));
+    vec4 color = imageLoad(colors, int(fragment));
+    fragment = texel.x;
+    Entry entry = Entry(uintBitsToFloat(texel.y), crossings, crossings ? texel.z : 0u);
+    Place place = find_place(tree, entry, epsilon2, first_met);
+    if (place.nearest != 0u)
+      merge(place.nearest, entry.depth, color);
+    else
+      tree = add(tree, entry, place, color);
+    // The search, as many steps at most to split, and this.
+    steps += 2 * place.steps + 1;
+  }
+  store_tree(pixel, tree);
+  imageStore(heads, pixel, uvec4(fragment));
+  if (fragment != 0u) atomicAdd(unfinished, 1u);
+}

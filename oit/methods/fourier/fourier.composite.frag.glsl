@@ -1,0 +1,17 @@
+#include "oit/stage/composite.glsl"
+#include "oit/optical_depth/optical_depth.glsl"
+
+layout(binding = 0) uniform sampler2DArray coefficients;
+layout(binding = 1) uniform sampler2D sums;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 sum = texelFetch(sums, pixel, 0);
+  float tau = 0.5 * texelFetch(coefficients, ivec3(pixel, 0), 0).r;  // Eq. 18
+  float alpha = opacity(tau);
+#if NORMALIZE
+  composite_mean(sum, alpha);  // Eq. 19
+#else
+  picture = vec4(sum.rgb, alpha) + (1.0 - alpha) * behind();  // Eq. 15
+#endif
+}

@@ -1,9 +1,0 @@
-// Inserts the depth: a place keeps the smaller of two, the larger goes on to the next.
-#include "fragment.glsl"
-#include "k_nearest.glsl"
-
-void main() {
-  uint d = floatBitsToUint(fragment().depth);
-  for (int i = 0; i < LAYERS && d != EMPTY; ++i)
-    d = max(d, imageAtomicMin(depths, ivec3(gl_FragCoord.xy, i), d));
-}

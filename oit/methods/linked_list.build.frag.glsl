@@ -1,7 +1,0 @@
-#include "fragment.glsl"
-#include "list_append.glsl"
-
-void main() {
-  Fragment f = fragment();
-  append_fragment(f, vec4(f.color, f.alpha));
-}

@@ -1,0 +1,10 @@
+#include "oit/shapes/element.glsl"
+#include "oit/shapes/fragment.glsl"
+#include "oit/lists/list_append.glsl"
+
+void main() {
+  Fragment f = fragment();
+  // A float holds 24 bits of the element's number.
+  int e = element();
+  append_fragment(f, vec4(importance(), e / 65536, e % 65536, 0.0));
+}

@@ -1,0 +1,13 @@
+#include "oit/stage/composite.glsl"
+#include "oit/methods/mlab/alpha_layers.glsl"
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  Layer sum = Layer(0u, vec4(0.0, 0.0, 0.0, 1.0));
+  for (int i = 0; i < LAYERS; ++i) {
+    Layer layer = load_layer(pixel, i);
+    if (is_empty(layer)) break;
+    sum = over(sum, layer);
+  }
+  picture = vec4(sum.color.rgb, 1.0 - sum.color.a) + sum.color.a * behind();
+}

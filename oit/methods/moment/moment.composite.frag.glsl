@@ -1,0 +1,10 @@
+#include "oit/stage/composite.glsl"
+#include "oit/optical_depth/optical_depth.glsl"
+
+layout(binding = 0) uniform sampler2D total;
+layout(binding = 1) uniform sampler2D sums;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  composite_mean(texelFetch(sums, pixel, 0), opacity(texelFetch(total, pixel, 0).r));
+}

@@ -1,0 +1,10 @@
+#include "oit/stage/composite.glsl"
+
+layout(binding = 0) uniform sampler2D front;
+layout(binding = 1) uniform sampler2D back;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 near = texelFetch(front, pixel, 0), far = texelFetch(back, pixel, 0);
+  picture = near + (1.0 - near.a) * (far + (1.0 - far.a) * behind());
+}

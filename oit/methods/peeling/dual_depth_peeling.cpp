@@ -1,0 +1,130 @@
+#include "oit/methods/peeling/dual_depth_peeling.h"
+
+#include <limits>
+
+#include "oit/stage/oit_renderer.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+class DualDepthPeeling final : public OitMethod {
+ public:
+  DualDepthPeeling(Stage& stage, const Parameters& parameters)
+      : stage_(stage),
+        most_peels_(parameters.is_set("peels") ? std::uint64_t(parameters.integer("peels"))
+                                               : std::numeric_limits<std::uint64_t>::max() / 2),
+        left_(stage.target("last peeled keys", GL_RGBA32UI)),
+        ends_(stage.target("nearest and farthest key", GL_RGBA32UI)),
+        locks_(stage.target("locks", GL_R32UI)),
+        nearest_(stage.target("nearest layer", GL_RGBA32F)),
+        farthest_(stage.target("farthest layer", GL_RGBA32F)),
+        front_(stage.target("layers from the front", GL_RGBA32F)),
+        back_(stage.target("layers from the back", GL_RGBA32F)),
+        no_targets_(stage.gl(), stage.width(), stage.height()),
+        sums_target_(stage.gl(), {{front_}, {back_}, {left_}}),
+        query_(stage.gl()),
+        peel_(stage.geometry_program(oit_glsl::dual_depth_peeling_peel_frag_glsl())),
+        add_(stage.screen_program(oit_glsl::dual_depth_peeling_add_frag_glsl())),
+        composite_(stage.screen_program(oit_glsl::dual_depth_peeling_composite_frag_glsl())) {}
+
+  void draw(Frame& frame) override {
+    frame.step("clear", [&] {
+      sums_target_.clear(0, 0);
+      sums_target_.clear(1, 0);
+      left_.clear(0);
+      locks_.clear(0);
+    });
+    bool some_left = true;
+    for (std::uint64_t peel = 0; peel < most_peels_ && some_left; ++peel) {
+      frame.step("peel", [&] { some_left = peel_ends(); });
+      if (some_left) frame.step("add", [&] { add_ends(); });
+    }
+    frame.step("composite", [&] {
+      front_.bind(0);
+      back_.bind(1);
+      stage_.begin_pass(frame.picture(), {Blend::replace});
+      stage_.draw_screen(composite_);
+    });
+    if (some_left) frame.stats().dropped = count_left();
+  }
+
+  void account(const CountImage& crossings, RenderStats& stats) const override {
+    for (const std::uint32_t n : crossings.pixels) {
+      stats.stored += std::min<std::uint64_t>(n, 2 * most_peels_);
+      stats.truncated += n > 2 * most_peels_;
+    }
+  }
+
+ private:
+  bool peel_ends() const {
+    ends_.clear(0);
+    ends_.bind_image(0);
+    nearest_.bind_image(1);
+    farthest_.bind_image(2);
+    locks_.bind_image(7);
+    const bool found = draw_left(peel_) > 0;
+    stage_.gl().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    return found;
+  }
+
+  std::uint64_t count_left() const {
+    return draw_left(stage_.geometry_program(oit_glsl::dual_depth_peeling_peel_frag_glsl(),
+                                             {{"COUNT_LEFT", 1}}));
+  }
+
+  // Returns how many fragments passed.
+  std::uint64_t draw_left(const GeometryProgram& program) const {
+    left_.bind(0);
+    stage_.begin_pass(no_targets_, {Blend::replace});
+    query_.begin();
+    stage_.draw_geometry(program);
+    return query_.end();
+  }
+
+  void add_ends() const {
+    ends_.bind(0);
+    nearest_.bind(1);
+    farthest_.bind(2);
+    stage_.begin_pass(sums_target_, {Blend::under, Blend::over, Blend::replace});
+    stage_.draw_screen(add_);
+  }
+
+  const Stage& stage_;
+  std::uint64_t most_peels_;
+  Texture left_, ends_, locks_, nearest_, farthest_, front_, back_;
+  Framebuffer no_targets_, sums_target_;
+  SampleQuery query_;
+  GeometryProgram peel_;
+  Program add_, composite_;
+};
+
+constexpr ParameterSpec parameters[] = {
+    {.name = "peels",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "",
+     .min = 1,
+     .max = 1e6,
+     .unit = "passes",
+     .help = "budget of passes, two layers each; not set: all layers"}};
+
+}  // namespace
+
+const MethodRow& dual_depth_peeling_method() {
+  static constexpr MethodRow row{
+      .name = "dual-depth-peeling",
+      .title = "Dual depth peeling",
+      .citation =
+          "Bavoil and Myers 2008, Order independent transparency with dual depth peeling, NVIDIA",
+      .equations = "none; the peeling of both sides in one pass, by keys in place of depths",
+      .parameters = parameters,
+      .promises = {.exact = true,
+                   .order_independent = true,
+                   .convex_hull = true,
+                   .fixed_memory = true},
+      .bytes_per_pixel = "100",
+      .make = make_oit<DualDepthPeeling>};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,158 @@
+#include "oit/methods/tree/surface_strips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/parallel.h"
+#include "integrators/front/front_particle.h"
+#include "integrators/front/surface_parameters.h"
+
+namespace pellucid {
+namespace {
+
+// Pixels between two vertices of a line: the chord of a circle of radius r pixels is 1.1 / r off.
+constexpr double step = 3;
+
+SurfaceRequest request_of(const FlowSource& source) {
+  return {source.field.get(), source.seed, source.duration, source.start_time, source.path, {}};
+}
+
+/// How far lines with seeds at a distance of 1 are apart across the flow, world units.
+double separation_across(const FrontPoint& point) {
+  const Vec3& w = point.flow.w;
+  return glm::length(w - glm::dot(w, point.direction) * point.direction);
+}
+
+/// A strip while it grows.
+class StripBuilder {
+ public:
+  StripBuilder(double s, bool with_normals) : s_(s), with_normals_(with_normals) {}
+
+  void add(const FrontPoint& point, double time, double half_width) {
+    // Where the surface has no normal, or the flow stands, it goes on as before.
+    const Vec3 across = glm::cross(point.normal, point.direction);
+    if (across != Vec3(0)) across_ = across, normal_ = point.normal;
+    if (across_ == Vec3(0)) return;
+    for (const double side : {-1., 1.})
+      add(point.flow.x + side * half_width * across_, point, time);
+    const auto n = std::uint32_t(mesh_.positions.size());
+    if (n < 4) return;
+    mesh_.triangles.push_back({n - 4, n - 3, n - 1});
+    mesh_.triangles.push_back({n - 4, n - 1, n - 2});
+  }
+
+  TriangleMesh take() { return std::move(mesh_); }
+
+ private:
+  void add(const Vec3& x, const FrontPoint& point, double time) {
+    mesh_.positions.push_back(x);
+    if (with_normals_) mesh_.normals.push_back(normal_);
+    mesh_.scalars["s"].push_back(s_);
+    mesh_.scalars["t"].push_back(point.t);
+    mesh_.scalars["time"].push_back(time);
+    mesh_.scalars["speed"].push_back(point.speed);
+  }
+
+  double s_;
+  bool with_normals_;
+  Vec3 across_{0}, normal_{0};
+  TriangleMesh mesh_;
+};
+
+void append(const TriangleMesh& part, TriangleMesh& whole) {
+  const auto base = std::uint32_t(whole.positions.size());
+  const auto add = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  add(part.positions, whole.positions);
+  add(part.normals, whole.normals);
+  add(part.colors, whole.colors);
+  for (const auto& [a, b, c] : part.triangles)
+    whole.triangles.push_back({base + a, base + b, base + c});
+}
+
+}  // namespace
+
+SurfaceStrips::SurfaceStrips(const FlowSource& source, const Scene& scene, const DepthRange& range,
+                             const StripOptions& options)
+    : source_(source),
+      options_(options),
+      frame_(camera_frame(scene.camera)),
+      projection_(scene.camera.projection),
+      half_width_(half_height(scene.camera) * scene.width / scene.height),
+      half_height_(half_height(scene.camera)),
+      pixel_(2 * half_height_ / scene.height),
+      nearest_(0.01 * range.far),
+      lit_(scene.lighting != Lighting::none),
+      request_(request_of(source)),
+      integration_(surface_options(request_, Parameters("tree", surface_parameters, {}))),
+      particles_(request_, integration_) {
+  if (options.by_separation) seeds_ = LineSeeds([&](double s) { return largest_separation(s); });
+}
+
+double SurfaceStrips::pixel_size(const Vec3& x) const {
+  if (projection_ == Projection::orthographic) return pixel_;
+  return pixel_ * std::max(view_depth(frame_, x), nearest_);
+}
+
+bool SurfaceStrips::is_in_picture(const Vec3& x) const {
+  const Vec3 p = x - frame_.eye;
+  const double z = glm::dot(frame_.forward, p);
+  const double scale = projection_ == Projection::orthographic ? 1 : z;
+  return z > 0 && std::abs(glm::dot(frame_.right, p)) <= scale * half_width_ &&
+         std::abs(glm::dot(frame_.up, p)) <= scale * half_height_;
+}
+
+/// Calls visit(point, world units a pixel there) along a line.
+template <class Visit>
+void SurfaceStrips::follow(double s, Visit&& visit) {
+  FieldSampler& sampler = particles_.sampler();
+  Trajectory path = particles_.start(s);
+  const double longest = source_.duration / 20;
+  for (double t = 0; path.exists();) {
+    const FrontPoint point = front_point(path, t);
+    const double pixel = pixel_size(point.flow.x);
+    visit(point, pixel);
+    path.release(t);
+    const double wanted = t + std::min(step * pixel / point.speed, longest);
+    path.reach(wanted, sampler);
+    const double next = std::min(wanted, path.time());
+    if (!(next > t)) break;
+    t = next;
+  }
+}
+
+/// Where the line is in the picture, in pixels.
+double SurfaceStrips::largest_separation(double s) {
+  double largest = 0;
+  follow(s, [&](const FrontPoint& point, double pixel) {
+    if (is_in_picture(point.flow.x)) largest = std::max(largest, separation_across(point) / pixel);
+  });
+  return largest;
+}
+
+TriangleMesh SurfaceStrips::line(const LineSeeds::Seed& seed) {
+  StripBuilder strip(seed.s, lit_);
+  // In s; see LineSeeds.
+  const double gap = LineSeeds::largest_gap / (double(options_.lines) * seed.density);
+  follow(seed.s, [&](const FrontPoint& point, double pixel) {
+    const double width = std::clamp(gap * separation_across(point), options_.width * pixel,
+                                    std::max(options_.width, options_.widest) * pixel);
+    strip.add(point, source_.start_time + point.t, 0.5 * width);
+  });
+  TriangleMesh mesh = strip.take();
+  apply_appearance(source_.appearance, mesh);
+  return mesh;
+}
+
+TriangleMesh SurfaceStrips::lines(std::uint64_t first, std::uint64_t count) {
+  std::vector<TriangleMesh> strips(count);
+  parallel_for(std::uint64_t(0), count,
+               [&](std::uint64_t i) { strips[i] = line(seeds_.seed(first + i)); });
+  TriangleMesh all;
+  for (const TriangleMesh& strip : strips) append(strip, all);
+  return all;
+}
+
+}  // namespace pellucid

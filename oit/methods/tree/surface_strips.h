@@ -1,0 +1,55 @@
+#pragma once
+
+#include "integrators/front/surface_particles.h"
+#include "integrators/lines/line_seeds.h"
+#include "scene/scene.h"
+#include "scene/view_depth.h"
+
+namespace pellucid {
+
+struct StripOptions {
+  double width = 1;             // pixels, at each point's view depth
+  double widest = 16;           // pixels: a strip widens so far to reach the next lines
+  std::uint64_t lines = 15000;  // that there will be, for the distance between them
+  bool by_separation = true;    // more lines where they part; otherwise evenly spread
+};
+
+/// The lines that the particles of a seed curve draw on their surface, each as a strip that lies in
+/// the surface's own tangent plane: it is spanned by the velocity v and by ∂x/∂s, which the
+/// variational equation carries along. Where a strip covers a pixel's centre, its depth there is
+/// the surface's up to the surface's bending within half a strip; a strip that faced the eye would
+/// be off by the surface's slope.
+///
+/// Lines of any numbers can be made in any order and always come out the same.
+class SurfaceStrips {
+ public:
+  /// What it is given has to outlive it.
+  SurfaceStrips(const FlowSource& source, const Scene& scene, const DepthRange& range,
+                const StripOptions& options);
+
+  /// Lines first … first + count - 1 of LineSeeds.
+  TriangleMesh lines(std::uint64_t first, std::uint64_t count);
+
+ private:
+  template <class Visit>
+  void follow(double s, Visit&& visit);
+  TriangleMesh line(const LineSeeds::Seed& seed);
+  double largest_separation(double s);
+  double pixel_size(const Vec3& x) const;
+  bool is_in_picture(const Vec3& x) const;
+
+  const FlowSource& source_;
+  StripOptions options_;
+  CameraFrame frame_;
+  Projection projection_;
+  double half_width_, half_height_;  // of the picture, world units; perspective: at distance 1
+  double pixel_;                     // likewise, of a pixel
+  double nearest_;  // view depths below this count as this: steps stay finite at the eye
+  bool lit_;
+  SurfaceRequest request_;
+  SurfaceOptions integration_;
+  ParticleSource particles_;
+  LineSeeds seeds_;
+};
+
+}  // namespace pellucid

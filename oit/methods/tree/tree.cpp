@@ -1,0 +1,247 @@
+#include "oit/methods/tree/tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "oit/lists/layer_trees.h"
+#include "oit/methods/tree/surface_strips.h"
+#include "oit/stage/oit_renderer.h"
+
+namespace pellucid {
+namespace {
+
+/// When the frames end: at the first of these.
+struct Budget {
+  std::uint64_t lines;
+  std::uint64_t lines_per_frame;
+  double frames;   // infinite: not limited
+  double seconds;  // likewise
+  double change;   // root mean square over RGB between two frames' pictures; 0: not asked for
+};
+
+Budget budget_of(const Parameters& p) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  return {std::uint64_t(p.integer("lines")), std::uint64_t(p.integer("lines-per-frame")),
+          p.is_set("frames") ? p.integer("frames") : endless,
+          p.is_set("seconds") ? p.real("seconds") : endless,
+          p.is_set("change") ? p.real("change") : 0};
+}
+
+/// The scene with these objects alone.
+Scene with_objects(const Scene& scene, std::vector<SceneObject> objects) {
+  Scene part;
+  part.width = scene.width;
+  part.height = scene.height;
+  part.camera = scene.camera;
+  part.lighting = scene.lighting;
+  part.objects = std::move(objects);
+  return part;
+}
+
+double rms_difference(const Image& a, const Image& b) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Vec3 d = Vec3(a.pixels[i]) - Vec3(b.pixels[i]);
+    squares += glm::dot(d, d);
+  }
+  return std::sqrt(squares / (3. * double(a.pixels.size())));
+}
+
+class Tree final : public OitMethod {
+ public:
+  Tree(Stage& stage, const Parameters& parameters)
+      : stage_(stage),
+        budget_(budget_of(parameters)),
+        range_(depth_range(stage.scene())),
+        trees_(stage, {float(parameters.real("epsilon2")), parameters.text("merge") == "first"}) {
+    std::vector<SceneObject> meshes;
+    std::vector<const FlowSource*> sources;
+    for (const SceneObject& object : stage.scene().objects)
+      if (object.opaque)
+        continue;  // the stage draws it
+      else if (object.source)
+        sources.push_back(&*object.source);
+      else
+        meshes.push_back(object);
+    for (const FlowSource* source : sources)
+      strips_.push_back(std::make_unique<SurfaceStrips>(
+          *source, stage.scene(), range_,
+          StripOptions{parameters.real("line-width"), parameters.real("widest"),
+                       std::max<std::uint64_t>(budget_.lines / sources.size(), 1),
+                       parameters.text("seeding") == "separation"}));
+    if (!meshes.empty())
+      meshes_.emplace(stage.gl(), with_objects(stage.scene(), std::move(meshes)), range_);
+  }
+
+  void draw(Frame& frame) override {
+    trees_.clear();
+    if (meshes_) {
+      frame.step("rasterize", [&] { trees_.rasterize(*meshes_, true); });
+      frame.step("insert", [&] { trees_.insert(); });
+    }
+    if (strips_.empty())
+      composite(frame);
+    else
+      draw_lines(frame);
+    frame.stats().fragments = trees_.fragments();
+    frame.stats().stored = trees_.layers();
+  }
+
+  std::optional<CountImage> count_layers() override {
+    counts_ = trees_.count();
+    return counts_->layers;
+  }
+
+  std::vector<std::string> explain() const override {
+    std::vector<std::string> lines = {
+        strips_.empty() ? "lines: left out, no object was integrated from a seed curve"
+                        : fmt::format("lines: of {} surfaces, at most {}, {} a frame",
+                                      strips_.size(), budget_.lines, budget_.lines_per_frame),
+        meshes_
+            ? fmt::format("other shapes: {} primitives, inserted once", meshes_->primitive_count())
+            : "other shapes: left out, every object has lines"};
+    if (counts_)
+      lines.push_back(fmt::format(
+          "layers: {}, of which {} in {} pixels lie nearer than the layer in front of them",
+          trees_.layers(), counts_->out_of_order, counts_->pixels_out_of_order));
+    return lines;
+  }
+
+ private:
+  void draw_lines(Frame& frame) {
+    Image before(stage_.width(), stage_.height(), Rgba(Vec3(stage_.scene().background), 0));
+    const Stopwatch watch;
+    for (std::uint64_t lines = 0; lines < budget_.lines;) {
+      FrameStats record;
+      record.lines = std::min(budget_.lines_per_frame, budget_.lines - lines);
+      draw_batch(frame, lines, record.lines);
+      lines += record.lines;
+      Image now;
+      frame.step("change", [&] {
+        now = frame.read_picture();
+        record.change = rms_difference(before, now);
+      });
+      before = std::move(now);
+      record.seconds = watch.seconds();
+      record.fragments = trees_.fragments();
+      record.layers = trees_.layers();
+      record.bytes = stage_.ledger().total();
+      frame.stats().frames.push_back(record);
+      if (double(frame.stats().frames.size()) >= budget_.frames ||
+          record.seconds >= budget_.seconds || record.change < budget_.change)
+        break;
+    }
+  }
+
+  /// Line n of all is line n / k of surface n mod k.
+  void draw_batch(Frame& frame, std::uint64_t first, std::uint64_t count) {
+    Scene batch = with_objects(stage_.scene(), {});
+    frame.step("integrate", [&] {
+      for (std::uint64_t k = 0; k < strips_.size(); ++k) {
+        const auto before = [&](std::uint64_t n) {
+          return (n + strips_.size() - 1 - k) / strips_.size();
+        };
+        SceneObject object;
+        object.shape = strips_[k]->lines(before(first), before(first + count) - before(first));
+        batch.objects.push_back(std::move(object));
+      }
+    });
+    frame.step("rasterize", [&] { trees_.rasterize(Geometry(stage_.gl(), batch, range_), false); });
+    frame.step("insert", [&] { trees_.insert(); });
+    composite(frame);
+  }
+
+  void composite(Frame& frame) {
+    frame.step("composite", [&] { trees_.composite(frame.picture()); });
+  }
+
+  Stage& stage_;
+  Budget budget_;
+  DepthRange range_;
+  LayerTrees trees_;
+  std::optional<LayerTrees::Counts> counts_;
+  std::optional<Geometry> meshes_;
+  std::vector<std::unique_ptr<SurfaceStrips>> strips_;
+};
+
+constexpr ParameterSpec parameters[] = {
+    {.name = "lines",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "15000",
+     .min = 1,
+     .max = 1e9,
+     .unit = "lines",
+     .help = "the picture is done"},
+    {.name = "lines-per-frame",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "1000",
+     .min = 1,
+     .max = 1e6,
+     .unit = "lines",
+     .help = "integrated, rasterized and inserted at once"},
+    {.name = "frames",
+     .kind = ParameterSpec::Kind::integer,
+     .min = 1,
+     .max = 1e9,
+     .unit = "frames",
+     .help = "done after so many; default: no limit"},
+    {.name = "seconds",
+     .min = 0,
+     .unit = "s",
+     .help = "done at the end of the frame that reaches this; default: no limit"},
+    {.name = "change",
+     .min = 0,
+     .max = 1,
+     .unit = "1",
+     .help = "done when a frame changes the picture by less, root mean square; default: never"},
+    {.name = "epsilon2",
+     .default_value = "1e-6",
+     .min = 0,
+     .unit = "d squared",
+     .help = "fragments within this squared difference of depth are one layer"},
+    {.name = "merge",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "nearest",
+     .choices = "nearest|first",
+     .help = "into the nearest layer within epsilon, or the first met on the search path"},
+    {.name = "line-width",
+     .default_value = "1",
+     .min = 0.01,
+     .max = 100,
+     .unit = "pixels",
+     .help = "of a line's strip where the surface faces the eye"},
+    {.name = "widest",
+     .default_value = "8",
+     .min = 0,
+     .max = 1000,
+     .unit = "pixels",
+     .help = "a strip widens so far to reach the next of all lines"},
+    {.name = "seeding",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "separation",
+     .choices = "separation|uniform",
+     .help = "more lines where neighbours part, or evenly many in s"}};
+
+}  // namespace
+
+const MethodRow& tree_method() {
+  static constexpr MethodRow row{
+      .name = "tree",
+      .title = "Progressive tree",
+      .citation =
+          "Tian and Guenther, Progressive Rendering of Transparent Integral Surfaces, additional "
+          "material",
+      .equations = "Algorithms 1 and 2",
+      .parameters = parameters,
+      // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
+      .promises = {.own_layers = true, .order_spread = 1, .convex_hull = true},
+      .bytes_per_pixel = "12 + 40 per layer + 32 per fragment of a frame",
+      .sweep = "lines=1000|4000",
+      .make = make_oit<Tree>};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,10 @@
+#include "oit/shapes/fragment.glsl"
+
+layout(location = 0) out vec4 sums;  // sum of alpha C, sum of alpha
+layout(location = 1) out float count;
+
+void main() {
+  Fragment f = fragment();
+  sums = vec4(f.alpha * f.color, f.alpha);
+  count = 1.0;
+}

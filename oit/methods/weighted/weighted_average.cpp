@@ -1,0 +1,57 @@
+#include "oit/methods/weighted/weighted_average.h"
+
+#include "oit/stage/oit_renderer.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+class WeightedAverage final : public OitMethod {
+ public:
+  WeightedAverage(Stage& stage, const Parameters&)
+      : stage_(stage),
+        sums_(stage.target("sums of colour and opacity", GL_RGBA32F)),
+        count_(stage.target("fragment count", GL_R32F)),
+        targets_(stage.gl(), {{sums_}, {count_}}),
+        accumulate_(stage.geometry_program(oit_glsl::weighted_average_accumulate_frag_glsl())),
+        composite_(stage.screen_program(oit_glsl::weighted_average_composite_frag_glsl())) {}
+
+  void draw(Frame& frame) override {
+    frame.step("accumulate", [&] {
+      targets_.clear_all(0);
+      stage_.begin_pass(targets_, {Blend::add});
+      stage_.draw_geometry(accumulate_);
+    });
+    frame.step("composite", [&] {
+      sums_.bind(0);
+      count_.bind(1);
+      stage_.begin_pass(frame.picture(), {Blend::replace});
+      stage_.draw_screen(composite_);
+    });
+  }
+
+ private:
+  const Stage& stage_;
+  Texture sums_, count_;
+  Framebuffer targets_;
+  GeometryProgram accumulate_;
+  Program composite_;
+};
+
+}  // namespace
+
+const MethodRow& weighted_average_method() {
+  static constexpr MethodRow row{
+      .name = "weighted-average",
+      .title = "Weighted average",
+      .citation = "Bavoil and Myers 2008, Order independent transparency with dual depth peeling",
+      .equations = "weighted average (unnumbered)",
+      .parameters = {},
+      // Sums of n float terms in another order differ by n roundings at most.
+      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
+      .bytes_per_pixel = "20",
+      .make = make_oit<WeightedAverage>};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,11 @@
+#include "oit/shapes/fragment.glsl"
+#include "oit/methods/weighted/blended_weight.glsl"
+
+layout(location = 0) out vec4 sums;  // sum of alpha C w, sum of alpha w
+layout(location = 1) out float transmittance;
+
+void main() {
+  Fragment f = fragment();
+  sums = vec4(f.alpha * f.color, f.alpha) * blended_weight(WEIGHT, f.alpha, f.depth);
+  transmittance = f.alpha;  // blended into the product of 1 - alpha
+}

@@ -1,0 +1,11 @@
+#include "oit/stage/composite.glsl"
+
+layout(binding = 0) uniform sampler2D sums;
+
+void main() {
+  vec4 sum = texelFetch(sums, ivec2(gl_FragCoord.xy), 0);
+  picture = sum + (1.0 - sum.a) * behind();
+#if CLAMP
+  picture = clamp(picture, 0.0, 1.0);
+#endif
+}

@@ -1,9 +1,0 @@
-#include "composite.glsl"
-
-layout(binding = 0) uniform sampler2D sums;
-layout(binding = 1) uniform sampler2D transmittance;
-
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  composite_mean(texelFetch(sums, pixel, 0), 1.0 - texelFetch(transmittance, pixel, 0).r);
-}

@@ -1,0 +1,117 @@
+#include "oit/opacity/element_opacity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/elements/frame_memory.h"
+
+namespace pellucid {
+namespace {
+
+std::size_t count_points(const Scene& scene) {
+  std::size_t count = 0;
+  for (const SceneObject& object : scene.objects)
+    if (const auto* points = std::get_if<PointObject>(&object.shape))
+      count += points->set.positions.size();
+  return count;
+}
+
+BufferTexture numbers(const Gl& gl, std::vector<std::uint32_t> of_primitive, std::size_t first) {
+  for (std::uint32_t& element : of_primitive) element += std::uint32_t(first);
+  return {gl, GL_R32UI, Buffer(gl, of_primitive)};
+}
+
+/// The memory's elements of a kind, cut where there are none yet.
+std::shared_ptr<const Elements> remembered(FrameMemory* memory,
+                                           std::shared_ptr<const Elements> FrameMemory::*kind,
+                                           Elements (*cut)(const Scene&, std::size_t),
+                                           const Scene& scene, int count) {
+  if (memory && memory->*kind) return memory->*kind;
+  const auto elements = std::make_shared<const Elements>(cut(scene, std::size_t(count)));
+  if (memory) memory->*kind = elements;
+  return elements;
+}
+
+}  // namespace
+
+bool has_importance(const Scene& scene) {
+  return std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+    return !object.opaque &&
+           std::ranges::any_of(object.vertices().importance, [](float g) { return g > 0; });
+  });
+}
+
+ElementOpacity::ElementOpacity(Stage& stage, const Parameters& parameters)
+    : stage_(stage),
+      iterations_(parameters.integer("smooth")),
+      keep_(float(parameters.real("keep"))),
+      patches_(remembered(stage.memory(), &FrameMemory::surfaces, surface_elements, stage.scene(),
+                          parameters.integer("patches"))),
+      segments_(remembered(stage.memory(), &FrameMemory::lines, line_elements, stage.scene(),
+                           parameters.integer("segments"))),
+      points_(count_points(stage.scene())) {
+  const Gl& gl = stage.gl();
+  const std::size_t first_point = patches_->count() + segments_->count();
+  textures_.of_triangle = numbers(gl, patches_->of_primitive, 0);
+  textures_.of_segment = numbers(gl, segments_->of_primitive, patches_->count());
+  textures_.first_point = std::uint32_t(first_point);
+  textures_.opacities =
+      BufferTexture(gl, GL_R32UI, Buffer::writable(gl, sizeof(float) * (first_point + points_)));
+  stage.use_elements(textures_);
+  begin();
+  interpolate(std::vector<float>(first_point, 1.0f));
+  stage.record("elements", patches_->bytes() + segments_->bytes() + textures_.of_triangle.bytes() +
+                               textures_.of_segment.bytes() + textures_.opacities.bytes());
+}
+
+void ElementOpacity::smooth_and_interpolate() {
+  stage_.gl().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::vector<float> opacities(patches_->count() + segments_->count() +
+                               (stage_.memory() ? points_ : 0));
+  textures_.opacities.buffer().read(opacities.size() * sizeof(float), opacities.data());
+  smooth_found(opacities);
+  if (stage_.memory()) blend_with_last(opacities);
+  interpolate(opacities);
+}
+
+void ElementOpacity::smooth_found(std::vector<float>& opacities) const {
+  auto at = opacities.begin();
+  for (const Elements* elements : {patches_.get(), segments_.get()}) {
+    const auto end = at + std::ptrdiff_t(elements->count());
+    std::vector<float> of_kind(at, end);
+    smooth(*elements, iterations_, of_kind);
+    at = std::ranges::copy(of_kind, at).out;
+  }
+}
+
+void ElementOpacity::blend_with_last(std::vector<float>& opacities) {
+  FrameMemory& memory = *stage_.memory();
+  if (keep_ > 0 && memory.last.size() == opacities.size()) {
+    for (std::size_t i = 0; i < opacities.size(); ++i)
+      opacities[i] = std::lerp(opacities[i], memory.last[i], keep_);
+    // Points have theirs where they were found.
+    if (points_ > 0)
+      textures_.opacities.buffer().write<float>(
+          [&](float* to) { std::ranges::copy(opacities, to); });
+  }
+  memory.now = opacities;
+}
+
+void ElementOpacity::interpolate(const std::vector<float>& opacities) const {
+  const auto middle = opacities.begin() + std::ptrdiff_t(patches_->count());
+  const std::vector<float> patches(opacities.begin(), middle),
+      segments(middle, middle + std::ptrdiff_t(segments_->count()));
+  stage_.set_opacities(vertex_opacities(*patches_, patches),
+                       vertex_opacities(*segments_, segments));
+}
+
+std::string ElementOpacity::describe() const {
+  return fmt::format(
+      "opacities: of least energy, of {} patches, {} segments of lines, {} points; "
+      "smoothed {} times",
+      patches_->count(), segments_->count(), points_, iterations_);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "oit/gl/gl_objects.h"
+#include "scene/opacity_energy.h"
+
+namespace pellucid {
+
+/// The uniform block of energy.glsl.
+struct EnergyBlock {
+  glm::vec4 weights;  // p, q, r, lambda
+  float margin = 0;
+  float own_share = 1;
+  glm::vec2 unused{0};
+
+  explicit EnergyBlock(const EnergyWeights& w) : weights(w.p, w.q, w.r, w.lambda) {}
+  Buffer buffer(const Gl& gl) const { return {gl, std::vector<EnergyBlock>{*this}}; }
+  static void bind(const Buffer& buffer) { buffer.bind_base(GL_UNIFORM_BUFFER, 1); }
+};
+static_assert(sizeof(EnergyBlock) == 32);
+
+}  // namespace pellucid

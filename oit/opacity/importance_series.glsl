@@ -1,0 +1,23 @@
+#ifndef IMPORTANCE_SERIES
+#define IMPORTANCE_SERIES
+// The importance G(d) of a pixel as a Fourier series (Eq. 11 of Baeza Rojo et al. 2019), and the
+// opacity of a fragment by it (Eq. 10).
+#include "oit/optical_depth/fourier_sample.glsl"
+#include "oit/opacity/energy.glsl"
+
+#if IMPORTANCE_PRECISION == 16
+layout(binding = 6, rgba16f) readonly uniform image2DArray importance_coefficients;
+#else
+layout(binding = 6, rgba32f) readonly uniform image2DArray importance_coefficients;
+#endif
+ivec2 importance_pixel() { return ivec2(gl_FragCoord.xy) / PIXELS_PER_SERIES; }
+FOURIER_SUM(importance_sum, importance_coefficients, IMPORTANCE_BANDS, importance_pixel())
+
+float opacity_by_series(float g, float depth) {
+  float total = 0.5 * imageLoad(importance_coefficients, ivec3(importance_pixel(), 0)).r;  // Eq. 7
+  float sum = importance_sum(place_in_period(depth, importance_margin));
+  float own = g * g;
+  return optimal_opacity(energy_weights, g, sum - own_share * own,
+                         total - sum - (1.0 - own_share) * own);
+}
+#endif

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "oit/stage/oit_renderer.h"
+
+namespace pellucid {
+
+/// What the methods share that hold the optical depth tau(d) of a pixel as a few coefficients
+/// (bins, bands, moments):
+///
+///   project     sums every fragment's optical depth into the coefficients; the method's own
+///   weight      sums the colours, each weighted by what the coefficients say of tau at its depth
+///   composite   lays that sum over the background
+///
+/// The shaders find coefficient target i as image i of the weight pass and target 0, which says how
+/// opaque the pixel is, as sampler 0 of the composite pass; sampler 1 is the sum of the colours.
+/// An image stays bound after the weight pass, for a composite pass that prefers it.
+class OpticalDepthPasses {
+ public:
+  struct Target {
+    std::string_view name;
+    GLenum format;
+    int layers = 0;
+  };
+
+  OpticalDepthPasses(Stage& stage, const std::vector<Target>& coefficients, GeometryProgram weight,
+                     Program composite);
+
+  const Texture& coefficients(int target) const { return coefficients_[std::size_t(target)]; }
+
+  /// Draws into `target` from zero on, adding.
+  void begin_sum(const Framebuffer& target) const;
+  void weight_and_composite(Frame& frame) const;
+
+ private:
+  void weight_colors() const;
+  void composite(const Framebuffer& picture) const;
+
+  const Stage& stage_;
+  std::vector<Texture> coefficients_;
+  Texture color_sum_;
+  Framebuffer color_sum_target_;
+  GeometryProgram weight_;
+  Program composite_;
+};
+
+/// The parameter `clamp` of such a method, as the uniform of its project and weight passes.
+GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fragment,
+                                         Defines defines, const Parameters& parameters,
+                                         const FragmentOpacity& opacity = {});
+
+// Parameters of the methods that weight by Eq. 15 of Baeza Rojo, Gross and Guenther 2019.
+inline constexpr ParameterSpec normalize_parameter = {
+    .name = "normalize",
+    .kind = ParameterSpec::Kind::flag,
+    .default_value = "on",
+    .choices = "on|off",
+    .help = "on: Eq. 19; off: Eq. 15, whose colours may leave their convex hull"};
+
+inline constexpr ParameterSpec clamp_parameter = {
+    .name = "clamp",
+    .kind = ParameterSpec::Kind::real,
+    .default_value = "0.9999",
+    .min = 0,
+    .max = 0.999999,
+    .unit = "1",
+    .help = "largest opacity; Eq. 13 divides by 1 - alpha"};
+
+}  // namespace pellucid

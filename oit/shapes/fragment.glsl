@@ -1,0 +1,109 @@
+// What every method's geometry pass is given of a fragment, whatever the shape that it is of.
+#ifdef DISC
+#define OF_SHAPE flat
+#else
+#define OF_SHAPE
+#endif
+layout(location = 0) OF_SHAPE in vec4 vertex_color;
+layout(location = 1) OF_SHAPE in float vertex_depth;
+#ifdef DISC
+layout(location = 2) in vec2 vertex_corner;  // units of the radius from the centre
+#elif defined(RIBBON) && defined(LIT)
+layout(location = 2) in vec3 vertex_direction;
+layout(location = 3) in vec3 vertex_position;
+layout(location = 4) in float vertex_across;
+#elif defined(LIT)
+layout(location = 2) in vec3 vertex_normal;
+layout(location = 3) in vec3 vertex_position;
+#endif
+#ifdef IMPORTANCE
+layout(location = 5) OF_SHAPE in float vertex_importance;
+#endif
+#ifdef OPTIMIZED_VERTICES
+layout(location = 6) OF_SHAPE in float vertex_opacity;
+#endif
+#ifdef OPAQUE_CONTEXT
+layout(binding = 15) uniform usampler2D opaque_keys;  // of the nearest opaque fragment
+
+uvec2 opaque_key() {
+#ifdef HALF_RESOLUTION
+  ivec2 pixel = min(2 * ivec2(gl_FragCoord.xy), textureSize(opaque_keys, 0) - 1);  // one of four
+#else
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+#endif
+  return texelFetch(opaque_keys, pixel, 0).xy;
+}
+#endif
+
+uniform uint first_primitive;  // of what is being drawn, in the order of the scene
+
+struct Fragment {
+  vec3 color;   // straight
+  float alpha;  // opacity in [0, 1]
+  float depth;  // d in [0, 1]: 0 the nearest, 1 the farthest depth of the scene
+};
+
+// The place in the order of the scene: by object, then by primitive.
+uint primitive_order() { return first_primitive + uint(gl_PrimitiveID); }
+
+// The order of compositing: by depth, then by primitive. 0 precedes all of them.
+uvec2 key_of(Fragment f) { return uvec2(floatBitsToUint(f.depth), primitive_order() + 1u); }
+
+bool precedes(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+// |n . v|. See scene.h for the shapes' normals.
+#ifdef LIT
+#include "oit/shapes/lighting.glsl"
+#ifdef DISC
+float facing() { return sqrt(1.0 - dot(vertex_corner, vertex_corner)); }
+#else
+vec3 view_direction() {
+#ifdef ORTHOGRAPHIC
+  return vec3(0.0, 0.0, 1.0);
+#else
+  return normalize(vertex_position);
+#endif
+}
+#ifdef RIBBON
+float facing() {
+  float sine = length(cross(vertex_direction, view_direction()));
+  float length_of_direction = length(vertex_direction);
+  float profile = sqrt(max(1.0 - vertex_across * vertex_across, 0.0));
+  return length_of_direction > 0.0 ? profile * sine / length_of_direction : 0.0;
+}
+#else
+float facing() { return abs(dot(normalize(vertex_normal), view_direction())); }
+#endif
+#endif
+#endif
+
+#ifdef IMPORTANCE
+float importance() { return clamp(vertex_importance, 0.0, 1.0); }
+#endif
+#ifdef OPTIMIZED_FRAGMENTS
+// The share of its opacity that a fragment keeps. Defined by the text that a program appends.
+float optimized_opacity(float importance, float depth);
+#endif
+
+// Also decides whether there is a fragment at all: a pass that needs nothing of it still calls it.
+Fragment fragment() {
+#ifdef DISC
+  if (dot(vertex_corner, vertex_corner) > 1.0) discard;
+#endif
+  // Interpolation may round an opacity or a depth of 1 to just above it.
+  Fragment f = Fragment(vertex_color.rgb, clamp(vertex_color.a, 0.0, 1.0),
+                        clamp(vertex_depth, 0.0, 1.0));
+#ifdef LIT
+  f.color = lit(f.color, facing());
+#endif
+#ifdef OPAQUE_CONTEXT
+  if (precedes(opaque_key(), key_of(f))) discard;
+#endif
+#ifdef OPTIMIZED_FRAGMENTS
+  f.alpha *= optimized_opacity(importance(), f.depth);
+#endif
+#ifdef OPTIMIZED_VERTICES
+  f.alpha *= clamp(vertex_opacity, 0.0, 1.0);
+#endif
+  return f;
+}

@@ -1,0 +1,178 @@
+#include "oit/shapes/geometry.h"
+
+#include <algorithm>
+
+namespace pellucid {
+namespace {
+
+// Units of disc.vert.glsl, out of the way of the methods' own.
+constexpr GLuint points_unit = 14, importances_unit = 13;
+// Of element.glsl and of disc.vert.glsl: which elements, or their opacities.
+constexpr GLuint elements_unit = 11, opacities_image = 7;
+
+/// A subset of triangles `indices` that is kept group by group: a segment has two triangles.
+class Thinning {
+ public:
+  /// `indices` may be missing when nothing is kept of them.
+  Thinning(const Buffer* indices, std::uint32_t group) : group_(group) {
+    if (!indices) return;
+    triangles_.resize(indices->bytes() / sizeof(IndexTriangle));
+    indices->read(triangles_.data());
+  }
+
+  /// Keeps the groups of a batch that are multiples of n, counted from `phase`; returns what it
+  /// became.
+  Batch keep(const Batch& batch, std::uint32_t phase, std::uint32_t n) {
+    Batch kept = batch;
+    kept.first = std::uint32_t(kept_.size());
+    for (std::uint64_t i = phase; i < batch.count / group_; i += n)
+      for (std::uint32_t j = 0; j < group_; ++j)
+        kept_.push_back(triangles_[batch.first + group_ * i + j]);
+    kept.count = std::uint32_t(kept_.size()) - kept.first;
+    return kept;
+  }
+  Buffer buffer(const Gl& gl) const { return {gl, kept_}; }
+
+ private:
+  std::uint32_t group_;
+  std::vector<IndexTriangle> triangles_, kept_;
+};
+
+}  // namespace
+
+Geometry::Geometry(const Gl& gl, const Scene& scene) : Geometry(gl, scene, depth_range(scene)) {}
+
+Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
+    : gl_(gl),
+      view_(scene, range),
+      lighting_(scene.lighting),
+      batches_(make_batches(scene)),
+      uniforms_(Buffer::writable(gl, sizeof(ViewSpace::Uniforms))),
+      no_attributes_(gl) {
+  const auto has = [&](ShapeKind kind) {
+    return std::ranges::any_of(batches_, [&](const Batch& b) { return b.kind == kind; });
+  };
+  if (has(ShapeKind::mesh)) meshes_ = upload_meshes(gl, scene, view_);
+  if (has(ShapeKind::ribbon)) ribbons_ = upload_ribbons(gl, scene, view_);
+  if (has(ShapeKind::disc)) points_ = upload_discs(gl, scene, view_);
+  sample_at(Vec2(0.5));
+}
+
+Defines Geometry::defines() const {
+  Defines defines;
+  if (lighting_ != Lighting::none) defines.emplace_back("LIT", 1);
+  if (lighting_ == Lighting::phong) defines.emplace_back("PHONG", 1);
+  if (view_.projection() == Projection::orthographic) defines.emplace_back("ORTHOGRAPHIC", 1);
+  return defines;
+}
+
+std::vector<ShapeKind> Geometry::kinds(bool opaque) const {
+  std::vector<ShapeKind> kinds;
+  for (const ShapeKind kind : shape_kinds)
+    if (std::ranges::any_of(batches_,
+                            [&](const Batch& b) { return b.kind == kind && b.opaque == opaque; }))
+      kinds.push_back(kind);
+  return kinds;
+}
+
+std::uint64_t Geometry::primitive_count() const {
+  return batches_.empty() ? 0 : batches_.back().first_primitive + batches_.back().count;
+}
+
+void Geometry::upload_importance(const Scene& scene) {
+  if (meshes_) upload_mesh_importance(gl_, scene, *meshes_);
+  if (ribbons_) upload_ribbon_importance(gl_, scene, *ribbons_);
+  if (points_) point_importance_ = upload_disc_importance(gl_, scene);
+}
+
+void Geometry::set_mesh_opacities(std::span<const float> opacities) {
+  if (meshes_) upload_opacities(gl_, opacities, 1, *meshes_);
+}
+
+void Geometry::set_line_opacities(std::span<const float> opacities) {
+  if (ribbons_) upload_opacities(gl_, opacities, 2, *ribbons_);
+}
+
+void Geometry::sample_at(const Vec2& sample) const {
+  uniforms_.write<ViewSpace::Uniforms>(
+      [&](ViewSpace::Uniforms* out) { *out = view_.uniforms(sample); });
+}
+
+Geometry::Source Geometry::everything() const {
+  return {meshes_ ? &meshes_->indices : nullptr, ribbons_ ? &ribbons_->indices : nullptr, 1};
+}
+
+void Geometry::draw_all(const GeometryProgram& program, bool opaque) const {
+  for (const Batch& batch : batches_)
+    if (batch.opaque == opaque) draw_batch(program, batch, everything());
+}
+
+void Geometry::draw(const GeometryProgram& program, const Subset& subset) const {
+  for (const Batch& batch : subset.batches)
+    draw_batch(program, batch,
+               {&subset.mesh_indices, &subset.ribbon_indices, subset.stride_of_points});
+}
+
+void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
+                          const Source& source) const {
+  uniforms_.bind_base(GL_UNIFORM_BUFFER, 0);
+  const Program& of_kind = program.of(batch.kind);
+  of_kind.use();
+  of_kind.set("first_primitive", batch.first_primitive);
+  if (elements_) bind_elements(of_kind, batch);
+  if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
+  if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
+  if (batch.kind == ShapeKind::disc) draw_discs(of_kind, batch, source.stride_of_points);
+}
+
+void Geometry::bind_elements(const Program& program, const Batch& batch) const {
+  program.set("first_of_kind", batch.first);
+  program.set("first_point_element", elements_->first_point);
+  if (batch.kind == ShapeKind::mesh) elements_->of_triangle.bind(elements_unit);
+  if (batch.kind == ShapeKind::ribbon) elements_->of_segment.bind(elements_unit);
+  if (batch.kind == ShapeKind::disc) elements_->opacities.bind(elements_unit);
+  elements_->opacities.bind_image(opacities_image);
+}
+
+void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
+                            const Batch& batch) const {
+  gl_.BindVertexArray(vertices.array.id());
+  gl_.VertexArrayElementBuffer(vertices.array.id(), indices.id());
+  gl_.DrawElements(GL_TRIANGLES, GLsizei(3 * batch.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(sizeof(IndexTriangle) * batch.first));
+}
+
+void Geometry::draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const {
+  program.set("first_point", batch.first);
+  program.set("stride_of_points", stride);
+  points_->bind(points_unit);
+  if (point_importance_) point_importance_->bind(importances_unit);
+  gl_.BindVertexArray(no_attributes_.id());
+  gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(3 * batch.count));
+}
+
+Subset Geometry::every(std::uint32_t n) const {
+  const Source source = everything();
+  Thinning meshes(source.mesh_indices, 1), ribbons(source.ribbon_indices, 2);
+  Subset subset;
+  subset.stride_of_points = n;
+  std::uint32_t passed = 0;  // triangles, segments and points before a batch
+  for (const Batch& batch : batches_) {
+    if (batch.opaque) continue;
+    const std::uint32_t phase = (n - passed % n) % n;
+    const std::uint32_t units = batch.count / (batch.kind == ShapeKind::ribbon ? 2 : 1);
+    if (batch.kind == ShapeKind::mesh) subset.batches.push_back(meshes.keep(batch, phase, n));
+    if (batch.kind == ShapeKind::ribbon) subset.batches.push_back(ribbons.keep(batch, phase, n));
+    if (batch.kind == ShapeKind::disc) {
+      subset.batches.push_back(batch);
+      subset.batches.back().first += phase;
+      subset.batches.back().count = units > phase ? (units - phase + n - 1) / n : 0;
+    }
+    passed += units;
+  }
+  subset.mesh_indices = meshes.buffer(gl_);
+  subset.ribbon_indices = ribbons.buffer(gl_);
+  return subset;
+}
+
+}  // namespace pellucid

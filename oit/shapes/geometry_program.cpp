@@ -1,0 +1,30 @@
+#include "oit/shapes/geometry_program.h"
+
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+struct ShapeShader {
+  std::string_view (*text)();
+  const char* define;
+};
+
+// By ShapeKind.
+constexpr ShapeShader shape_shaders[] = {{oit_glsl::mesh_vert_glsl, "MESH"},
+                                         {oit_glsl::ribbon_vert_glsl, "RIBBON"},
+                                         {oit_glsl::disc_vert_glsl, "DISC"}};
+
+}  // namespace
+
+GeometryProgram::GeometryProgram(const GlContext& context, std::span<const ShapeKind> kinds,
+                                 const FragmentText& fragment, const Defines& defines) {
+  for (const ShapeKind kind : kinds) {
+    const ShapeShader& shape = shape_shaders[std::size_t(kind)];
+    Defines all = defines;
+    all.emplace_back(shape.define, 1);
+    programs_[std::size_t(kind)].emplace(context, shape.text(), fragment, all);
+  }
+}
+
+}  // namespace pellucid

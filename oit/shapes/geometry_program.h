@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "oit/gl/program.h"
+#include "oit/shapes/batch.h"
+
+namespace pellucid {
+
+/// What changes the opacity of every fragment before a pass sees it, see fragment.glsl: nothing, or
+/// the defines and the text that say how.
+struct FragmentOpacity {
+  Defines defines = {};
+  std::string_view text = {};
+};
+
+/// One fragment shader over the scene's shapes: a program for each kind that is there.
+class GeometryProgram {
+ public:
+  GeometryProgram() = default;
+  GeometryProgram(const GlContext& context, std::span<const ShapeKind> kinds,
+                  const FragmentText& fragment, const Defines& defines);
+
+  template <class T>
+  void set(const char* name, const T& value) const {
+    for (const auto& program : programs_)
+      if (program) program->set(name, value);
+  }
+  const Program& of(ShapeKind kind) const { return *programs_[std::size_t(kind)]; }
+
+ private:
+  std::array<std::optional<Program>, shape_kinds.size()> programs_;
+};
+
+}  // namespace pellucid

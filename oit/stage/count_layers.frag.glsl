@@ -1,0 +1,9 @@
+// Layers per pixel.
+#include "oit/shapes/fragment.glsl"
+
+layout(location = 0) out float count;
+
+void main() {
+  fragment();
+  count = 1.0;
+}

@@ -1,0 +1,161 @@
+#include "oit/stage/oit_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "oit_glsl.h"
+#include "scene/view/pixel_samples.h"
+
+namespace pellucid {
+namespace {
+
+std::string describe_lighting(const Scene& scene) {
+  if (scene.lighting == Lighting::none)
+    return "lighting: left out, the scene is unlit; no normals are uploaded";
+  return "lighting: from the eye; normals are uploaded";
+}
+
+std::string describe_samples(const Scene& scene) {
+  const int n = scene.samples;
+  if (n == 1) return "antialiasing: left out, one sample at the pixel's centre";
+  return fmt::format("antialiasing: the picture is drawn {} times, {} x {} samples a pixel", n * n,
+                     n, n);
+}
+
+std::string describe_context(const Scene& scene) {
+  return std::ranges::any_of(scene.objects, &SceneObject::opaque)
+             ? "opaque context: a pass of its own before the method's"
+             : "opaque context: left out, no object is opaque";
+}
+
+class OitRenderer final : public Renderer {
+ public:
+  OitRenderer(const Scene& scene, const Parameters& parameters, const RenderContext& context,
+              const MakeOitMethod& make_method)
+      : scene_(scene),
+        stage_(scene, context),
+        picture_(stage_.gl(), GL_RGBA32F, stage_.width(), stage_.height()),
+        picture_target_(stage_.gl(), {{picture_}}),
+        method_(make_method(stage_, parameters)) {
+    stage_.context().check("preparing the method");
+  }
+  // Deleting OpenGL objects needs their own context, whichever is current.
+  ~OitRenderer() override { stage_.make_current(); }
+
+  Rendering render(const RenderRequest& request) override;
+  std::vector<std::string> explain() const override;
+  std::map<std::string, std::string> facts() const override {
+    return {{"driver", stage_.context().driver()}};
+  }
+  std::optional<OpticalDepth> optical_depth(int x, int y, std::span<const double> d) override {
+    stage_.make_current();
+    return method_->optical_depth(x, y, d);
+  }
+
+ private:
+  /// Draws the picture once for each of a pixel's samples and averages.
+  void draw_samples(Frame& frame, Image& mean);
+  CountImage count_layers();
+
+  const Scene& scene_;
+  Stage stage_;
+  Texture picture_;
+  Framebuffer picture_target_;
+  std::unique_ptr<OitMethod> method_;
+};
+
+Rendering OitRenderer::render(const RenderRequest& request) {
+  stage_.make_current();
+  Frame frame(stage_, picture_, picture_target_);
+  Rendering rendering;
+  rendering.image = Image(stage_.width(), stage_.height());
+  draw_samples(frame, rendering.image);
+  rendering.stats = frame.stats();
+  rendering.stats.bytes = stage_.ledger().parts();
+  if (!request.layers) return rendering;
+  const std::optional<CountImage> of_method = method_->count_layers();
+  rendering.layers = of_method ? *of_method : count_layers();
+  const auto& counts = rendering.layers.pixels;
+  if (!of_method) {
+    rendering.stats.fragments = std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+    method_->account(rendering.layers, rendering.stats);
+  }
+  rendering.stats.max_layers = *std::max_element(counts.begin(), counts.end());
+  return rendering;
+}
+
+void OitRenderer::draw_samples(Frame& frame, Image& mean) {
+  const std::vector<Vec2> samples = pixel_samples(scene_.samples);
+  for (const Vec2& sample : samples) {
+    stage_.sample_at(sample);
+    if (stage_.has_opaque_context())
+      frame.step("opaque context", [&] { stage_.draw_opaque_context(); });
+    method_->draw(frame);
+    frame.next_sample();
+    const Image one = frame.read_picture();
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+      mean.pixels[i] += one.pixels[i] / float(samples.size());
+  }
+}
+
+// At the pixels' centres. Counts in float are exact up to 2^24 layers.
+CountImage OitRenderer::count_layers() {
+  const Texture counts(stage_.gl(), GL_R32F, stage_.width(), stage_.height());
+  const Framebuffer target(stage_.gl(), {{counts}});
+  const GeometryProgram program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
+  stage_.sample_at(Vec2(0.5));
+  stage_.draw_opaque_context();
+  target.clear_all(0);
+  stage_.begin_pass(target, {Blend::add});
+  stage_.draw_geometry(program);
+  if (stage_.has_opaque_context())
+    stage_.draw_screen(stage_.screen_program(oit_glsl::count_opaque_frag_glsl()));
+  std::vector<float> floats(stage_.pixel_count());
+  counts.read(GL_RED, GL_FLOAT, floats.size() * sizeof(float), floats.data());
+  stage_.context().check("counting layers");
+  CountImage layers(stage_.width(), stage_.height());
+  std::copy(floats.begin(), floats.end(), layers.pixels.begin());
+  return layers;
+}
+
+std::vector<std::string> OitRenderer::explain() const {
+  std::vector<std::string> lines = {
+      fmt::format("context: {}", stage_.context().driver()),
+      fmt::format("geometry: {} of {} objects", describe_primitives(scene_), scene_.objects.size()),
+      describe_lighting(scene_), describe_samples(scene_), describe_context(scene_)};
+  for (std::string& line : method_->explain()) lines.push_back(std::move(line));
+  for (const NamedBytes& part : stage_.ledger().parts())
+    lines.push_back(fmt::format("memory: {}, {} bytes", part.name, part.bytes));
+  return lines;
+}
+
+}  // namespace
+
+Image Frame::read_picture() const {
+  Image image(stage_.width(), stage_.height());
+  texture_.read(GL_RGBA, GL_FLOAT, image.pixels.size() * sizeof image.pixels[0],
+                image.pixels.data());
+  return image;
+}
+
+void Frame::finish(std::string_view name, const Stopwatch& watch) {
+  stage_.gl().Finish();
+  const double seconds = watch.seconds();
+  stage_.context().check(name);
+  const auto found = std::find_if(stats_.steps.begin(), stats_.steps.end(),
+                                  [&](const StepTime& step) { return step.name == name; });
+  if (found != stats_.steps.end())
+    found->seconds += seconds;
+  else
+    stats_.steps.push_back({std::string(name), seconds});
+}
+
+std::unique_ptr<Renderer> make_oit_renderer(const Scene& scene, const Parameters& parameters,
+                                            const RenderContext& context,
+                                            const MakeOitMethod& make_method) {
+  return std::make_unique<OitRenderer>(scene, parameters, context, make_method);
+}
+
+}  // namespace pellucid

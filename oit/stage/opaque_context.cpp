@@ -1,0 +1,33 @@
+#include "oit/stage/opaque_context.h"
+
+#include "oit_glsl.h"
+
+namespace pellucid {
+
+OpaqueContext::OpaqueContext(const GlContext& context, const Geometry& geometry, int width,
+                             int height)
+    : gl_(context.gl()),
+      geometry_(geometry),
+      picture_(gl_, GL_RGBA32F, width, height),
+      keys_(gl_, GL_RG32UI, width, height),
+      depth_(gl_, GL_DEPTH_COMPONENT32F, width, height),
+      target_(gl_, {{picture_}, {keys_}, {depth_}}),
+      program_(context, geometry.kinds(true), {oit_glsl::opaque_context_frag_glsl()},
+               geometry.defines()) {}
+
+void OpaqueContext::draw(const glm::vec3& background) const {
+  target_.clear(0, {background, 0});
+  keys_.clear(~0u);  // nothing there: follows every fragment
+  target_.clear_depth(1);
+  target_.bind();
+  gl_.Disablei(GL_BLEND, 0);
+  gl_.Disablei(GL_BLEND, 1);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_LESS);
+  geometry_.draw_opaque(program_);
+  gl_.Disable(GL_DEPTH_TEST);
+  picture_.bind(12);
+  keys_.bind(15);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "oit/shapes/geometry.h"
+
+namespace pellucid {
+
+/// The nearest opaque fragment of every pixel: it takes the background's place, and what follows it
+/// in the order of compositing (by depth, then by primitive) is hidden in every method. Equal
+/// depths are told apart because the depth test keeps the first that was submitted.
+class OpaqueContext {
+ public:
+  OpaqueContext(const GlContext& context, const Geometry& geometry, int width, int height);
+
+  std::uint64_t bytes() const { return picture_.bytes() + keys_.bytes() + depth_.bytes(); }
+  /// Draws it and leaves it bound for OPAQUE_CONTEXT in composite.glsl and fragment.glsl.
+  void draw(const glm::vec3& background) const;
+
+ private:
+  const Gl& gl_;
+  const Geometry& geometry_;
+  Texture picture_, keys_, depth_;
+  Framebuffer target_;
+  GeometryProgram program_;
+};
+
+}  // namespace pellucid

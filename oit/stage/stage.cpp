@@ -1,0 +1,108 @@
+#include "oit/stage/stage.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "oit/gl/driver_check.h"
+#include "oit_glsl.h"
+
+namespace pellucid {
+namespace {
+
+void set_blend(const Gl& gl, GLuint attachment, Blend blend) {
+  if (blend == Blend::replace) return gl.Disablei(GL_BLEND, attachment);
+  gl.Enablei(GL_BLEND, attachment);
+  gl.BlendEquationi(attachment, GL_FUNC_ADD);
+  if (blend == Blend::add) gl.BlendFunci(attachment, GL_ONE, GL_ONE);
+  if (blend == Blend::under) gl.BlendFunci(attachment, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  if (blend == Blend::over) gl.BlendFunci(attachment, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (blend == Blend::transmit) gl.BlendFunci(attachment, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
+}
+
+// llvmpipe's largest framebuffer is 16384; a larger one is refused before anything is allocated.
+void check_size(const Gl& gl, int width, int height) {
+  GLint largest = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (width < 1 || height < 1 || width > largest || height > largest)
+    throw InputError(
+        fmt::format("resolution: {} x {}; accepted: 1 … {} each way", width, height, largest));
+}
+
+}  // namespace
+
+Stage::Stage(const Scene& scene, const RenderContext& context)
+    : scene_(scene),
+      memory_(context.memory),
+      context_(context.gl),
+      width_(scene.width),
+      height_(scene.height),
+      background_(scene.background),
+      geometry_(context_.gl(), scene),
+      no_attributes_(context_.gl()) {
+  check_size(gl(), width_, height_);
+  check_driver(context_);
+  if (!geometry_.kinds(true).empty()) {
+    opaque_.emplace(context_, geometry_, width_, height_);
+    record("opaque context", opaque_->bytes());
+  }
+  context_.check("uploading the scene");
+}
+
+Texture Stage::target(std::string_view name, GLenum format, int layers) {
+  Texture texture(gl(), format, width_, height_, layers);
+  record(name, texture.bytes());
+  return texture;
+}
+
+Texture Stage::half_target(std::string_view name, GLenum format, int layers) {
+  Texture texture(gl(), format, (width_ + 1) / 2, (height_ + 1) / 2, layers);
+  record(name, texture.bytes());
+  return texture;
+}
+
+GeometryProgram Stage::geometry_program(std::string_view fragment, Defines defines,
+                                        const FragmentOpacity& opacity) const {
+  for (auto& define : geometry_.defines()) defines.push_back(std::move(define));
+  defines.insert(defines.end(), opacity.defines.begin(), opacity.defines.end());
+  if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
+  return {context_, geometry_.kinds(false), {fragment, opacity.text}, defines};
+}
+
+Program Stage::screen_program(std::string_view fragment, Defines defines) const {
+  if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
+  Program program(context_, oit_glsl::screen_vert_glsl(), {fragment}, defines);
+  program.set("background", background_);
+  return program;
+}
+
+void Stage::set_opacities(std::span<const float> of_meshes, std::span<const float> of_lines) {
+  geometry_.set_mesh_opacities(of_meshes);
+  geometry_.set_line_opacities(of_lines);
+  record("opacities of vertices", of_meshes.size_bytes() + 2 * of_lines.size_bytes());
+}
+
+void Stage::sample_at(const Vec2& sample) {
+  sample_ = sample;
+  geometry_.sample_at(sample);
+}
+
+void Stage::draw_opaque_context() const {
+  if (opaque_) opaque_->draw(background_);
+}
+
+void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const {
+  target.bind();
+  const Blend* blend = blends.begin();
+  for (int i = 0; i < target.attachments(); ++i) {
+    set_blend(gl(), GLuint(i), *blend);
+    if (blend + 1 != blends.end()) ++blend;
+  }
+}
+
+void Stage::draw_screen(const Program& program) const {
+  program.use();
+  gl().BindVertexArray(no_attributes_.id());
+  gl().DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,50 @@
+#include "scene/appearance/colormap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/options/names.h"
+
+namespace pellucid {
+namespace {
+
+#include "scene/appearance/colormap_tables.inc"
+
+/// The four colours of Li, Chen, Multi-Resolution Isosurface Rendering (2023), Sect. 3.3, in
+/// tenths, for a range in three equal parts. Erratum: the listing there parts it at (max + min) / 3
+/// and twice that, which is right where min is 0 alone, and leaves colours outside of [0, 1]
+/// elsewhere; the text speaks of four parts, which four colours cannot bound.
+constexpr std::uint8_t four_color_table[4][3] = {{0, 9, 2}, {8, 8, 0}, {10, 0, 0}, {4, 6, 0}};
+
+constexpr std::array<ColormapRow, 8> rows{{
+    {"viridis", "Smith, van der Walt 2015", viridis_table},
+    {"magma", "Smith, van der Walt 2015", magma_table},
+    {"inferno", "Smith, van der Walt 2015", inferno_table},
+    {"plasma", "Smith, van der Walt 2015", plasma_table},
+    {"cividis", "Nuñez, Anderton, Renslow 2018", cividis_table},
+    {"turbo", "Mikhailov 2019", turbo_table},
+    {"coolwarm", "Moreland 2009", coolwarm_table},
+    {"four-color", "Li, Chen 2023, Sect. 3.3", four_color_table, 4, 10},
+}};
+
+Vec3 entry(const ColormapRow& map, int i) {
+  return Vec3(map.table[i][0], map.table[i][1], map.table[i][2]) / map.unit;
+}
+
+}  // namespace
+
+Vec3 ColormapRow::operator()(double x) const {
+  const double position = std::isfinite(x) ? std::clamp(x, 0.0, 1.0) * (count - 1) : 0;
+  const int below = std::min(static_cast<int>(position), count - 2);
+  const double fraction = position - below;
+  return entry(*this, below) * (1 - fraction) + entry(*this, below + 1) * fraction;
+}
+
+std::span<const ColormapRow> colormaps() { return rows; }
+
+const ColormapRow& find_colormap(std::string_view name) {
+  return find_row("colour map", name, rows);
+}
+
+}  // namespace pellucid

@@ -1,0 +1,49 @@
+#include "scene/datasets/dataset.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "core/options/names.h"
+#include "scene/datasets/fibres.h"
+#include "scene/datasets/flow_lines.h"
+#include "scene/datasets/flow_surfaces.h"
+#include "scene/datasets/point_clouds.h"
+#include "scene/datasets/sphere_levels.h"
+#include "scene/datasets/stack.h"
+
+namespace pellucid {
+namespace {
+
+std::string names_on_levels() {
+  std::vector<std::string_view> names;
+  for (const DatasetRow& row : datasets())
+    if (row.on_levels) names.push_back(row.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::span<const DatasetRow> datasets() {
+  static const DatasetRow rows[] = {
+      stack_dataset(),      dark_sky_dataset(),     ctbl_dataset(),       viscous_fingers_dataset(),
+      benzene_dataset(),    dt_mri_dataset(),       bfs_dataset(),        icon_dataset(),
+      trefoil_dataset(),    ecmwf_dataset(),        helicopter_dataset(), tornado_dataset(),
+      delta_wing_dataset(), sphere_levels_dataset()};
+  return rows;
+}
+
+Dataset make_dataset(std::string_view dataset, const Progress& progress) {
+  const NameAndOptions named = parse_name_and_options(dataset);
+  const DatasetRow& row = find_row("data set", named.name, datasets());
+  return row.make(Parameters(row.name, row.parameters, named.options), progress);
+}
+
+VelocityLevels make_velocity_levels(std::string_view dataset, const Progress& progress) {
+  const std::string name = parse_name_and_options(dataset).name;
+  if (!find_row("data set", name, datasets()).on_levels)
+    throw InputError(
+        fmt::format("data set '{}': it has no levels; accepted: {}", name, names_on_levels()));
+  return std::get<VelocityLevels>(make_dataset(dataset, progress));
+}
+
+}  // namespace pellucid

@@ -1,0 +1,96 @@
+#include "scene/datasets/sphere_levels.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/options/names.h"
+#include "core/parallel.h"
+#include "fields/make_field.h"
+
+namespace pellucid {
+namespace {
+
+constexpr ParameterSpec parameters[] = {
+    {.name = "size",
+     .kind = ParameterSpec::Kind::choice,
+     .default_value = "small",
+     .choices = "small|big",
+     .help = "small: 0.9 million samples; big: 7.1 million, half as far apart"},
+    {.name = "levels",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "4",
+     .min = 1,
+     .max = 4,
+     .unit = "levels",
+     .help = "from the coarsest on; 1: the same field at one resolution"},
+    {.name = "Re",
+     .default_value = "100",
+     .min = 1e-3,
+     .max = 1e3,
+     .unit = "1",
+     .help = "Reynolds number of the flow past a sphere of radius 1"},
+    {.name = "rings",
+     .kind = ParameterSpec::Kind::integer,
+     .default_value = "0",
+     .min = 0,
+     .max = 16,
+     .unit = "rings",
+     .help = "vortex rings in the wake, see the field shed-wake; 5 reach its end"}};
+
+/// From the coarsest to the finest, in units of the coarsest cell, so that cells of one level hold
+/// whole cells of the next.
+struct Nest {
+  Vec3 min, max;
+};
+constexpr double coarsest_width = 0.25;
+constexpr std::array<Nest, 4> nests{{{{-16, -12, -12}, {40, 12, 12}},
+                                     {{-10, -8, -8}, {24, 8, 8}},
+                                     {{-7, -6, -6}, {12, 6, 6}},
+                                     {{-6, -5, -5}, {6, 5, 5}}}};
+
+VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
+  VectorLevel level;
+  level.width = width;
+  level.origin = coarsest_width * nest.min + 0.5 * width;
+  for (int axis = 0; axis < 3; ++axis)
+    level.size[std::size_t(axis)] =
+        int(std::lround(coarsest_width * (nest.max[axis] - nest.min[axis]) / width));
+  level.samples.resize(std::size_t(level.size[0]) * std::size_t(level.size[1]) *
+                       std::size_t(level.size[2]));
+  parallel_for(0, level.size[2], [&](int k) {
+    const auto sampler = field.sampler();
+    for (int j = 0; j < level.size[1]; ++j)
+      for (int i = 0; i < level.size[0]; ++i) {
+        Vec3 v(0);  // stays where the flow has no value: on the sphere's axis behind it
+        if (sampler->velocity(level.world(Vec3(i, j, k)), 0, v) != SampleStatus::ok) v = Vec3(0);
+        level.samples[level.index(i, j, k)] = glm::vec3(v);
+      }
+  });
+  return level;
+}
+
+Dataset make_sphere_levels(const Parameters& values, const Progress&) {
+  const auto field =
+      make_field(fmt::format("shed-wake:Re={},rings={}", values.text("Re"), values.text("rings")));
+  double width = values.text("size") == "big" ? coarsest_width / 2 : coarsest_width;
+  VelocityLevels levels;
+  for (int i = 0; i < values.integer("levels"); ++i, width /= 2)
+    levels.push_back(sample(*field, nests[std::size_t(i)], width));
+  return levels;
+}
+
+}  // namespace
+
+const DatasetRow& sphere_levels_dataset() {
+  static constexpr DatasetRow row{.name = "sphere-levels",
+                                  .title = "Velocity past a sphere on four nested resolutions",
+                                  .citation = "the fields sphere and shed-wake",
+                                  .parameters = parameters,
+                                  .make = make_sphere_levels,
+                                  .on_levels = true};
+  return row;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,197 @@
+#include "scene/files/isosurface_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "core/parallel.h"
+#include "fields/levels/derived_scalar.h"
+#include "fields/levels/level_field.h"
+#include "fields/levels/surface_extraction.h"
+#include "fields/levels/vdb_levels.h"
+#include "geometry/files/mesh_file.h"
+#include "geometry/solid_mesh.h"
+#include "scene/appearance/colormap.h"
+#include "scene/datasets/dataset.h"
+
+namespace pellucid {
+namespace {
+
+constexpr double any = std::numeric_limits<double>::max();
+
+using Levels = std::vector<ScalarLevel>;
+
+/// Levels of each of the scalars, the surface's own first.
+std::vector<Levels> generate(const JsonNode& node, std::span<const std::string> scalars) {
+  const JsonNode dataset = node["dataset"];
+  const auto velocity = at_place(dataset, [&] { return make_velocity_levels(dataset.string()); });
+  std::vector<Levels> all;
+  for (const std::string& scalar : scalars)
+    all.push_back(at_place(all.empty() ? node["scalar"] : node,
+                           [&] { return scalars_of(velocity, scalar); }));
+  return all;
+}
+
+std::vector<Levels> read_files(const JsonNode& file, const std::filesystem::path& folder,
+                               std::span<const std::string> scalars) {
+  std::vector<Levels> all(scalars.size());
+  for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file})
+    at_place(name, [&] {
+      for (std::size_t i = 0; i < scalars.size(); ++i)
+        for (ScalarLevel& level : read_vdb_levels(folder / name.string(), scalars[i]))
+          all[i].push_back(std::move(level));
+    });
+  return all;
+}
+
+bool on_same_samples(const LevelField& a, const LevelField& b) {
+  return std::ranges::equal(a.levels(), b.levels(), [](const auto& p, const auto& q) {
+    return p.origin == q.origin && p.width == q.width && p.size == q.size;
+  });
+}
+
+Vec2 range_of(const LevelField& field) {
+  Vec2 range(any, -any);
+  for (const ScalarLevel& level : field.levels())
+    for (const double sample : level.samples)
+      range = {std::min(range.x, sample), std::max(range.y, sample)};
+  return range;
+}
+
+/// What is not by a scalar stays the default's.
+void color_vertices(const Isosurface& surface, TriangleMesh& mesh) {
+  apply_appearance({}, mesh);
+  parallel_for(std::size_t(0), mesh.positions.size(), [&](std::size_t i) {
+    const Vec3& x = mesh.positions[i];
+    Rgba& color = mesh.colors[i];
+    if (const auto& by = surface.coloring) color = Rgba(by->color(by->scalar.fraction(x)), color.a);
+    if (surface.fading) color.a = surface.fading->opacity(x);
+  });
+}
+
+/// Triangles with a corner in the hole are left out.
+TriangleMesh mesh_of(const Isosurface& surface) {
+  ExtractedSurface extracted = extract_surface(*surface.field, surface.value);
+  TriangleMesh mesh;
+  mesh.positions = std::move(extracted.positions);
+  mesh.normals = std::move(extracted.normals);
+  std::ranges::copy_if(extracted.triangles, std::back_inserter(mesh.triangles), [&](const auto& t) {
+    return std::ranges::none_of(
+        t, [&](std::uint32_t corner) { return surface.cuts_away(mesh.positions[corner]); });
+  });
+  if (surface.coloring || surface.fading) color_vertices(surface, mesh);
+  return mesh;
+}
+
+std::string describe(const LevelField& field, const std::string& scalar) {
+  std::vector<std::string> sizes;
+  for (const ScalarLevel& level : field.levels())
+    sizes.push_back(fmt::format("{}", fmt::join(level.size, " × ")));
+  return fmt::format("{} on {} samples, {}", scalar, fmt::join(sizes, " and "),
+                     field.reconstruction().name);
+}
+
+decltype(Isosurface::hole) read_hole(const JsonNode& node, const std::filesystem::path& folder) {
+  if (!node.has("mesh")) {
+    node.accept_keys({"center", "radius", "mesh", "distance"});
+    return Isosurface::Ball{node["center"].vec3(), node["radius"].number(0, any)};
+  }
+  node.accept_keys({"mesh", "distance"});
+  const JsonNode mesh = node["mesh"];
+  return Isosurface::Body{
+      at_place(
+          mesh,
+          [&] { return std::make_shared<const SolidMesh>(read_mesh(folder / mesh.string())); }),
+      node.has("distance") ? node["distance"].number(0, any) : 0};
+}
+
+class IsosurfaceReader {
+ public:
+  IsosurfaceReader(const JsonNode& node, const std::filesystem::path& folder,
+                   const Appearance& appearance)
+      : node_(node),
+        folder_(folder),
+        color_(std::get_if<ScalarColor>(&appearance.color)),
+        opacity_(std::get_if<ScalarOpacity>(&appearance.opacity)),
+        reconstruction_(&reconstruction()) {}
+
+  Isosurface read() {
+    node_.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh"});
+    Isosurface surface;
+    surface.value = node_["value"].number(-any, any);
+    std::vector<Levels> levels = read_levels();
+    surface.field = field_on(std::move(levels.front()));
+    surface.corners = corners_of(surface.field->bounds());
+    if (color_)
+      surface.coloring = {
+          other_scalar(std::move(levels[1]), *surface.field, *color_),
+          &at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); })};
+    if (opacity_)
+      surface.fading = {other_scalar(std::move(levels.back()), *surface.field, *opacity_),
+                        opacity_->opacities};
+    if (node_.has("hole")) surface.hole = read_hole(node_["hole"], folder_);
+    return surface;
+  }
+
+ private:
+  const ReconstructionRow& reconstruction() const {
+    return at_place(node_, [&]() -> const ReconstructionRow& {
+      return find_reconstruction(node_.has("reconstruction") ? node_["reconstruction"].string()
+                                                             : "blend");
+    });
+  }
+
+  /// Of the surface's scalar, then of its colour's, last of its opacity's.
+  std::vector<Levels> read_levels() const {
+    if (node_.has("dataset") == node_.has("file"))
+      node_.fail("accepted: one of the keys file, dataset");
+    std::vector<std::string> scalars{node_["scalar"].string()};
+    if (color_) scalars.push_back(color_->scalar);
+    if (opacity_) scalars.push_back(opacity_->scalar);
+    return node_.has("dataset") ? generate(node_, scalars)
+                                : read_files(node_["file"], folder_, scalars);
+  }
+
+  std::shared_ptr<const LevelField> field_on(Levels levels) const {
+    return at_place(node_, [&] {
+      return std::make_shared<const LevelField>(std::move(levels), *reconstruction_);
+    });
+  }
+
+  /// `by` is a ScalarColor or a ScalarOpacity.
+  Isosurface::OtherScalar other_scalar(Levels levels, const LevelField& surface,
+                                       const auto& by) const {
+    const auto field = field_on(std::move(levels));
+    if (!on_same_samples(*field, surface))
+      node_.fail(fmt::format(
+          "its grids are not those of the scalar '{}'; accepted: the same boxes and widths",
+          by.scalar));
+    return {field, by.range.value_or(range_of(*field))};
+  }
+
+  const JsonNode& node_;
+  const std::filesystem::path& folder_;
+  const ScalarColor* color_;      // none: not by a scalar
+  const ScalarOpacity* opacity_;  // none: the same
+  const ReconstructionRow* reconstruction_;
+};
+
+}  // namespace
+
+std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
+                                                       const std::filesystem::path& folder,
+                                                       const Appearance& appearance,
+                                                       std::string& how) {
+  Isosurface surface = IsosurfaceReader(node, folder, appearance).read();
+  how = describe(*surface.field, node["scalar"].string());
+  if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
+  TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });
+  if (mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
+  how += fmt::format(", {} triangles", mesh.triangles.size());
+  return mesh;
+}
+
+}  // namespace pellucid

@@ -1,0 +1,276 @@
+#include "scene/files/object_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "fields/make_field.h"
+#include "geometry/files/mesh_file.h"
+#include "integrators/lines/integrate_lines.h"
+#include "integrators/surfaces/integrate_surface.h"
+#include "scene/datasets/dataset.h"
+#include "scene/files/isosurface_file.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double any = std::numeric_limits<double>::max();
+
+Vec2 read_pair(const JsonNode& node, double min, double max) {
+  const auto ends = node.elements();
+  if (ends.size() != 2) node.fail("accepted: two numbers");
+  return {ends[0].number(min, max), ends[1].number(min, max)};
+}
+
+std::variant<std::monostate, Vec3, ScalarColor> read_color(const JsonNode& node) {
+  if (node.is_array()) {
+    const Vec3 rgb = node.vec3();
+    for (const JsonNode& channel : node.elements()) channel.number(0, 1);
+    return rgb;
+  }
+  node.accept_keys({"by", "map", "range"});
+  ScalarColor color{node["by"].string(), "viridis", std::nullopt};
+  if (node.has("map")) color.map = node["map"].string();
+  if (node.has("range")) color.range = read_pair(node["range"], -any, any);
+  return color;
+}
+
+std::variant<std::monostate, double, ScalarOpacity> read_opacity(const JsonNode& node) {
+  if (!node.is_object()) return node.number(0, 1);
+  node.accept_keys({"by", "opacities", "range"});
+  ScalarOpacity opacity{node["by"].string(), read_pair(node["opacities"], 0, 1), std::nullopt};
+  if (node.has("range")) opacity.range = read_pair(node["range"], -any, any);
+  return opacity;
+}
+
+Appearance read_appearance(const JsonNode& node) {
+  Appearance appearance;
+  if (node.has("color")) appearance.color = read_color(node["color"]);
+  if (node.has("opacity")) appearance.opacity = read_opacity(node["opacity"]);
+  if (node.has("importance")) appearance.importance = node["importance"].string();
+  return appearance;
+}
+
+SeedCurve read_seed(const JsonNode& node) {
+  node.accept_keys({"from", "to", "points", "spline", "closed", "center", "normal", "radius"});
+  const bool closed = node.has("closed") && node["closed"].boolean();
+  if (node.has("from")) return segment_seed(node["from"].vec3(), node["to"].vec3());
+  if (node.has("center"))
+    return circle_seed(node["center"].vec3(), node["normal"].vec3(), node["radius"].number(0, any));
+  const bool spline = node.has("spline");
+  std::vector<Vec3> points;
+  for (const JsonNode& point : node[spline ? "spline" : "points"].elements())
+    points.push_back(point.vec3());
+  return spline ? spline_seed(points, closed) : polyline_seed(points, closed);
+}
+
+double read_radius(const JsonNode& node) {
+  const double radius = node["radius"].number(0, any);
+  if (radius == 0) node["radius"].fail("0; accepted: a positive length, world units");
+  return radius;
+}
+
+Halo read_halo(const JsonNode& node) {
+  node.accept_keys({"width", "depth", "color"});
+  Halo halo;
+  halo.width = node["width"].number(0, any);
+  halo.depth = node.has("depth") ? node["depth"].number(0, any) : halo.width;
+  if (node.has("color")) {
+    halo.color = node["color"].vec3();
+    for (const JsonNode& channel : node["color"].elements()) channel.number(0, 1);
+  }
+  return halo;
+}
+
+class ObjectReader {
+ public:
+  ObjectReader(const JsonNode& node, const ObjectContext& context)
+      : node_(node), context_(context) {}
+
+  SceneObject read() {
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
+    node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "isosurface",
+                       "color", "opacity", "importance", "opaque", "radius", "profile", "halo"});
+    if (std::count_if(kinds.begin(), kinds.end(),
+                      [&](const Kind& k) { return node_.has(k.key); }) != 1)
+      node_.fail(
+          "accepted: exactly one of the keys mesh, surface, lines, points, dataset, isosurface");
+    object_.name = node_.has("name") ? node_["name"].string() : node_.place();
+    if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
+    (this->*kind->read)(node_[kind->key]);
+    apply();
+    return std::move(object_);
+  }
+
+ private:
+  struct Kind {
+    std::string_view key;
+    void (ObjectReader::*read)(const JsonNode&);
+  };
+  static const std::array<Kind, 6> kinds;
+
+  // What is drawn of what was read, with the width that its kind has.
+
+  void draw(TriangleMesh mesh) {
+    for (const char* key : {"radius", "profile"})
+      if (node_.has(key)) node_[key].fail("only lines and points have one");
+    refuse_halo();
+    object_.shape = std::move(mesh);
+  }
+
+  void draw(LineSet set) {
+    if (set.segment_count() == 0) node_.fail("nothing to draw: it has no segment");
+    const bool tube = node_.has("profile") && node_["profile"].one_of({"ribbon", "tube"}) == "tube";
+    LineObject lines{std::move(set), read_radius(node_),
+                     tube ? LineObject::Profile::tube : LineObject::Profile::ribbon};
+    if (node_.has("halo")) lines.halo = read_halo(node_["halo"]);
+    object_.shape = std::move(lines);
+  }
+
+  void draw(PointSet set) {
+    const bool sphere =
+        node_.has("profile") && node_["profile"].one_of({"disc", "sphere"}) == "sphere";
+    refuse_halo();
+    object_.shape = PointObject{std::move(set), read_radius(node_),
+                                sphere ? PointObject::Profile::sphere : PointObject::Profile::disc};
+  }
+
+  void refuse_halo() const {
+    if (node_.has("halo")) node_["halo"].fail("only lines have one");
+  }
+
+  void read_mesh_file(const JsonNode& node) {
+    TriangleMesh mesh = at_place(node, [&] { return read_mesh(path_of(node)); });
+    note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()));
+    draw(std::move(mesh));
+  }
+
+  void integrate(const JsonNode& node) {
+    node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
+    const std::string integrator = node["integrator"].string();
+    const FlowSource source = read_flow(node);
+    const SurfaceRequest request{source.field.get(), source.seed, source.duration,
+                                 source.start_time,  source.path, context_.progress};
+    IntegratedSurface surface =
+        at_place(node, [&] { return integrate_surface(integrator, request); });
+    if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
+    note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
+                     surface.stats.particles, surface.mesh.triangles.size()));
+    draw(std::move(surface.mesh));
+    object_.source = source;
+  }
+
+  FlowSource read_flow(const JsonNode& node) const {
+    FlowSource source;
+    source.field = at_place(node["field"],
+                            [&] { return make_field(node["field"].string(), context_.folder); });
+    source.seed = at_place(node["seed"], [&] { return read_seed(node["seed"]); });
+    source.duration = node["duration"].number(0, any);
+    if (node.has("start_time")) source.start_time = node["start_time"].number(-any, any);
+    if (node.has("path")) source.path = node["path"].boolean();
+    return source;
+  }
+
+  void read_line_object(const JsonNode& node) {
+    draw(node.is_object() ? integrated_lines(node) : line_file(node));
+  }
+
+  LineSet line_file(const JsonNode& node) {
+    LineSet lines = at_place(node, [&] { return read_lines(path_of(node)); });
+    note(fmt::format("{}, {} lines, {} points", file_name(node), lines.line_count(),
+                     lines.positions.size()));
+    return lines;
+  }
+
+  LineSet integrated_lines(const JsonNode& node) {
+    node.accept_keys({"field", "integrator", "seed", "duration", "start_time"});
+    const std::string integrator = node["integrator"].string();
+    const FlowSource source = read_flow(node);
+    const IntegratedLines lines = at_place(node, [&] {
+      const LineRequest request{source.field.get(),
+                                seeds_on(source.seed, line_particles(integrator)), source.duration,
+                                source.start_time, context_.progress};
+      return integrate_lines(integrator, request);
+    });
+    note(fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
+                     lines.lines.line_count(), lines.lines.positions.size()));
+    return lines.lines;
+  }
+
+  void read_point_object(const JsonNode& node) {
+    PointSet points = at_place(node, [&] { return read_points(path_of(node)); });
+    note(fmt::format("{}, {} points", file_name(node), points.positions.size()));
+    draw(std::move(points));
+  }
+
+  void draw_shape(Dataset& data) {
+    if (auto* mesh = std::get_if<TriangleMesh>(&data)) draw(std::move(*mesh));
+    if (auto* lines = std::get_if<LineSet>(&data)) draw(std::move(*lines));
+    if (auto* points = std::get_if<PointSet>(&data)) draw(std::move(*points));
+  }
+
+  void read_dataset(const JsonNode& node) {
+    Dataset data = at_place(node, [&] { return make_dataset(node.string(), context_.progress); });
+    note("data set " + node.string());
+    if (std::holds_alternative<VelocityLevels>(data))
+      node.fail(node.string() +
+                " is on levels of samples, no shape; accepted: \"isosurface\": "
+                "{\"dataset\": NAME, …}");
+    draw_shape(data);
+  }
+
+  void read_isosurface_object(const JsonNode& node) {
+    for (const char* key : {"radius", "profile", "importance", "halo"})
+      if (node_.has(key)) node_[key].fail("an isosurface has none");
+    std::string how;
+    std::visit([&](auto surface) { object_.shape = std::move(surface); },
+               read_isosurface(node, context_.folder, read_appearance(node_), how));
+    note(std::move(how));
+  }
+
+  void apply() {
+    Appearance appearance = read_appearance(node_);
+    if (node_.has("isosurface")) {  // what is by a scalar, it has: none is at its vertices
+      if (std::holds_alternative<ScalarColor>(appearance.color)) appearance.color = {};
+      if (std::holds_alternative<ScalarOpacity>(appearance.opacity)) appearance.opacity = {};
+    }
+    at_place(node_, [&] { apply_appearance(appearance, object_.vertices()); });
+    if (!object_.source) return;
+    if (auto* by = std::get_if<ScalarColor>(&appearance.color); by && !by->range)
+      by->range = finite_range(object_.vertices().scalars.at(by->scalar));
+    if (auto* by = std::get_if<ScalarOpacity>(&appearance.opacity); by && !by->range)
+      by->range = finite_range(object_.vertices().scalars.at(by->scalar));
+    object_.source->appearance = appearance;
+  }
+
+  fs::path path_of(const JsonNode& node) const { return context_.folder / node.string(); }
+  static std::string file_name(const JsonNode& node) {
+    return fs::path(node.string()).filename().string();
+  }
+  void note(std::string how) { context_.provenance[node_.place()] = std::move(how); }
+
+  const JsonNode& node_;
+  const ObjectContext& context_;
+  SceneObject object_;
+};
+
+const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{
+    {{"mesh", &ObjectReader::read_mesh_file},
+     {"surface", &ObjectReader::integrate},
+     {"lines", &ObjectReader::read_line_object},
+     {"points", &ObjectReader::read_point_object},
+     {"dataset", &ObjectReader::read_dataset},
+     {"isosurface", &ObjectReader::read_isosurface_object}}};
+
+}  // namespace
+
+SceneObject read_object(const JsonNode& node, const ObjectContext& context) {
+  return ObjectReader(node, context).read();
+}
+
+}  // namespace pellucid

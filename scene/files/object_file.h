@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "core/files/json_node.h"
+#include "core/progress.h"
+#include "scene/scene.h"
+
+namespace pellucid {
+
+struct ObjectContext {
+  std::filesystem::path folder;  // where relative paths start
+  const Progress& progress;
+  std::map<std::string, std::string>& provenance;  // gets a line on how the object was made
+};
+
+/// One of a scene file's objects, read or integrated, its appearance applied. Throws InputError
+/// that names file, key and accepted values.
+SceneObject read_object(const JsonNode& node, const ObjectContext& context);
+
+}  // namespace pellucid

@@ -1,0 +1,129 @@
+#include "scene/files/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "core/files/json_node.h"
+#include "scene/appearance/appearance.h"
+#include "scene/files/object_file.h"
+#include "scene/halo.h"
+#include "scene/view/camera_path.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double any = std::numeric_limits<double>::max();
+/// A picture of 2^28 pixels takes 4 GiB; anything larger is a slip of the hand.
+constexpr int max_side = 1 << 14;
+
+Camera read_camera(const JsonNode& node) {
+  node.accept_keys({"type", "eye", "target", "up", "fov", "height"});
+  Camera camera;
+  const std::string type =
+      node.has("type") ? node["type"].one_of({"perspective", "orthographic"}) : "perspective";
+  if (type == "orthographic") camera.projection = Projection::orthographic;
+  const std::string_view foreign = type == "orthographic" ? "fov" : "height";
+  if (node.has(foreign))
+    node[foreign].fail(fmt::format("a camera of type {} has none; it takes {}", type,
+                                   type == "orthographic" ? "height" : "fov"));
+  if (node.has("eye")) camera.eye = node["eye"].vec3();
+  if (node.has("target")) camera.target = node["target"].vec3();
+  if (node.has("up")) camera.up = node["up"].vec3();
+  if (node.has("fov")) camera.fov = node["fov"].number(-any, any);
+  if (node.has("height")) camera.height = node["height"].number(-any, any);
+  return camera;
+}
+
+std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera) {
+  node.accept_keys({"frames", "orbit", "keys"});
+  const int frames = node["frames"].integer(2, 100000);
+  if (node.has("orbit") == node.has("keys")) node.fail("accepted: one of the keys orbit, keys");
+  if (node.has("orbit")) return orbit(camera, node["orbit"].number(-any, any), frames);
+  std::vector<Camera> keys;
+  for (const JsonNode& key : node["keys"].elements()) keys.push_back(read_camera(key));
+  std::vector<Camera> path = at_place(node, [&] { return between_keys(keys, frames); });
+  at_place(node, [&] { std::ranges::for_each(path, camera_frame); });
+  return path;
+}
+
+Lighting read_lighting(const JsonNode& node) {
+  const std::string name = node.one_of({"none", "headlight", "phong"});
+  return name == "none"        ? Lighting::none
+         : name == "headlight" ? Lighting::headlight
+                               : Lighting::phong;
+}
+
+EnergyWeights read_energy(const JsonNode& node) {
+  node.accept_keys({"p", "q", "r", "lambda"});
+  EnergyWeights weights;
+  const auto read = [&](const ParameterSpec& spec, double& weight) {
+    if (node.has(spec.name)) weight = node[spec.name].number(spec.min, spec.max);
+  };
+  const auto& [q, r, lambda, p] = energy_parameters;
+  read(p, weights.p);
+  read(q, weights.q);
+  read(r, weights.r);
+  read(lambda, weights.lambda);
+  return weights;
+}
+
+struct Loader {
+  fs::path folder;
+  Progress progress;
+  Scene scene;
+
+  void read(const JsonNode& root) {
+    root.accept_keys({"format", "version", "resolution", "samples", "camera", "camera_path",
+                      "background", "lighting", "energy", "objects"});
+    root["format"].one_of({"pellucid-scene"});
+    root["version"].integer(1, 1);
+    if (root.has("resolution")) {
+      const auto sides = root["resolution"].elements();
+      if (sides.size() != 2) root["resolution"].fail("accepted: two integers, width and height");
+      scene.width = sides[0].integer(1, max_side);
+      scene.height = sides[1].integer(1, max_side);
+    }
+    if (root.has("samples")) scene.samples = root["samples"].integer(1, 16);
+    // A wrong camera is refused before anything is integrated.
+    if (root.has("camera")) {
+      scene.camera = read_camera(root["camera"]);
+      at_place(root, [&] { return camera_frame(scene.camera); });
+    }
+    if (root.has("background")) {
+      scene.background = root["background"].vec3();
+      for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
+    }
+    if (root.has("lighting")) scene.lighting = read_lighting(root["lighting"]);
+    if (root.has("energy")) scene.energy = read_energy(root["energy"]);
+    const auto objects = root["objects"].elements();
+    if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
+      scene.objects.push_back(read_object(objects[i], {folder, progress, scene.provenance}));
+      if (auto* mesh = std::get_if<TriangleMesh>(&scene.objects.back().shape);
+          mesh && scene.lighting != Lighting::none)
+        ensure_normals(*mesh);
+    }
+    if (!root.has("camera")) scene.camera = fitted_camera(scene.bounds());
+    if (root.has("camera_path"))
+      scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
+    place_halos(scene);
+  }
+};
+
+}  // namespace
+
+Scene load_scene(const fs::path& path, const Progress& progress) {
+  const nlohmann::json json = read_json(path);
+  Loader loader{path.parent_path(), progress, {}};
+  loader.scene.name = path.stem().string();
+  loader.read(JsonNode(path.string(), json));
+  return std::move(loader.scene);
+}
+
+}  // namespace pellucid

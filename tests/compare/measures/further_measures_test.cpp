@@ -1,0 +1,183 @@
+#include "compare/measures/further_measures.h"
+
+#include <gmock/gmock.h>
+
+#include "compare/cells/ray_curves.h"
+#include "compare/methods/methods.h"
+#include "core/error.h"
+#include "core/options/names.h"
+#include "groundtruth/sums/fourier_sum.h"
+#include "groundtruth/sums/ray_sums.h"
+#include "tests/compare/fake_methods.h"
+#include "tests/compare/study_folder.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using namespace pellucid::testing;
+
+/// A picture of one colour.
+CellMeasurement picture_of(const Scene& scene, const Rgba& color) {
+  CellMeasurement cell;
+  cell.image = Image(scene.width, scene.height, color);
+  return cell;
+}
+
+/// A red and a green layer over blue.
+Scene red_green_blue() {
+  Scene scene =
+      stack(2, 4, 3, [](int i) { return i == 0 ? Rgba(1, 0, 0, 0.5) : Rgba(0, 1, 0, 0.5); });
+  scene.background = {0, 0, 1};
+  return scene;
+}
+
+TEST(UnitHullMeasure, CountsThePixelsThatLeaveTheHull) {
+  const Scene scene = red_green_blue();
+  CellMeasurement cell = picture_of(scene, Rgba(0.2, 0.3, 0.5, 1));
+  // Along the normal of the plane r + g + b = 1, on which the hull lies.
+  cell.image.at(2, 1) = Rgba(0.2 + 0.1, 0.3 + 0.1, 0.5 + 0.1, 1);
+  hull_measure().measure(scene, {}, cell);
+  EXPECT_EQ(cell.row.measures[0].value, 1);
+  EXPECT_NEAR(cell.row.measures[1].value, 0.1 * std::sqrt(3.0), 1e-6);
+  ASSERT_EQ(cell.further.size(), 1u);
+  EXPECT_NE(cell.further[0].at(2, 1), cell.further[0].at(0, 0));
+}
+
+TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
+  const Scene scene = red_green_blue();
+  CellMeasurement cell = picture_of(scene, Rgba(2, 2, 2, 1));
+  cell.layers = CountImage(4, 3, 2);
+  cell.layers.at(0, 0) = 1;
+  hull_measure().measure(scene, {}, cell);
+  EXPECT_EQ(cell.row.measures[0].value, 11);
+}
+
+// The nearer layer lies at d = 0 on the left half and at d = 1/2 on the right one.
+TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
+  Scene scene = orthographic_scene(4, 2);
+  scene.objects.push_back({"left", rectangle(-3, 0, -2, 2, 1, Rgba(1, 0, 0, 0.5))});
+  scene.objects.push_back({"right", rectangle(0, 3, -2, 2, 0, Rgba(1, 0, 0, 0.5))});
+  scene.objects.push_back({"behind", full_layer(-1, Rgba(1, 0, 0, 0.5))});
+  const Image reference(4, 2, Rgba(0.5));
+  CellMeasurement cell = picture_of(scene, Rgba(0.5));
+  cell.image.at(0, 0) = Rgba(0.9f, 0.5f, 0.6f, 0.5f);
+  depth_error_measure().measure(scene, reference, cell);
+  const RowCurve& curve = cell.row.curves.at(0);
+  ASSERT_EQ(curve.x.size(), 2u);
+  EXPECT_NEAR(curve.x[0], 0, 1.0 / 220);
+  EXPECT_NEAR(curve.x[1], 0.5, 1.0 / 220);
+  EXPECT_NEAR(curve.y[0], 0.4 / 4, 1e-6);
+  EXPECT_EQ(curve.y[1], 0);
+}
+
+Cell probing_cell(std::string_view method, const RawOptions& options, bool reference) {
+  const MethodRow& row = find_row("method", method, methods());
+  return {"",        "scene", {&row, Parameters(row.name, row.parameters, options)},
+          reference, {},      {{1, 1}}};
+}
+
+CellMeasurement probed(const Cell& cell, const Scene& scene) {
+  const auto renderer = cell.call.row->make(scene, cell.call.parameters, {});
+  renderer->render({});
+  CellMeasurement measured;
+  add_ray_curves(cell, scene, *renderer, measured);
+  return measured;
+}
+
+/// Five layers of an opacity of 1/2 at d = 0.1, 0.3, 0.5, 0.7, 0.9, between two that cannot be seen
+/// at the ends of the depth range.
+Scene five_steps() {
+  Scene scene = orthographic_scene(3, 3);
+  for (const double d : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0})
+    scene.objects.push_back(
+        {"layer", full_layer(1 - 2 * d, Rgba(1, 0, 0, d == 0 || d == 1 ? 0 : 0.5))});
+  return scene;
+}
+
+double steps_up_to(double d) {
+  double sum = 0;
+  for (const double step : {0.1, 0.3, 0.5, 0.7, 0.9}) sum += step <= d ? std::log(2) : 0;
+  return sum;
+}
+
+bool near_a_step(double d) { return std::abs(std::remainder(d - 0.1, 0.2)) < 1e-3; }
+
+TEST(UnitRayCurves, TheReferenceHasTheSteps) {
+  const RowCurve curve = probed(probing_cell("raytrace", {}, true), five_steps()).row.curves.at(0);
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    if (!near_a_step(curve.x[i])) {
+      EXPECT_NEAR(curve.y[i], steps_up_to(curve.x[i]), 1e-12);
+    }
+}
+
+// Against the series summed in double. In the shader's k-th wave the error of the first one, 5e-7,
+// and of the depth, two ulp of 1 in a rasterizer's float or 2π · 1.2e-7 of the angle, count k
+// times; in the evaluated wave, too, whose depth is rounded once. They meet coefficients of up to
+// 2 · 5 ln 2, divided by 2πk, of a_k and of b_k: 5.1e-6 a band.
+TEST(AgreementRayCurves, FourierHasTheSeriesOfItsBands) {
+  const Scene scene = five_steps();
+  // The range of depths is wider than the layers' by a little: theirs are not quite 0.1, 0.3, …
+  const RaySums ray = RayProbe(scene).at(1.5, 1.5);
+  for (const int bands : {1, 5, 20}) {
+    FourierSum exact(bands);
+    for (const RayLayer& layer : ray.layers) exact.add(-std::log1p(-layer.opacity), layer.d);
+    const auto cell =
+        probed(probing_cell("fourier", {{"bands", std::to_string(bands)}}, false), scene);
+    const RowCurve& curve = cell.row.curves.at(0);
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      EXPECT_NEAR(curve.y[i], exact.up_to(curve.x[i]), 5e-6 + 5.1e-6 * bands)
+          << bands << ' ' << curve.x[i];
+    ASSERT_EQ(cell.row.curves.size(), 3u);
+    EXPECT_EQ(cell.row.curves[1].x.size(), std::size_t(bands) + 1);
+    EXPECT_NEAR(cell.row.curves[1].y[0], 2 * 5 * std::log(2), 1e-5);
+  }
+}
+
+// A step in the middle of each of five bins: constant bins are exact behind it, linear ones in it.
+TEST(UnitRayCurves, BinsAreReadAsTheirModeSays) {
+  for (const char* mode : {"constant", "linear"}) {
+    const RowCurve curve =
+        probed(probing_cell("binning", {{"bins", "5"}, {"mode", mode}}, false), five_steps())
+            .row.curves.at(0);
+    for (std::size_t i = 0; i + 1 < curve.x.size(); ++i) {
+      const double bin = std::floor(curve.x[i] * 5 + 1e-9);
+      const double expected = std::string_view(mode) == "linear" ? curve.x[i] * 5 : bin + 1;
+      EXPECT_NEAR(curve.y[i], expected * std::log(2), 1e-5) << mode << ' ' << curve.x[i];
+    }
+  }
+}
+
+TEST(UnitRayCurves, MethodsWithoutSuchAFunctionHaveNone) {
+  EXPECT_TRUE(probed(probing_cell("linked-list", {}, false), five_steps()).row.curves.empty());
+}
+
+TEST(UnitRayCurves, APixelOutsideThePictureIsRefused) {
+  Cell cell = probing_cell("raytrace", {}, true);
+  cell.probes = {{3, 0}};
+  EXPECT_THROW(probed(cell, five_steps()), InputError);
+}
+
+TEST(UnitFurtherMeasures, AStudyNamesThem) {
+  const StudyFolder folder;
+  const auto load = [&](const std::string& more) {
+    return load_study(folder.study(R"(["shifted"])", more), fake_methods());
+  };
+  const Study study = load(R"("measures": ["hull"], "probes": {"two": [[3, 4], [5, 6]]})");
+  EXPECT_THAT(study.measures, ElementsAre("hull"));
+  EXPECT_EQ(study.probes.at("two").at(1).y, 6);
+  const std::vector<Cell> cells = expand_cells(study);
+  EXPECT_TRUE(cells[1].probes.empty());
+  EXPECT_EQ(cells[3].probes.size(), 2u);
+  try {
+    load(R"("measures": ["hul"])");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("measures[0]: unknown measure 'hul'; known: hull"));
+  }
+}
+
+}  // namespace
+}  // namespace pellucid

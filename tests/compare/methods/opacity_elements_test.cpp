@@ -1,0 +1,144 @@
+// Opacity optimization in object space: the least opacity of an element, and the same of exact sums
+// and of their series.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/compare/methods/opacity_scenes.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+
+// A sheet's opacity is the same all over it, and sheets do not hang together: neither the least of
+// an element nor smoothing changes it. 40 layers are more than registers sort.
+TEST(AgreementDecoupledLists, SheetsAreThoseOfTheRayTracer) {
+  for (const int n : {3, 16, 40}) {
+    const Scene scene = important_sheets(n, 4).scene;
+    const RawOptions weights = {{"q", "3"}, {"r", "2"}, {"lambda", "1.5"}};
+    // Some n roundings of sums of importance, up to n / 4, three times; then those of compositing.
+    EXPECT_LE(largest_difference(draw("decoupled", scene, weights).image,
+                                 draw("decoupled-lists", scene, weights).image),
+              1e-5)
+        << n;
+  }
+}
+
+// Three layers, the middle one important: g = 0, 1, 0 and q = 3, r = 1 make opacities 1/4, 1, 1/2.
+TEST(UnitDecoupledLists, ThreeLayersInClosedForm) {
+  Scene scene =
+      stack(3, 2, 2, [](int i) { return Rgba(i == 0, i == 1, i == 2, i == 1 ? 0.5 : 1); });
+  for (SceneObject& object : scene.objects)
+    object.vertices().importance.assign(4, object.vertices().colors[0].g);
+  scene.energy = {.p = 1, .q = 7, .r = 1, .lambda = 2};
+  const Image image = draw("decoupled-lists", scene, {{"q", "3"}}).image;  // r is the scene's
+  const Rgba expected(0.25 + 0.1875, 0.375 + 0.1875, 0.1875 + 0.1875, 0.8125);
+  EXPECT_LE(glm::length(image.at(1, 1) - expected), 1e-6f);
+}
+
+/// An important sheet behind the right half of the picture.
+Scene half_important(const SceneObject& in_front) {
+  Scene scene = orthographic_scene(16, 16);
+  scene.background = Vec3(0);
+  TriangleMesh sheet = rectangle(0, 1.5, -1.5, 1.5, -1, Rgba(0, 0, 1, 1));
+  sheet.importance.assign(4, 1);
+  scene.objects = {in_front, {"important", sheet}};
+  return scene;
+}
+
+/// A red line from one side of the picture to the other, of 16 segments.
+SceneObject long_line() {
+  LineObject lines;
+  lines.radius = 0.4;
+  for (int i = 0; i <= 16; ++i) {
+    lines.set.positions.emplace_back(-1 + i / 8.0, 0, 1);
+    lines.set.colors.emplace_back(1, 0, 0, 1);
+  }
+  lines.set.offsets = {0, 17};
+  return {"line", lines};
+}
+
+// q = 3 takes the line's opacity to 1/4 where it is in front of what is important.
+TEST(UnitOpacityElements, AnElementHasTheLeastOpacityOfItsFragments) {
+  const Scene scene = half_important(long_line());
+  const auto left = [&](const char* method, const char* segments, const char* smooth, int x) {
+    return draw(method, scene, {{"q", "3"}, {"r", "0"}, {"segments", segments}, {"smooth", smooth}})
+        .image.at(x, 8)
+        .a;
+  };
+  EXPECT_NEAR(left("decoupled-lists", "1", "0", 1), 0.25, 1e-6);  // one element: all of it fades
+  EXPECT_NEAR(left("decoupled-lists", "16", "0", 1), 1, 1e-6);   // many: nothing is behind it there
+  EXPECT_NEAR(left("decoupled-lists", "16", "0", 10), 1, 1e-6);  // opaque sheet behind
+  // Two elements of opacity 1 and 1/4, from middle to middle of each: at pixel 6, 1.5 segments past
+  // the middle of the picture's left half, 5/16 of the way.
+  EXPECT_NEAR(left("decoupled-lists", "2", "0", 6), 1 - 0.75 * 2.5 / 8, 1e-5);
+  // One iteration mixes them half and half: both are 5/8.
+  EXPECT_NEAR(left("decoupled-lists", "2", "1", 1), 0.625, 1e-6);
+  // Five bands have G(d) = 11 d at the nearest depth, which is 1e-5.
+  EXPECT_NEAR(left("fourier-opacity", "1", "0", 1), 0.25, 1e-4);
+  EXPECT_NEAR(left("fourier-opacity", "2", "1", 1), 0.625, 1e-4);
+}
+
+TEST(UnitOpacityElements, APointIsAnElement) {
+  PointObject points;
+  points.radius = 0.7;
+  points.set.positions = {{-0.1, 0, 1}, {-0.2, 0, 0.9}};
+  points.set.colors = {{1, 0, 0, 1}, {0, 1, 0, 0}};
+  const Scene scene = half_important({"points", points});
+  for (const char* method : {"decoupled-lists", "fourier-opacity"})
+    EXPECT_NEAR(draw(method, scene, {{"q", "3"}, {"r", "0"}}).image.at(3, 8).a, 0.25, 1e-4)
+        << method;
+}
+
+TEST(UnitOpacityElements, APatchIsAnElement) {
+  const Scene scene = half_important({"sheet", full_layer(1, Rgba(1, 0, 0, 1))});
+  for (const char* method : {"decoupled-lists", "fourier-opacity"})
+    EXPECT_NEAR(draw(method, scene, {{"q", "3"}, {"r", "0"}, {"patches", "1"}}).image.at(3, 8).a,
+                0.25, 1e-4)
+        << method;
+}
+
+std::uint64_t importance_bytes(const Rendering& rendering) {
+  for (const NamedBytes& part : rendering.stats.bytes)
+    if (part.name.find("importance") != std::string::npos) return part.bytes;
+  return 0;
+}
+
+// Where all pixels have the same layers, so have those of half the resolution: odd sizes, context
+// that hides one half of the layers, and samples of a pixel included.
+TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) {
+  for (const auto& [width, height] : {std::pair(8, 6), {7, 5}, {1, 1}})
+    for (const int samples : {1, 2}) {
+      Scene scene = important_sheets(8, 5).scene;
+      scene.width = width;
+      scene.height = height;
+      scene.samples = samples;
+      scene.objects[4].opaque = true;
+      const RawOptions full = {{"q", "20"}, {"r", "10"}, {"lambda", "1.5"}};
+      RawOptions half = full;
+      half["importance-resolution"] = "half";
+      const Rendering whole = draw("fourier-opacity", scene, full);
+      const Rendering quarter = draw("fourier-opacity", scene, half);
+      // The sums of both add the same numbers in the same order.
+      EXPECT_LE(largest_difference(whole.image, quarter.image), 1e-6) << width << ' ' << samples;
+      const std::uint64_t pixels = std::uint64_t((width + 1) / 2) * ((height + 1) / 2);
+      EXPECT_EQ(importance_bytes(quarter) * std::uint64_t(width) * std::uint64_t(height),
+                importance_bytes(whole) * pixels);
+    }
+}
+
+// The sheet begins between two blocks of 2 x 2 pixels: each block has one importance.
+TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceKeepsItsPlace) {
+  const Scene scene = half_important(long_line());
+  const RawOptions full = {{"smooth", "0"}, {"q", "5"}};
+  RawOptions half = full;
+  half["importance-resolution"] = "half";
+  EXPECT_LE(largest_difference(draw("fourier-opacity", scene, full).image,
+                               draw("fourier-opacity", scene, half).image),
+            1e-6);
+}
+
+}  // namespace
+}  // namespace pellucid

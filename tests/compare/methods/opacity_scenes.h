@@ -1,0 +1,46 @@
+#pragma once
+// Scenes with importance, for the tests of opacity optimization.
+
+#include <cmath>
+#include <random>
+
+#include "compare/methods/methods.h"
+#include "core/options/names.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid::testing {
+
+inline Rendering draw(std::string_view method, const Scene& scene, const RawOptions& options = {}) {
+  const MethodRow& row = find_row("method", method, methods());
+  return row.make(scene, Parameters(row.name, row.parameters, options), {})
+      ->render({.layers = true});
+}
+
+inline double largest_difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int c = 0; c < 4; ++c)
+      largest = std::max(largest, std::abs(double(a.pixels[i][c]) - double(b.pixels[i][c])));
+  return largest;
+}
+
+/// Sheets of opacity 1/2 over the whole picture, importance from 0 to 1, front to back.
+struct Sheets {
+  std::vector<double> d, g;
+  Scene scene;
+};
+
+inline Sheets important_sheets(int n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  Sheets sheets;
+  sheets.scene = stack(n, 3, 2, [&](int i) { return Rgba(i % 2, unit(random), 1 - i % 2, 0.5f); });
+  for (int i = 0; i < n; ++i) {
+    sheets.g.push_back(i % 2 ? std::pow(unit(random), 2) : 0);
+    sheets.d.push_back((double(i) / (n - 1) + 1e-5) / (1 + 2e-5));  // see depth_range()
+    sheets.scene.objects[std::size_t(i)].vertices().importance.assign(4, float(sheets.g.back()));
+  }
+  return sheets;
+}
+
+}  // namespace pellucid::testing

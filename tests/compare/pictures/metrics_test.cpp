@@ -1,0 +1,145 @@
+#include <gmock/gmock.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "compare/pictures/metrics.h"
+#include "compare/pictures/ssim.h"
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "tests/compare/pictures/metric_pairs.h"
+
+namespace pellucid {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using namespace pellucid::testing;
+
+Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
+
+std::string error_of(const Image& a, const Image& b) {
+  try {
+    measure(a, b);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(UnitMetrics, ConstantsHaveClosedForms) {
+  // Both means constant, no variance: SSIM = (2ab + C1) / (a² + b² + C1), exact in double but for
+  // the rounding of the window's sum (1e-12).
+  const double a = 0.25, b = 0.75, c1 = 1e-4;
+  const Metrics m = measure(grey(20, 15, 0.25f), grey(20, 15, 0.75f));
+  EXPECT_DOUBLE_EQ(m.rmse, 0.5);
+  EXPECT_NEAR(m.psnr, 20 * std::log10(2.0), 1e-12);
+  EXPECT_NEAR(m.ssim.value(), (2 * a * b + c1) / (a * a + b * b + c1), 1e-12);
+}
+
+TEST(UnitMetrics, OneWrongValueIsFoundWhereItIs) {
+  const Image reference = grey(31, 17, 0.5f);
+  Image test = reference;
+  test.at(7, 11).b = 0.125f;
+  const Metrics m = measure(reference, test);
+  EXPECT_DOUBLE_EQ(m.rmse, 0.375 / std::sqrt(3.0 * 31 * 17));
+  EXPECT_EQ(m.max_error.value, 0.375);
+  EXPECT_EQ(m.max_error.x, 7);
+  EXPECT_EQ(m.max_error.y, 11);
+}
+
+TEST(UnitMetrics, AlphaIsNotCompared) {
+  Image test = grey(12, 12, 0.5f);
+  for (Rgba& pixel : test.pixels) pixel.a = 0;
+  EXPECT_EQ(rmse(grey(12, 12, 0.5f), test), 0);
+}
+
+TEST(UnitMetrics, BelowElevenPixelsThereIsNoSsim) {
+  EXPECT_FALSE(ssim(grey(10, 40, 0.f), grey(10, 40, 1.f)).has_value());
+  EXPECT_FALSE(ssim(grey(1, 1, 0.f), grey(1, 1, 0.f)).has_value());
+  EXPECT_EQ(measure(grey(1, 1, 0.f), grey(1, 1, 0.5f)).rmse, 0.5);
+}
+
+TEST(UnitMetrics, WrongPairsAreNamed) {
+  EXPECT_THAT(error_of(grey(4, 3, 0), grey(3, 4, 0)), HasSubstr("3×4 pixels; accepted: 4×3"));
+  EXPECT_THAT(error_of(Image(), Image()), HasSubstr("no pixels"));
+  Image bad = grey(5, 5, 0);
+  bad.at(2, 3).g = std::numeric_limits<float>::quiet_NaN();
+  bad.at(4, 4).a = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(error_of(grey(5, 5, 0), bad), HasSubstr("test picture: 2 pixels are not finite"));
+  EXPECT_THAT(error_of(bad, grey(5, 5, 0)), HasSubstr("the first at (2, 3)"));
+  EXPECT_EQ(count_not_finite(bad), 2u);
+}
+
+TEST(UnitMetrics, DisplayedValuesHideWhatAScreenHides) {
+  // 0.5 and 0.5005 are both shown as 128.
+  const Comparison c = compare_images(grey(16, 16, 0.5f), grey(16, 16, 0.5005f));
+  EXPECT_GT(c.linear.rmse, 4e-4);
+  EXPECT_EQ(c.displayed.rmse, 0);
+  EXPECT_EQ(c.displayed.ssim, 1);
+}
+
+TEST(PropertyMetrics, APictureEqualsItselfExactly) {
+  for (const FormulaPair& pair : formula_pairs()) {
+    const Image x = picture(40, 33, pair.y);
+    const Metrics m = measure(x, x);
+    EXPECT_EQ(m.rmse, 0) << pair.name;
+    EXPECT_EQ(m.psnr, std::numeric_limits<double>::infinity()) << pair.name;
+    EXPECT_EQ(m.ssim, 1) << pair.name;
+    EXPECT_EQ(m.max_error.value, 0) << pair.name;
+  }
+}
+
+TEST(PropertyMetrics, SameBitsForAnyNumberOfThreads) {
+  const Image x = picture(300, 217, rings), y = picture(300, 217, grainy);
+  const Metrics many = measure(x, y);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const Metrics single = measure(x, y);
+  EXPECT_EQ(many.rmse, single.rmse);
+  EXPECT_EQ(many.ssim, single.ssim);
+}
+
+TEST(PropertyMetrics, EveryRowReadsItsOwnNumber) {
+  const Metrics m{1, 2, 3, {4, 0, 0}};
+  std::map<std::string_view, double> values;
+  for (const MetricRow& row : metrics()) values[row.name] = row.value(m).value();
+  EXPECT_EQ(values, (std::map<std::string_view, double>{
+                        {"rmse", 1}, {"psnr", 2}, {"ssim", 3}, {"max_error", 4}}));
+}
+
+/// `rounding` is the error of the values that went in. SSIM: bright pictures (1000²) lose
+/// 1e-16 × 1e6 / 9e-4 = 1e-7 to cancellation in scikit-image; everything stays below the 1e-6
+/// asked.
+void expect_equal(const Metrics& got, const json& expected, double rounding,
+                  const std::string& name) {
+  const double error = expected["rmse"];
+  EXPECT_NEAR(got.rmse, error, rounding) << name;
+  EXPECT_NEAR(got.ssim.value(), expected["ssim"].get<double>(), 2e-7) << name;
+  if (error > 0) {  // dPSNR = 20 / ln 10 dRMSE / RMSE
+    EXPECT_NEAR(got.psnr, expected["psnr"].get<double>(), 9 * rounding / error + 1e-12) << name;
+  }
+  EXPECT_NEAR(got.max_error.value, expected["max_error"]["value"].get<double>(), rounding) << name;
+}
+
+TEST(AgreementMetrics, EqualScikitImage) {
+  const json expected = json::parse(read_text(PELLUCID_TEST_DATA "/metrics.json"));
+  const auto pairs = formula_pairs();
+  ASSERT_EQ(expected["pairs"].size(), pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const json& e = expected["pairs"][i];
+    ASSERT_EQ(e["name"], pairs[i].name);
+    const int width = e["width"], height = e["height"];
+    const Image x = picture(width, height, pairs[i].x), y = picture(width, height, pairs[i].y);
+    const Comparison c = compare_images(x, y);
+    expect_equal(c.linear, e["linear"], 1e-12, pairs[i].name);  // sums of doubles
+    // n/255 in float errs by 3e-8 in either picture.
+    expect_equal(c.displayed, e["displayed"], 6e-8, pairs[i].name + ", 8 bits");
+    EXPECT_EQ(c.linear.max_error.x, e["linear"]["max_error"]["x"]) << pairs[i].name;
+    EXPECT_EQ(c.linear.max_error.y, e["linear"]["max_error"]["y"]) << pairs[i].name;
+  }
+}
+
+}  // namespace
+}  // namespace pellucid

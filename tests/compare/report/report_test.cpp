@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "compare/run/run_study.h"
+#include "tests/compare/fake_methods.h"
+#include "tests/compare/study_folder.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using namespace pellucid::testing;
+
+/// A study with a failing cell, and its report's text.
+std::string make_report(const StudyFolder& folder) {
+  const Study study =
+      load_study(folder.study(R"(["shifted:by=0.5", "exact-shifted", "broken", "measuring"])"),
+                 fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  run_study(study, options);
+  return read_text(folder / "results/report.html");
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
+    ++found;
+  return found;
+}
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t from = text.find(begin) + begin.size();
+  return text.substr(from, text.find(end, from) - from);
+}
+
+TEST(UnitReport, HoldsEveryRowAndPicture) {
+  const StudyFolder folder;
+  const std::string page = make_report(folder);
+  const auto data = nlohmann::json::parse(
+      between(page, R"(<script id="data" type="application/json">)", "</script>"));
+  EXPECT_EQ(data["rows"].size(), 10u);
+  EXPECT_THAT(data["rows"][4]["pictures"][0]["source"].get<std::string>(),
+              ::testing::StartsWith("data:image/png;base64,iVBOR"));
+  EXPECT_EQ(data["scenes"].size(), 2u);
+  EXPECT_EQ(data["study"]["title"], "T & <t>");
+  EXPECT_EQ(data["rows"][1]["metrics"]["rmse"], 0.5);
+  EXPECT_THAT(data["rows"][1]["picture"].get<std::string>(),
+              ::testing::StartsWith("data:image/png;base64,iVBOR"));
+  EXPECT_THAT(data["rows"][3]["error"].get<std::string>(), HasSubstr("<more>"));
+}
+
+TEST(UnitReport, TextCannotBecomeMarkup) {
+  const StudyFolder folder;
+  const std::string page = make_report(folder);
+  EXPECT_THAT(page, HasSubstr("<title>T &amp; &lt;t&gt;</title>"));
+  EXPECT_THAT(page, Not(HasSubstr("{{")));  // every mark was filled in
+  EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
+}
+
+/// What a command prints, and whether it succeeded.
+std::pair<std::string, bool> output_of(const std::string& command) {
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::string text;
+  char block[4096];
+  for (std::size_t got; (got = std::fread(block, 1, sizeof block, pipe)) > 0;)
+    text.append(block, got);
+  return {text, ::pclose(pipe) == 0};
+}
+
+/// The page's own policy (no source but itself and data:) turns every request into a console error,
+/// so that their absence proves both.
+TEST(SlowReport, ABrowserShowsItWithoutErrorsOrRequests) {
+  if (!output_of("command -v chromium").second) GTEST_SKIP() << "chromium is not installed";
+  const StudyFolder folder;
+  EXPECT_THAT(make_report(folder), HasSubstr("default-src 'none'"));
+  const std::string log = (folder / "log").string();
+  const auto [dom, worked] = output_of(
+      "timeout 90 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+      "--disable-background-networking --disable-component-update --disable-sync "
+      "--enable-logging=stderr --v=0 --virtual-time-budget=5000 --user-data-dir=" +
+      (folder / "profile").string() + " --dump-dom file://" +
+      (folder / "results/report.html").string() + " 2>" + log);
+  ASSERT_TRUE(worked) << read_text(log);
+  EXPECT_THAT(read_text(log), Not(HasSubstr("CONSOLE")));
+  EXPECT_EQ(count(dom, "<figure class=\"card\""), 10u);
+  EXPECT_EQ(count(dom, "class=\"marks\""), 2u * 3);  // Vega's own: three plots per scene
+  // The table of all numbers and the one across scenes: a head, and a row for each cell or method.
+  // Two scenes' tables of measures: a head, and a row for each of two.
+  EXPECT_EQ(count(dom, "<tr"), 1u + 10 + 1 + 4 + 2 * 3);
+  EXPECT_EQ(count(dom, "class=\"further\""), 2u);
+}
+
+}  // namespace
+}  // namespace pellucid

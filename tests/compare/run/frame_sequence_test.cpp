@@ -1,0 +1,107 @@
+#include "compare/run/frame_sequence.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "tests/compare/methods/opacity_scenes.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+
+/// An unimportant sheet, line and discs before an important sheet, from before which a camera that
+/// turns to the right moves them away.
+Scene turning(int frames, double degrees) {
+  Scene scene = orthographic_scene(24, 24);
+  TriangleMesh front = rectangle(-0.3, 0.5, -1, -0.4, 1, Rgba(1, 0, 0, 0.8));
+  TriangleMesh back = rectangle(-0.3, 0.9, -1, 1, -1, Rgba(0, 0, 1, 0.8));
+  back.importance.assign(4, 1);
+  LineObject line;
+  line.radius = 0.15;
+  line.set.positions = {{-1, 0.6, 0.5}, {0, 0.6, 0.5}, {1, 0.6, 0.5}};
+  line.set.colors.assign(3, Rgba(0, 1, 0, 0.8));
+  line.set.offsets = {0, 3};
+  PointObject points;
+  points.radius = 0.2;
+  points.set.positions = {{-0.35, 0.1, 0.8}, {0.5, 0.1, 0.8}};
+  points.set.colors.assign(2, Rgba(1, 1, 0, 0.8));
+  scene.objects = {{"front", front}, {"line", line}, {"points", points}, {"back", back}};
+  scene.energy = {.p = 1, .q = 20, .r = 5, .lambda = 1};
+  scene.camera.up = Vec3(0, 1, 0);
+  scene.camera_path = orbit(scene.camera, degrees, frames);
+  return scene;
+}
+
+std::vector<SequenceFrame> sequence(Scene scene, std::string_view method,
+                                    const RawOptions& options = {}) {
+  const MethodRow& row = find_row("method", method, methods());
+  std::vector<SequenceFrame> frames;
+  render_sequence(scene, row, Parameters(row.name, row.parameters, options), {},
+                  [&](const SequenceFrame& frame) { frames.push_back(frame); });
+  return frames;
+}
+
+constexpr const char* optimizing[] = {"fourier-opacity", "decoupled-lists"};
+
+TEST(UnitFrameSequence, AStillCameraChangesNothing) {
+  for (const char* method : optimizing)
+    for (const char* keep : {"0", "0.5"}) {
+      const auto frames = sequence(turning(3, 0), method, {{"keep", keep}});
+      ASSERT_EQ(frames.size(), 3u);
+      EXPECT_FALSE(frames[0].opacity);
+      EXPECT_FALSE(frames[0].picture);
+      for (std::size_t i = 1; i < 3; ++i) {
+        EXPECT_EQ(frames[i].motion.degrees, 0);
+        ASSERT_TRUE(frames[i].opacity) << method;
+        // Sums of a series depend on the order in which fragments came.
+        EXPECT_LT(frames[i].opacity->largest, 1e-4) << method;
+        EXPECT_LT(*frames[i].picture, 1e-4) << method;
+      }
+    }
+}
+
+TEST(UnitFrameSequence, WithoutAPathThereIsNoFrame) {
+  Scene scene = turning(2, 10);
+  scene.camera_path.clear();
+  EXPECT_TRUE(sequence(scene, "linked-list").empty());
+}
+
+TEST(UnitFrameSequence, MethodsThatOptimizeNothingHaveNoOpacityChange) {
+  const auto frames = sequence(turning(2, 20), "linked-list");
+  EXPECT_FALSE(frames[1].opacity);
+  EXPECT_GT(*frames[1].picture, 0.01);
+}
+
+// The second frame shows keep · last + (1 - keep) · found: it differs from the last by 1 - keep of
+// what it would.
+TEST(PropertyFrameSequence, WhatIsKeptOfTheLastFrameScalesTheChange) {
+  for (const char* method : optimizing) {
+    const auto change = [&](const char* keep) {
+      return *sequence(turning(2, 25), method, {{"keep", keep}})[1].opacity;
+    };
+    const Change whole = change("0"), half = change("0.5"), none = change("1");
+    EXPECT_GT(whole.largest, 0.1) << method;
+    EXPECT_NEAR(half.mean, 0.5 * whole.mean, 1e-4) << method;
+    EXPECT_NEAR(half.largest, 0.5 * whole.largest, 1e-4) << method;
+    EXPECT_LT(none.largest, 1e-6) << method;
+  }
+}
+
+// Points are drawn with the opacities that were found for them, lines and meshes with those of
+// vertices: of either kind the picture has to show what was kept. In the first frame each hides
+// some of the important sheet, in the second none.
+TEST(PropertyFrameSequence, ThePictureShowsWhatIsKept) {
+  for (const char* method : optimizing)
+    for (const std::size_t object : {0u, 1u, 2u}) {
+      Scene scene = turning(2, 25);
+      scene.objects = {scene.objects[object], scene.objects.back()};
+      const auto drawn = [&](const char* keep) {
+        return sequence(scene, method, {{"keep", keep}})[1].rendering.image;
+      };
+      EXPECT_GT(largest_difference(drawn("0"), drawn("1")), 0.02) << method << ' ' << object;
+    }
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,311 @@
+#include "compare/run/run_study.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/cells/cell.h"
+#include "compare/pictures/image_file.h"
+#include "core/error.h"
+#include "tests/compare/fake_methods.h"
+#include "tests/compare/study_folder.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using namespace pellucid::testing;
+
+constexpr const char* two_methods = R"(["shifted:by=0.5", "exact-shifted"])";
+
+StudyOutcome run(const StudyFolder& folder, const std::string& methods, bool resume = false,
+                 const std::string& only = "") {
+  const Study study = load_study(folder.study(methods), fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  options.resume = resume;
+  options.only = only;
+  return run_study(study, options);
+}
+
+const ResultRow& row_of(const StudyOutcome& outcome, std::string_view scene,
+                        std::string_view method) {
+  for (const ResultRow& row : outcome.rows)
+    if (row.scene == scene && row.method == method) return row;
+  throw std::runtime_error("no such row");
+}
+
+/// What has to be equal however a study was run: everything but times.
+nlohmann::json without_times(const ResultRow& row) {
+  nlohmann::json json = to_json(row);
+  if (json.contains("seconds")) json["seconds"].erase("setup");
+  return json;
+}
+
+TEST(UnitRunStudy, ARowSaysWhatTheRendererDid) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, two_methods);
+  EXPECT_EQ(outcome.computed, 6u);
+  const ResultRow& row = row_of(outcome, "one", "shifted");
+  EXPECT_EQ(row.parameters, "by=0.5");
+  EXPECT_EQ(row.parameter_values.at("how"), "up");
+  EXPECT_DOUBLE_EQ(row.metrics.linear.rmse, 0.5);
+  EXPECT_EQ(row.metrics.linear.max_error.value, 0.5);
+  EXPECT_EQ(row.seconds.median, 0.75);
+  ASSERT_EQ(row.steps.size(), 2u);
+  EXPECT_EQ(row.steps[1].first, "second");
+  EXPECT_EQ(row.steps[1].second.max, 0.5);
+  EXPECT_EQ(row.total_bytes(), 1024u);
+  EXPECT_EQ(row.fragments, 3u * 24 * 16);
+  EXPECT_EQ(row.max_layers, 3u);
+  EXPECT_EQ(row.machine.at("driver"), "none");
+  EXPECT_FALSE(row.coverage.has_value());
+  EXPECT_EQ(row_of(outcome, "two", "truth").metrics.linear.rmse, 0);
+}
+
+TEST(UnitRunStudy, OneWarmUpAndAllRepeats) {
+  const StudyFolder folder;
+  RenderCounter::renders = 0;
+  run(folder, "[]");
+  EXPECT_EQ(RenderCounter::renders, 2 * (1 + 2));  // two scenes
+}
+
+TEST(UnitRunStudy, ExactMethodsAreAlsoComparedWhereLayersAgree) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, two_methods);
+  const CoverageCheck check = row_of(outcome, "one", "exact-shifted").coverage.value();
+  EXPECT_EQ(check.differing, 1u);
+  EXPECT_EQ(check.pixels, 24u * 16);
+  EXPECT_DOUBLE_EQ(check.rmse_elsewhere.value(), 0.125);
+}
+
+TEST(UnitRunStudy, LayersOfItsOwnAreShownBesideTheReferences) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, R"(["layering", "shifted"])");
+  const CoverageCheck check = row_of(outcome, "one", "layering").coverage.value();
+  EXPECT_EQ(check.differing, 2u);
+  EXPECT_EQ(check.differing_by_more, 1u);
+  const fs::path images = folder / "results/images/one";
+  EXPECT_TRUE(fs::exists(images / "layering.layers.png"));
+  EXPECT_TRUE(fs::exists(images / "truth.layers.png"));
+  EXPECT_FALSE(fs::exists(images / "shifted.layers.png"));
+  EXPECT_NE(read_image(images / "truth.layers.png").at(2, 0),
+            read_image(images / "layering.layers.png").at(2, 0));
+}
+
+TEST(UnitRunStudy, EveryFileIsThere) {
+  const StudyFolder folder;
+  run(folder, two_methods);
+  const fs::path results = folder / "results";
+  for (const char* name :
+       {"results.csv", "results.json", "table.md", "table.tex", "report.html",
+        "images/one/truth.exr", "images/one/truth.layers.exr", "images/two/shifted-by-0.5.png",
+        "images/two/shifted-by-0.5.error.png", "cells/two/exact-shifted.json"})
+    EXPECT_TRUE(fs::is_regular_file(results / name)) << name;
+  EXPECT_THAT(
+      read_text(results / "results.csv"),
+      StartsWith("scene,method,parameters,rmse,ssim,psnr,seconds,bytes,fragments,max_layers"));
+  const auto json = nlohmann::json::parse(read_text(results / "results.json"));
+  EXPECT_EQ(json["rows"].size(), 6u);
+  EXPECT_EQ(json["rows"][1]["metrics"]["rmse"], 0.5);
+  EXPECT_EQ(read_image(results / "images/one/truth.exr").at(3, 5).g, 15 / 128.f);
+}
+
+TEST(UnitRunStudy, AFailingCellIsARowAndTheOthersGoOn) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, R"(["broken", "not-a-number", "shifted"])");
+  EXPECT_EQ(outcome.rows.size(), 8u);
+  EXPECT_THAT(row_of(outcome, "one", "broken").error, HasSubstr("the driver lacks"));
+  EXPECT_THAT(row_of(outcome, "one", "not-a-number").error, HasSubstr("384 pixels"));
+  EXPECT_DOUBLE_EQ(row_of(outcome, "two", "shifted").metrics.linear.rmse, 0.25);
+  const std::string csv = read_text(folder / "results/results.csv");
+  EXPECT_THAT(csv,
+              HasSubstr("one,broken,,,,,,,,,,,,,,,,,,,,,,\"the driver lacks \"\"everything\"\""));
+  EXPECT_THAT(read_text(folder / "results/table.md"), HasSubstr("failed: the driver lacks"));
+  EXPECT_THAT(read_text(folder / "results/table.tex"), HasSubstr("failed: the driver lacks"));
+}
+
+TEST(UnitRunStudy, WhatOnlySomeMethodsKnowIsInEveryTable) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, R"(["shifted", "measuring", "broken"])");
+  EXPECT_TRUE(fs::is_regular_file(folder / "results/images/one/measuring.depth.png"));
+  const std::string csv = read_text(folder / "results/results.csv");
+  EXPECT_THAT(csv, HasSubstr(",nodes,spread,error\n"));
+  EXPECT_THAT(csv, HasSubstr(",12,0.12345678,\n"));
+  EXPECT_THAT(csv, HasSubstr(",,,\"the driver"));
+  EXPECT_THAT(
+      read_text(folder / "results/table.md"),
+      HasSubstr("| | measuring |\n|---|---:|\n| Nodes_made | 12 |\n| Spread [m] | 0.1235 |"));
+  EXPECT_THAT(read_text(folder / "results/table.tex"),
+              HasSubstr("Nodes\\_made & 12 \\\\\nSpread [m] & 0.1235"));
+  const ResultRow& row = row_of(outcome, "one", "measuring");
+  EXPECT_EQ(to_json(row_from_json(to_json(row))), to_json(row));
+  EXPECT_TRUE(row_of(outcome, "one", "shifted").measures.empty());
+}
+
+TEST(UnitRunStudy, WithoutAReferenceItsSceneFails) {
+  const StudyFolder folder;
+  write_text(folder / "two.json",
+             R"({"format": "pellucid-scene", "version": 1, "objects": [{"mesh": "none.ply"}]})");
+  const StudyOutcome outcome = run(folder, two_methods);
+  EXPECT_THAT(row_of(outcome, "two", "truth").error, HasSubstr("none.ply"));
+  EXPECT_THAT(row_of(outcome, "two", "shifted").error, HasSubstr("reference"));
+  EXPECT_TRUE(row_of(outcome, "one", "shifted").error.empty());
+}
+
+TEST(UnitRunStudy, ARowSurvivesItsFile) {
+  const StudyFolder folder;
+  for (const ResultRow& row : run(folder, R"(["exact-shifted", "broken"])").rows)
+    EXPECT_EQ(to_json(row_from_json(to_json(row))), to_json(row));
+}
+
+TEST(UnitResume, NoFinishedCellIsComputedTwice) {
+  const StudyFolder folder;
+  const StudyOutcome first = run(folder, two_methods);
+  const StudyOutcome second = run(folder, two_methods, true);
+  EXPECT_EQ(second.computed, 0u);
+  EXPECT_EQ(second.kept, 6u);
+  for (std::size_t i = 0; i < first.rows.size(); ++i)
+    EXPECT_EQ(to_json(first.rows[i]), to_json(second.rows[i]));
+  EXPECT_EQ(run(folder, two_methods, false).computed, 6u);
+}
+
+TEST(UnitResume, OnlyWhatIsNewOrChangedOrLostIsComputed) {
+  const StudyFolder folder;
+  run(folder, two_methods);
+  EXPECT_EQ(run(folder, R"(["shifted:by=0.5", "shifted:by=0.75"])", true).computed, 2u);
+  fs::remove(folder / "results/images/one/shifted-by-0.5.exr");
+  EXPECT_EQ(run(folder, two_methods, true).computed, 1u);
+  run(folder, R"(["measuring"])");
+  fs::remove(folder / "results/images/one/measuring.depth.png");
+  EXPECT_EQ(run(folder, R"(["measuring"])", true).computed, 1u);
+  run(folder, two_methods);
+  write_text(folder / "results/cells/two/truth.json", "{\"scene\":");
+  EXPECT_EQ(run(folder, two_methods, true).computed, 1u);
+  write_scene(folder / "one.json", 24, 17);
+  EXPECT_EQ(run(folder, two_methods, true).computed, 3u);
+  write_text(folder / "triangle.ply", read_text(folder / "triangle.ply") + "\n");
+  EXPECT_EQ(run(folder, two_methods, true).computed, 6u);  // both scenes draw it
+}
+
+TEST(UnitResume, AnotherReferenceOrDriverMakesOtherCells) {
+  const StudyFolder folder;
+  run(folder, R"(["shifted"])");
+  std::string text = read_text(folder / "study.json");
+  text.replace(text.find("truth"), 5, "exact-shifted");
+  write_text(folder / "study.json", text);
+  const Study study = load_study(folder / "study.json", fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  options.resume = true;
+  const StudyOutcome outcome = run_study(study, options);
+  EXPECT_EQ(outcome.computed, 4u);
+  EXPECT_DOUBLE_EQ(row_of(outcome, "one", "shifted").metrics.linear.rmse, 0.125);
+  options.context.gl = "egl";
+  EXPECT_EQ(run_study(study, options).computed, 4u);
+}
+
+TEST(UnitResume, AFailedCellIsTriedAgain) {
+  const StudyFolder folder;
+  run(folder, R"(["broken"])");
+  EXPECT_EQ(run(folder, R"(["broken"])", true).computed, 2u);
+}
+
+TEST(UnitOnly, ShareTheWorkByPatternsInAnyOrder) {
+  const StudyFolder whole, parts;
+  const StudyOutcome expected = run(whole, two_methods);
+  EXPECT_EQ(run(parts, two_methods, false, "two/exact*").computed, 2u);  // and its reference
+  EXPECT_EQ(run(parts, two_methods, false, "shifted*").computed, 3u);    // and the other reference
+  EXPECT_EQ(run(parts, two_methods, false, "one").rows.size(), 6u);
+  const StudyOutcome collected = run(parts, two_methods, true);
+  EXPECT_EQ(collected.computed, 0u);
+  ASSERT_EQ(collected.rows.size(), expected.rows.size());
+  for (std::size_t i = 0; i < expected.rows.size(); ++i) {
+    nlohmann::json a = without_times(collected.rows[i]), b = without_times(expected.rows[i]);
+    a.erase("scene_provenance"), b.erase("scene_provenance");  // holds the folder's name
+    a.erase("fingerprint"), b.erase("fingerprint");
+    EXPECT_EQ(a, b);
+  }
+}
+
+TEST(UnitOnly, APatternThatFitsNothingIsNamed) {
+  const StudyFolder folder;
+  try {
+    run(folder, two_methods, false, "three/*");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'three/*': fits no cell"));
+  }
+}
+
+TEST(UnitRunStudy, AFolderThatCannotBeMadeIsNamed) {
+  const StudyFolder folder;
+  write_text(folder / "results", "in the way");
+  EXPECT_THROW(run(folder, "[]"), InputError);
+}
+
+/// The study is killed at its n-th rendering, in a process of its own, and resumed.
+class SlowKilledStudy : public ::testing::TestWithParam<int> {};
+
+TEST_P(SlowKilledStudy, IsCompletedToTheSameNumbers) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const StudyFolder whole;
+  const StudyOutcome expected = run(whole, two_methods);
+  // The child is a new process that comes here again: it learns the folder from its environment.
+  const StudyFolder own;
+  ::setenv("PELLUCID_KILLED_STUDY", own.path().c_str(), 0);
+  const fs::path folder = ::getenv("PELLUCID_KILLED_STUDY");
+  const auto run_in = [&](bool resume) {
+    const Study study = load_study(folder / "study.json", fake_methods());
+    StudyOptions options;
+    options.folder = folder / "results";
+    options.resume = resume;
+    return run_study(study, options);
+  };
+  own.study(two_methods);
+  EXPECT_EXIT(
+      {
+        RenderCounter::renders = 0;
+        RenderCounter::kill_at = GetParam();
+        run_in(false);
+      },
+      ::testing::KilledBySignal(SIGKILL), "");
+  const StudyOutcome resumed = run_in(true);
+  ::unsetenv("PELLUCID_KILLED_STUDY");
+  EXPECT_EQ(resumed.kept, std::size_t(GetParam() - 1) / 3);  // renderings per cell
+  ASSERT_EQ(resumed.rows.size(), expected.rows.size());
+  for (std::size_t i = 0; i < expected.rows.size(); ++i) {
+    EXPECT_EQ(resumed.rows[i].metrics.linear.rmse, expected.rows[i].metrics.linear.rmse);
+    EXPECT_EQ(resumed.rows[i].metrics.linear.ssim, expected.rows[i].metrics.linear.ssim);
+    EXPECT_EQ(resumed.rows[i].fragments, expected.rows[i].fragments);
+  }
+  EXPECT_EQ(resumed.computed + resumed.kept, 6u);
+}
+
+INSTANTIATE_TEST_SUITE_P(AtRendering, SlowKilledStudy, ::testing::Values(1, 2, 3, 4, 9, 18));
+
+TEST(UnitRunStudy, AReferenceMayDrawASceneOfItsOwn) {
+  const StudyFolder folder;
+  write_scene(folder / "two.json", 24, 16);  // as one.json, so that the pictures compare
+  write_scene(folder / "truth.json", 24, 16);
+  const auto study = [&] {
+    return load_study(folder.study(R"(["shifted"])", R"("reference_scene": "truth.json")"),
+                      fake_methods());
+  };
+  StudyOptions options;
+  options.folder = folder / "results";
+  for (const ResultRow& row : run_study(study(), options).rows) EXPECT_EQ(row.error, "");
+  options.resume = true;
+  EXPECT_EQ(run_study(study(), options).computed, 0u);
+  // All cells depend on the reference's scene; those of a scene also on theirs.
+  write_scene(folder / "two.json", 24, 17);
+  EXPECT_EQ(run_study(study(), options).computed, 1u);
+  write_scene(folder / "truth.json", 24, 17);
+  EXPECT_EQ(run_study(study(), options).computed, 4u);
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,114 @@
+// Costs step by step beside the source's: made-up rows with known bottlenecks and ratios.
+
+#include "compare/study/costs.h"
+
+#include <gmock/gmock.h>
+
+#include "compare/report/tables.h"
+#include "tests/compare/fake_methods.h"
+#include "tests/compare/study_folder.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Optional;
+
+ResultRow row(const std::string& scene, const std::string& method, bool reference,
+              const std::vector<std::pair<std::string, double>>& steps) {
+  ResultRow row;
+  row.scene = scene;
+  row.method = method;
+  row.reference = reference;
+  row.bytes = {{"all", 2'000'000}};
+  for (const auto& [name, seconds] : steps) {
+    row.steps.push_back({name, {seconds, seconds, seconds}});
+    row.seconds.median += seconds;
+  }
+  return row;
+}
+
+const std::vector<ResultRow> rows{
+    row("one", "truth", true, {{"build", 0.5}, {"sort", 1.5}}),
+    row("one", "series", false, {{"project", 0.125}, {"weight", 0.25}, {"project", 0.25}}),
+    row("two", "series", false, {{"weight", 0.5}})};
+
+Study study_with(PublishedCosts published) {
+  Study study;
+  study.scenes = {"one.json", "two.json"};
+  const MethodRow& truth = fake_methods().front();
+  study.reference = {&truth, Parameters(truth.name, truth.parameters, {})};
+  study.published = std::move(published);
+  return study;
+}
+
+const PublishedCosts published{
+    "a GPU", {"1", "2"}, {{"one", "truth", 60, 5e6, {}}, {"one", "series", 20, {}, {15, 5}}}};
+
+TEST(UnitCosts, StepsOfOneNameAddUpAndTheLongestIsTheBottleneck) {
+  const auto tables = cost_tables(study_with(published), rows);
+  ASSERT_EQ(tables.size(), 3u);  // truth, series, the source
+  const CostTable& series = tables[1];
+  EXPECT_THAT(series.steps, ElementsAre("project", "weight"));
+  EXPECT_THAT(series.lines[0].steps, ElementsAre(Optional(375.0), Optional(250.0)));
+  EXPECT_EQ(series.lines[0].bottleneck, 0u);
+  EXPECT_EQ(series.lines[0].milliseconds, 625);
+  // One step alone is no bottleneck; a step that a line lacks is not 0.
+  EXPECT_THAT(series.lines[1].steps, ElementsAre(std::nullopt, Optional(500.0)));
+  EXPECT_EQ(series.lines[1].bottleneck, std::nullopt);
+  EXPECT_EQ(tables[2].lines[1].bottleneck, 0u);
+  EXPECT_EQ(tables[2].lines[0].bottleneck, std::nullopt);
+}
+
+TEST(UnitCosts, RatiosAreTheReferencesTimeOverTheMethods) {
+  const auto ratios = cost_ratios(study_with(published), rows);
+  ASSERT_EQ(ratios.size(), 1u);  // two has no reference
+  EXPECT_EQ(ratios[0].here, 3.2);
+  EXPECT_THAT(ratios[0].published, Optional(3.0));
+}
+
+TEST(UnitCosts, TablesMarkTheBottleneck) {
+  const Study study = study_with(published);
+  EXPECT_THAT(markdown_table(study, rows),
+              HasSubstr("| one | series | 2.0 | 625 | **375** | 250 |"));
+  EXPECT_THAT(latex_table(study, rows),
+              HasSubstr("one & series & 2.0 & 625 & \\textbf{375} & 250 \\\\"));
+  EXPECT_THAT(csv_costs(study, rows),
+              HasSubstr("\"As published, on a GPU\",one,\"series\",1,15\n"));
+  Study without = study;
+  without.published.reset();
+  EXPECT_THAT(markdown_costs(without, rows), IsEmpty());
+  EXPECT_THAT(latex_costs(without, rows), IsEmpty());
+}
+
+std::string error_of(const std::string& costs) {
+  const StudyFolder folder;
+  try {
+    load_study(folder.study(R"(["broken"])", R"("published": {"machine": "a GPU",
+                                                "steps": ["1", "2"], "rows": [)" +
+                                                 costs + "]}"),
+               fake_methods());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(UnitCosts, AStudyGivesCostsOfItsOwnScenesAndCalls) {
+  EXPECT_EQ(error_of(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [2, 3]})"),
+            "no error");
+  EXPECT_THAT(error_of(R"({"scene": "three", "method": "broken", "ms": 5})"),
+              HasSubstr("published.rows[0].scene: unknown scene 'three'"));
+  EXPECT_THAT(error_of(R"({"scene": "one", "method": "shifted", "ms": 5})"),
+              HasSubstr("unknown call 'shifted'"));
+  EXPECT_THAT(error_of(R"({"scene": "one", "method": "broken", "ms": 0})"),
+              HasSubstr("published.rows[0].ms"));
+  EXPECT_THAT(error_of(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [5]})"),
+              HasSubstr("one for each of the 2 steps"));
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,161 @@
+#include "compare/study/study.h"
+
+#include <gmock/gmock.h>
+
+#include "compare/methods/methods.h"
+#include "core/error.h"
+#include "tests/compare/fake_methods.h"
+#include "tests/compare/study_folder.h"
+
+namespace pellucid {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using namespace pellucid::testing;
+
+std::vector<std::string> texts(const Study& study) {
+  std::vector<std::string> result;
+  for (const MethodCall& call : study.methods) result.push_back(call.text());
+  return result;
+}
+
+Study load(const std::string& methods, const std::string& more = "") {
+  const StudyFolder folder;
+  return load_study(folder.study(methods, more), fake_methods());
+}
+
+std::string error_of(const std::string& methods, const std::string& more = "") {
+  try {
+    load(methods, more);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(UnitStudy, ReadsWhatStandsInTheFile) {
+  const StudyFolder folder;
+  const Study study = load_study(
+      folder.study(R"(["shifted"])",
+                   R"("repeats": 7, "source": "Fig. 1", "crops": {"two": [1, 2, 3, 4]})"),
+      fake_methods());
+  EXPECT_EQ(study.name, "study");
+  EXPECT_EQ(study.title, "T & <t>");
+  EXPECT_EQ(study.source, "Fig. 1");
+  EXPECT_THAT(study.scenes, ElementsAre(folder / "one.json", folder / "two.json"));
+  EXPECT_EQ(study.reference.text(), "truth");
+  EXPECT_EQ(study.repeats, 7);
+  EXPECT_EQ(study.crops.at("two").height, 4);
+}
+
+TEST(UnitStudy, AListIsASweepAndSeveralAreAProduct) {
+  const Study study = load(R"(["shifted:times=2",
+      {"method": "shifted", "by": [0.125, 1], "how": ["up", "down"], "often": true}])");
+  EXPECT_THAT(texts(study),
+              ElementsAre("shifted:times=2", "shifted:by=0.125,how=up,often=on",
+                          "shifted:by=0.125,how=down,often=on", "shifted:by=1,how=up,often=on",
+                          "shifted:by=1,how=down,often=on"));
+}
+
+TEST(UnitStudy, NoCellIsThereTwice) {
+  EXPECT_THAT(texts(load(R"(["shifted", "truth", {"method": "shifted"}, "shifted:by=0.5"])")),
+              ElementsAre("shifted", "shifted:by=0.5"));
+}
+
+TEST(UnitStudy, SlugsAreSafeInFileNames) {
+  const Study study = load(R"(["shifted:by=0.5,how=up"])");
+  EXPECT_EQ(study.methods[0].slug(), "shifted-by-0.5-how-up");
+  static constexpr ParameterSpec text[] = {{.name = "text", .kind = ParameterSpec::Kind::text}};
+  const MethodRow row = fake_row("odd", false, make_broken, text);
+  const auto slug = [&](const char* value) {
+    return MethodCall{&row, Parameters("odd", text, {{"text", value}})}.slug();
+  };
+  EXPECT_EQ(slug("a/b").find('/'), std::string::npos);
+  EXPECT_NE(slug("a/b"), slug("a*b"));
+}
+
+TEST(UnitStudy, WrongFilesNameFileKeyAndWhatIsAccepted) {
+  EXPECT_THAT(error_of(R"(["shiftd"])"),
+              AllOf(HasSubstr("study.json: methods[0]"), HasSubstr("known: shifted")));
+  EXPECT_THAT(error_of(R"(["truth", {"method": "shifted", "bi": 1}])"),
+              AllOf(HasSubstr("methods[1]"), HasSubstr("'bi'"), HasSubstr("known: by")));
+  EXPECT_THAT(error_of(R"([{"method": "shifted", "by": [0.5, 2]}])"),
+              AllOf(HasSubstr("by=2"), HasSubstr("0 … 1")));
+  EXPECT_THAT(error_of(R"([{"method": "shifted", "by": null}])"),
+              AllOf(HasSubstr("methods[0].by"), HasSubstr("accepted: a number")));
+  EXPECT_THAT(error_of(R"([{"method": "shifted", "by": []}])"), HasSubstr("at least one value"));
+  EXPECT_THAT(error_of(R"([{"by": 1}])"), HasSubstr("the key 'method' is missing"));
+  EXPECT_THAT(error_of(R"([5])"), HasSubstr("methods[0]: accepted: \"NAME"));
+  EXPECT_THAT(error_of(R"("shifted")"), HasSubstr("methods: \"shifted\"; accepted: an array"));
+  EXPECT_THAT(error_of(R"([])", R"("repeat": 3)"), HasSubstr("'repeat'; known: repeats"));
+  EXPECT_THAT(error_of(R"([])", R"("repeats": 0)"), HasSubstr("repeats: 0; accepted: an integer"));
+  EXPECT_THAT(error_of(R"([])", R"("crops": {"won": [0, 0, 1, 1]})"), HasSubstr("known: one"));
+  EXPECT_THAT(error_of(R"([])", R"("crops": {"one": [0, 0, 0, 1]})"), HasSubstr("crops.one[2]"));
+}
+
+TEST(UnitStudy, ScenesAreCheckedBeforeAnyWork) {
+  const StudyFolder folder;
+  const auto error = [&](const std::string& scenes) -> std::string {
+    write_text(folder / "s.json", R"({"format": "pellucid-study", "version": 1, "scenes": )" +
+                                      scenes + R"(, "reference": "truth", "methods": []})");
+    try {
+      load_study(folder / "s.json", fake_methods());
+    } catch (const InputError& wrong) {
+      return wrong.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error(R"(["one.json", "three.json"])"),
+              AllOf(HasSubstr("s.json: scenes[1]"), HasSubstr("three.json")));
+  EXPECT_THAT(error(R"(["s.json"])"), HasSubstr("accepted: pellucid-scene"));
+  EXPECT_THAT(error(R"([])"), HasSubstr("at least one scene"));
+  EXPECT_THAT(error(R"(["one.json", "./one.json"])"), HasSubstr("a second scene named 'one'"));
+  EXPECT_EQ(error(R"(["one.json"])"), "no error");
+}
+
+TEST(UnitStudy, OtherFormatsAndVersionsAreRefused) {
+  const StudyFolder folder;
+  EXPECT_THROW(load_study(folder / "one.json", fake_methods()), InputError);
+  EXPECT_THROW(load_study(folder / "none.json", fake_methods()), InputError);
+  write_text(folder / "cut.json", R"({"format": "pellucid-study", "ver)");
+  EXPECT_THROW(load_study(folder / "cut.json", fake_methods()), InputError);
+  write_text(folder / "v2.json", R"({"format": "pellucid-study", "version": 2})");
+  EXPECT_THROW(load_study(folder / "v2.json", fake_methods()), InputError);
+}
+
+TEST(UnitStudy, IntegratorsAreOfTheirOwnTableAndComeFirst) {
+  const Study study = load(R"(["shifted"])", R"("integrators": ["fixed-front:rows=5",
+      {"integrator": "hultquist", "threshold": [0.1, 0.2]}])");
+  EXPECT_THAT(texts(study), ElementsAre("fixed-front:rows=5", "hultquist:threshold=0.1",
+                                        "hultquist:threshold=0.2", "shifted"));
+  EXPECT_THAT(
+      error_of(R"([])", R"("integrators": ["shifted"])"),
+      AllOf(HasSubstr("integrators[0]: unknown integrator 'shifted'"), HasSubstr("hultquist")));
+  EXPECT_THAT(error_of(R"(["hultquist"])"), HasSubstr("unknown method 'hultquist'"));
+  EXPECT_THAT(error_of(R"([])", R"("integrators": [{"method": "hultquist"}])"),
+              HasSubstr("the key 'integrator' is missing"));
+}
+
+TEST(UnitStudyList, ANameIsFoundAmongTheStudiesThatComeAlong) {
+  EXPECT_EQ(find_study("quickstart").filename(), "quickstart.json");
+  try {
+    find_study("quikstart");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("unknown study 'quikstart'; known: quickstart"));
+  }
+}
+
+TEST(PropertyStudyList, EveryStudyThatComesAlongIsValid) {
+  ASSERT_FALSE(list_studies().empty());
+  for (const StudySummary& summary : list_studies()) {
+    const Study study = load_study(summary.file, methods());
+    EXPECT_EQ(study.title, summary.title);
+    EXPECT_FALSE(summary.title.empty()) << summary.name;
+  }
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,98 @@
+#include "fields/readers/series_field.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "fields/make_field.h"
+#include "tests/fields/probe.h"
+#include "tests/fields/readers/grid_files.h"
+
+namespace pellucid {
+namespace {
+
+using ::testing::HasSubstr;
+
+class UnitSeries : public ::testing::Test {
+ protected:
+  UnitSeries() {
+    for (int k = 0; k < 3; ++k)
+      write_cube(folder_ / fmt::format("{}.vti", k), 3, [k](const Vec3& x) {
+        return Vec3(k * k, x.x * k, 1);  // v_x = t² at t = 0, 1, 3 would be 0, 1, 9
+      });
+    write_bytes(folder_ / "flow.vti.series",
+                R"({"file-series-version": "1.0", "files": [{"name": "0.vti", "time": 0},
+                    {"name": "1.vti", "time": 1}, {"name": "2.vti", "time": 3}]})");
+  }
+
+  std::string complaint(std::string_view text) {
+    write_bytes(folder_ / "bad.series", text);
+    try {
+      make_field((folder_ / "bad.series").string());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+
+  std::string path() const { return (folder_ / "flow.vti.series").string(); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(UnitSeries, IsLinearBetweenItsFiles) {
+  const auto field = make_field(path());
+  const Vec3 x(0.25, 0.5, 0.75);
+  EXPECT_NEAR_VEC(velocity_of(*field, x, 0), Vec3(0, 0, 1), 1e-15);
+  EXPECT_NEAR_VEC(velocity_of(*field, x, 0.5), Vec3(0.5, 0.125, 1), 1e-15);
+  EXPECT_NEAR_VEC(velocity_of(*field, x, 1), Vec3(1, 0.25, 1), 1e-15);
+  EXPECT_NEAR_VEC(velocity_of(*field, x, 2.5), Vec3(1 + 0.75 * 3, 0.25 * 1.75, 1), 1e-15);
+  EXPECT_NEAR_VEC(velocity_of(*field, x, 3), Vec3(4, 0.5, 1), 1e-15);
+}
+
+TEST_F(UnitSeries, EndsWithItsTimes) {
+  const auto field = make_field(path());
+  EXPECT_EQ(status_at(*field, Vec3(0.5), -0.001), SampleStatus::outside);
+  EXPECT_EQ(status_at(*field, Vec3(0.5), 3.001), SampleStatus::outside);
+  EXPECT_EQ(status_at(*field, Vec3(0.5), std::nan("")), SampleStatus::outside);
+  EXPECT_EQ(status_at(*field, Vec3(1.5), 1), SampleStatus::outside);
+}
+
+TEST_F(UnitSeries, HasTheJacobianOfItsVelocity) {
+  const auto field = make_field(path());
+  expect_consistent_jacobian(*field, {0.3, 0.6, 0.2}, 2.2, 1e-6, 1e-9);
+  EXPECT_FALSE(field->steady());
+  EXPECT_DOUBLE_EQ(*field->cell_size(), 0.5);
+}
+
+// v_x goes 0, 1, 4 at 0, 1, 3: ∂²v_x/∂t² = 2 (3/2 - 1)/3 = 1/3, over gaps of 2 at most; v_y, which
+// has x t there, has 2 (1/2 - 1) x/3. In space every file is linear.
+TEST_F(UnitSeries, ReportsItsErrorInTime) {
+  const double at_x_1 = std::hypot(1.0 / 3, 1.0 / 3) * 4 / 8;
+  EXPECT_NEAR(*make_field(path())->sampling_error(), at_x_1, 0.01);
+}
+
+TEST_F(UnitSeries, HandsOptionsToItsFiles) {
+  EXPECT_THAT([&] { make_field(path() + ":array=wind"); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("array=wind: no such vectors")));
+}
+
+TEST_F(UnitSeries, RefusesWhatItCannotRead) {
+  EXPECT_THAT(complaint("{"), HasSubstr("not a valid .series file"));
+  EXPECT_THAT(complaint("[]"), HasSubstr("two or more"));
+  EXPECT_THAT(complaint(R"({"files": [{"name": "0.vti", "time": 0}]})"), HasSubstr("two or more"));
+  EXPECT_THAT(
+      complaint(R"({"files": [{"name": "0.vti", "time": 1}, {"name": "1.vti", "time": 1}]})"),
+      HasSubstr("files[1]: time 1 after 1; times have to ascend"));
+  EXPECT_THAT(
+      complaint(R"({"files": [{"name": "0.vti", "time": 0}, {"name": "9.vti", "time": 1}]})"),
+      HasSubstr("9.vti: cannot read"));
+  EXPECT_THAT(complaint(R"({"files": [{"name": "0.vti"}, {"name": "1.vti", "time": 1}]})"),
+              HasSubstr("files[0]: expected"));
+  EXPECT_THAT(complaint(R"({"files": [{"name": "bad.series", "time": 0}, 1]})"),
+              HasSubstr("no series in a series"));
+}
+
+}  // namespace
+}  // namespace pellucid

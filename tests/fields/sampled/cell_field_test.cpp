@@ -1,0 +1,89 @@
+// Kinds of cells that the common grid of the other tests does not hold.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "fields/make_field.h"
+#include "tests/fields/probe.h"
+#include "tests/fields/readers/grid_files.h"
+
+namespace pellucid {
+namespace {
+
+/// A file with one cell of a VTK type.
+std::unique_ptr<VectorField> one_cell(const TemporaryFolder& folder, int type,
+                                      const std::vector<Vec3>& points, const Velocity& velocity) {
+  std::string positions, vectors, corners;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 v = velocity(points[i]);
+    positions += fmt::format("{} {} {}\n", points[i].x, points[i].y, points[i].z);
+    vectors += fmt::format("{} {} {}\n", v.x, v.y, v.z);
+    corners += fmt::format(" {}", i);
+  }
+  const std::size_t count = points.size();
+  write_bytes(folder / "cell.vtk",
+              fmt::format("# vtk DataFile Version 3.0\none cell\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                          "POINTS {0} double\n{1}CELLS 1 {2}\n{0}{3}\nCELL_TYPES 1\n{4}\n"
+                          "POINT_DATA {0}\nVECTORS v double\n{5}",
+                          count, positions, count + 1, corners, type, vectors));
+  return make_field((folder / "cell.vtk").string());
+}
+
+void expect_velocity(const VectorField& field, const Velocity& velocity,
+                     const std::vector<Vec3>& places) {
+  for (const Vec3& x : places) {
+    EXPECT_NEAR_VEC(velocity_of(field, x), velocity(x), 1e-9);  // Newton's iterations
+    expect_consistent_jacobian(field, x, 0, 1e-5, 1e-4);        // 1e-9 over the step
+  }
+}
+
+const Velocity affine = [](const Vec3& x) {
+  return Vec3(1 + x.x - 2 * x.z, x.y + x.z, 3 * x.x - x.y);
+};
+const Velocity parabola = [](const Vec3& x) {
+  return Vec3(x.x * x.x - x.y, x.y * x.z, x.z * x.z + x.x * x.y);
+};
+
+TEST(UnitCells, Pyramid) {
+  const TemporaryFolder folder;
+  const auto field =
+      one_cell(folder, 14, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1.5}}, affine);
+  expect_velocity(*field, affine, {{1, 1, 0.2}, {0.7, 1.2, 0.5}, {1, 1, 1.2}});
+  EXPECT_EQ(status_at(*field, {0.1, 0.1, 1}), SampleStatus::outside);
+}
+
+TEST(UnitCells, Voxel) {
+  const TemporaryFolder folder;
+  const auto field = one_cell(
+      folder, 11,
+      {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 0, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 3}},
+      affine);
+  expect_velocity(*field, affine, {{0.3, 0.4, 0.5}, {1.9, 0.9, 2.9}});
+  EXPECT_EQ(status_at(*field, {2.1, 0.5, 1}), SampleStatus::outside);
+}
+
+TEST(UnitCells, QuadraticTetrahedraReproduceParabolas) {
+  const TemporaryFolder folder;
+  const std::vector<Vec3> corner = {{0, 0, 0}, {2, 0, 0}, {0.5, 2, 0}, {0.5, 0.5, 2}};
+  std::vector<Vec3> points = corner;
+  const int edges[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+  for (const auto& edge : edges) points.push_back(0.5 * (corner[edge[0]] + corner[edge[1]]));
+  const auto field = one_cell(folder, 24, points, parabola);
+  expect_velocity(*field, parabola, {{0.6, 0.5, 0.3}, {0.9, 0.3, 0.2}, {0.6, 0.6, 1.2}});
+  EXPECT_EQ(status_at(*field, {1.5, 1.5, 1}), SampleStatus::outside);
+}
+
+TEST(UnitCells, HexagonalPrism) {
+  const TemporaryFolder folder;
+  std::vector<Vec3> points;
+  for (const double z : {0.0, 1.0})
+    for (int i = 0; i < 6; ++i)
+      points.emplace_back(std::cos(1.0471975511965976 * i), std::sin(1.0471975511965976 * i), z);
+  const auto field = one_cell(folder, 16, points, affine);
+  EXPECT_NEAR_VEC(velocity_of(*field, {0, 0, 0.5}), affine({0, 0, 0.5}), 1e-6);
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,151 @@
+// Opacity optimization: the closed form against minimization, pictures against closed forms, and
+// the Fourier series against the bound that it must keep.
+
+#include "groundtruth/methods/decoupled.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "groundtruth/methods/raytrace.h"
+#include "groundtruth/sums/fourier_sum.h"
+#include "scene/opacity_energy.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+
+Image draw(const MethodRow& row, const Scene& scene, const RawOptions& options = {}) {
+  return row.make(scene, Parameters(row.name, row.parameters, options), {})->render({}).image;
+}
+
+double largest_difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int c = 0; c < 4; ++c)
+      largest = std::max(largest, std::abs(double(a.pixels[i][c]) - double(b.pixels[i][c])));
+  return largest;
+}
+
+/// Golden-section search: the energy is a parabola in alpha.
+double minimized(const EnergyWeights& w, double g, double front, double behind) {
+  double low = 0, high = 1;
+  while (high - low > 1e-9) {
+    const double a = high - (high - low) / std::numbers::phi;
+    const double b = low + (high - low) / std::numbers::phi;
+    (energy(w, a, g, front, behind) < energy(w, b, g, front, behind) ? high : low) =
+        energy(w, a, g, front, behind) < energy(w, b, g, front, behind) ? b : a;
+  }
+  return (low + high) / 2;
+}
+
+TEST(UnitEnergy, TheClosedFormIsTheMinimum) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 500; ++i) {
+    const EnergyWeights w{0.1 + unit(random), 100 * unit(random), 100 * unit(random),
+                          4 * unit(random)};
+    const double g = unit(random), front = 3 * unit(random), behind = 3 * unit(random);
+    // Near its minimum a parabola is flat: doubles tell values of alpha apart by 1e-8 at best.
+    EXPECT_NEAR(optimal_opacity(w, g, front, behind), minimized(w, g, front, behind), 1e-6);
+  }
+}
+
+TEST(UnitEnergy, Limits) {
+  EXPECT_EQ(optimal_opacity({1, 1e12, 1e12, 2}, 1, 5, 5), 1);  // what is important stays
+  EXPECT_EQ(optimal_opacity({1, 0, 0, 2}, 0, 5, 5), 1);        // no weights: nothing fades
+  EXPECT_EQ(optimal_opacity({1, 1e12, 0, 2}, 0, 5, 0), 1);     // q: only of what lies behind
+  EXPECT_EQ(optimal_opacity({1, 0, 1e12, 2}, 0, 0, 5), 1);     // r: only of what lies in front
+  EXPECT_NEAR(optimal_opacity({1, 1e12, 0, 2}, 0, 0, 1), 1e-12, 1e-20);
+  EXPECT_EQ(optimal_opacity({1, 3, 0, 0}, 0.9, 0, 1), 0.25);  // lambda 0: g itself does not matter
+  EXPECT_EQ(optimal_opacity({1, 3, 3, 100}, 0.9, 1, 1), 1);   // lambda 100: (1 - g) is almost 0
+  EXPECT_EQ(optimal_opacity({1, 3, 3, 1}, 0, -1, -1), 1);     // a series may fall below 0
+}
+
+TEST(UnitFourierSum, KeepsTheBoundOfItsRemainder) {
+  for (const int bands : {1, 5, 15, 64})
+    for (const double at : {0.1, 0.5, 0.83}) {
+      FourierSum sum(bands);
+      sum.add(2, at);
+      EXPECT_NEAR(sum.up_to(0), 0, 1e-14);
+      EXPECT_NEAR(sum.up_to(1), 2, 1e-13);  // Eq. 7
+      for (int i = 1; i < 100; ++i) {
+        const double d = i / 100.0;
+        if (std::abs(d - at) < 1e-9) continue;
+        const double bound = 2 / (std::numbers::pi * (bands + 1)) *
+                             (1 / std::abs(std::sin(std::numbers::pi * (d - at))) +
+                              1 / std::sin(std::numbers::pi * at));
+        EXPECT_LE(std::abs(sum.up_to(d) - (d > at ? 2 : 0)), bound) << bands << ' ' << at;
+      }
+    }
+}
+
+// At an impulse itself the remainder is that of one sum alone, and the limit is half the step.
+TEST(UnitFourierSum, ConvergesToTheMiddleOfAStep) {
+  for (const int bands : {1, 5, 15, 64})
+    for (const double at : {0.1, 0.3, 0.83}) {
+      FourierSum sum(bands);
+      sum.add(2, at);
+      EXPECT_LE(std::abs(sum.up_to(at) - 1),
+                2 / (std::numbers::pi * (bands + 1) * std::sin(std::numbers::pi * at)))
+          << bands << ' ' << at;
+    }
+}
+
+// Three layers, the middle one important: g = 0, 1, 0 and q = 3, r = 1 make opacities 1/4, 1, 1/2.
+TEST(UnitDecoupled, ThreeLayersInClosedForm) {
+  for (const std::uint32_t shuffle : {0u, 3u, 4u}) {
+    Scene scene = stack(
+        3, 2, 2, [](int i) { return Rgba(i == 0, i == 1, i == 2, 1); }, shuffle);
+    for (SceneObject& object : scene.objects)
+      object.vertices().importance.assign(4, object.vertices().colors[0].g);
+    const RawOptions weights = {{"q", "3"}, {"r", "1"}};
+    const Image image = draw(decoupled_method(), scene, weights);
+    EXPECT_EQ(image.at(0, 0), Rgba(0.25f, 0.75f, 0, 1));
+    // From behind the important one is still unobstructed; half its opacity shows the last.
+    for (SceneObject& object : scene.objects)
+      if (object.vertices().importance[0] == 1)
+        for (Rgba& color : object.vertices().colors) color.a = 0.5;
+    EXPECT_LE(glm::length(draw(decoupled_method(), scene, weights).at(1, 1) -
+                          Rgba(0.25 + 0.1875, 0.375 + 0.1875, 0.1875 + 0.1875, 0.8125)),
+              1e-6f);
+  }
+}
+
+Scene important_triangles() {
+  Scene scene = orthographic_scene(24, 24);
+  scene.objects = {{"", random_triangles(60, 3)}};
+  Vertices& vertices = scene.objects[0].vertices();
+  for (const Rgba& color : vertices.colors) vertices.importance.push_back(color.r * color.r);
+  return scene;
+}
+
+TEST(PropertyDecoupled, WithoutImportanceItIsTheExactComposite) {
+  Scene scene = important_triangles();
+  for (const float g : {0.0f, 1.0f}) {
+    scene.objects[0].vertices().importance.assign(180, g);
+    EXPECT_EQ(largest_difference(draw(decoupled_method(), scene), draw(raytrace_method(), scene)),
+              0);
+  }
+  scene.objects[0].vertices().importance.clear();
+  for (const char* bands : {"0", "5"})
+    EXPECT_EQ(largest_difference(draw(decoupled_method(), scene, {{"bands", bands}}),
+                                 draw(raytrace_method(), scene)),
+              0);
+}
+
+TEST(PropertyDecoupled, ExtremeWeightsGiveFinitePictures) {
+  const Scene scene = important_triangles();
+  for (const char* q : {"0", "1e12"})
+    for (const char* lambda : {"0", "100"})
+      for (const char* bands : {"0", "1", "64"}) {
+        const Image image = draw(decoupled_method(), scene,
+                                 {{"q", q}, {"r", q}, {"lambda", lambda}, {"bands", bands}});
+        for (const Rgba& pixel : image.pixels)
+          for (int c = 0; c < 4; ++c) EXPECT_TRUE(pixel[c] >= 0 && pixel[c] <= 1) << q << lambda;
+      }
+}
+
+}  // namespace
+}  // namespace pellucid

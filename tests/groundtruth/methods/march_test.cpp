@@ -1,0 +1,339 @@
+// Marched isosurfaces: closed forms, what holds for any step, agreement with exact crossings.
+
+#include "groundtruth/methods/march.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/error.h"
+#include "groundtruth/levels/level_march.h"
+#include "groundtruth/methods/raytrace.h"
+#include "scene/appearance/colormap.h"
+#include "tests/groundtruth/levels.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+std::vector<double> marched(const LevelField& field, double value, const WorldRay& ray,
+                            const MarchOptions& options) {
+  std::vector<double> at;
+  LevelMarch(field, value, options).visit_crossings(ray, [&](double t) {
+    at.push_back(t);
+    return true;
+  });
+  return at;
+}
+
+/// Rays through random places of the nested field's cube.
+std::vector<WorldRay> random_rays(std::size_t count) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0.7, 7.3);
+  const auto any = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  std::vector<WorldRay> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 a = any(), b = any();
+    rays.push_back({a, glm::normalize(b - a)});
+  }
+  return rays;
+}
+
+class PropertyMarch : public ::testing::TestWithParam<ReconstructionRow> {};
+INSTANTIATE_TEST_SUITE_P(All, PropertyMarch, ::testing::ValuesIn(reconstructions),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(PropertyMarch, HalvingTheStepLosesNoCrossing) {
+  // The samples of a step are among those of half of it, and of samples with fewer others between
+  // them no fewer pairs differ in sign.
+  const LevelField field = nested(wavy, GetParam());
+  std::size_t coarsest = 0, finest = 0;
+  for (const WorldRay& ray : random_rays(100)) {
+    std::size_t before = 0;
+    for (const double steps : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
+      const std::size_t found = marched(field, 0.05, ray, {.steps_per_cell = steps}).size();
+      EXPECT_GE(found, before);
+      before = found;
+      if (steps == 0.25) coarsest += found;
+    }
+    finest += before;
+  }
+  EXPECT_LT(coarsest, finest);  // long steps lose some
+}
+
+TEST_P(PropertyMarch, EmptySpaceSkippedChangesNothing) {
+  const LevelField field({sampled(Vec3(0.5), 1, 24, wavy), sampled(Vec3(2.25), 0.5, 20, wavy)},
+                         GetParam());
+  std::size_t found = 0;
+  for (const WorldRay& away : random_rays(200)) {
+    const WorldRay ray{away.at(30), -away.direction};  // through empty blocks to the surface
+    const auto all = marched(field, 0.9, ray, {.skip_empty = false});
+    EXPECT_EQ(marched(field, 0.9, ray, {.skip_empty = true}), all);
+    found += all.size();
+  }
+  EXPECT_GT(found, 20u);
+}
+
+TEST_P(PropertyMarch, BisectionFindsTheExactCrossings) {
+  const LevelField field = nested(wavy, GetParam());
+  std::size_t found = 0;
+  for (const WorldRay& ray : random_rays(60)) {
+    const auto exact = exact_crossings(field, 0.05, ray);
+    for (const double t : marched(field, 0.05, ray,
+                                  {.steps_per_cell = 16, .refinement = HitRefinement::bisection})) {
+      ++found;
+      // As for exact crossings: 1e-9 of the finest cell.
+      EXPECT_TRUE(std::ranges::any_of(exact, [&](double other) {
+        return std::abs(other - t) < 0.5e-9;
+      })) << t;
+    }
+  }
+  EXPECT_GT(found, 60u);
+}
+
+TEST(UnitMarch, ASphereIsEnteredAndLeft) {
+  const auto distance = [](const Vec3& x) { return glm::length(x - 4.0); };
+  const LevelField field({sampled(Vec3(0), 0.125, 65, distance)}, find_reconstruction("blend"));
+  // Along the axis the samples' lines are those of the march: linear placement is exact up to
+  // float, and so is bisection.
+  for (const HitRefinement refinement : {HitRefinement::linear, HitRefinement::bisection}) {
+    const auto at = marched(field, 2, {Vec3(-2, 4, 4), Vec3(1, 0, 0)}, {.refinement = refinement});
+    ASSERT_EQ(at.size(), 2u);
+    EXPECT_NEAR(at[0], 4, 1e-6);
+    EXPECT_NEAR(at[1], 8, 1e-6);
+  }
+}
+
+TEST(UnitMarch, LinearPlacementConvergesAtOrderTwo) {
+  // x y z is its own reconstruction, without a kink within the cell that the rays stay in, and
+  // grows along rays of positive direction: the line through two samples a step h apart errs by
+  // |f''| h² / 8 |f'| at most.
+  const auto product = [](const Vec3& x) { return x.x * x.y * x.z; };
+  const LevelField field({sampled(Vec3(0), 8, 3, product)}, find_reconstruction("trilinear"));
+  double before = 0;
+  for (const double steps : {4.0, 16.0, 64.0}) {
+    double worst = 0;
+    for (const WorldRay& any : random_rays(60)) {
+      const WorldRay ray{Vec3(0.5), glm::abs(any.direction) + 0.2};
+      const auto exact = exact_crossings(field, 30, ray);
+      const auto at = marched(field, 30, ray, {.steps_per_cell = steps});
+      ASSERT_EQ(exact.size(), 1u);
+      ASSERT_EQ(at.size(), 1u);
+      worst = std::max(worst, std::abs(at[0] - exact[0]));
+    }
+    if (before > 0) {
+      EXPECT_LT(worst, before / 12);  // 16, where h is short enough for h³ not to count
+    }
+    before = worst;
+  }
+  EXPECT_GT(before, 0);
+}
+
+TEST(UnitMarch, CrossingsCloserThanAStepAreLost) {
+  // |x - 4.5| < 0.25 lies between the samples of steps of a cell, and is found by shorter ones.
+  const auto slab = [](const Vec3& x) { return std::abs(x.x - 4.5); };
+  const LevelField field({sampled(Vec3(0), 0.5, 17, slab)}, find_reconstruction("trilinear"));
+  const WorldRay ray{Vec3(-1, 3.2, 3.3), Vec3(1, 0, 0)};
+  EXPECT_TRUE(marched(field, 0.25, ray, {.steps_per_cell = 0.5}).empty());
+  EXPECT_EQ(marched(field, 0.25, ray, {.steps_per_cell = 4}).size(), 2u);
+}
+
+TEST(UnitMarch, StartsInsideTheVolumeAndEndsWhenTold) {
+  const LevelField field =
+      nested([](const Vec3& x) { return x.x; }, find_reconstruction("trilinear"));
+  EXPECT_EQ(marched(field, 3, {Vec3(5, 4, 4), Vec3(1, 0, 0)}, {}).size(), 0u);
+  EXPECT_EQ(marched(field, 3, {Vec3(2.5, 4, 4), Vec3(1, 0, 0)}, {}).size(), 1u);
+  EXPECT_EQ(marched(field, 3, {Vec3(-1, 9, 4), Vec3(1, 0, 0)}, {}).size(), 0u);  // passes by
+  const LevelField waves({sampled(Vec3(0), 0.125, 65, [](const Vec3& x) { return sin(4 * x.x); })},
+                         find_reconstruction("trilinear"));
+  int seen = 0;
+  LevelMarch(waves, 0.5, {}).visit_crossings({Vec3(-1, 4, 4), Vec3(1, 0, 0)}, [&](double) {
+    return ++seen < 3;
+  });
+  EXPECT_EQ(seen, 3);
+}
+
+/// The surface x² + y² + z² = 4, drawn from the front, and a ball within that hides what is behind.
+Scene balls(bool opaque) {
+  Scene scene;
+  scene.width = 24;
+  scene.height = 18;
+  scene.camera.eye = Vec3(1, 2, -12);
+  scene.lighting = Lighting::headlight;
+  const auto square = [](const Vec3& x) { return glm::dot(x, x); };
+  Isosurface surface;
+  surface.field = std::make_shared<const LevelField>(
+      std::vector{sampled(Vec3(-4), 0.5, 17, square), sampled(Vec3(-1.5), 0.25, 9, square)},
+      find_reconstruction("blend"));
+  surface.value = 4;
+  surface.corners = corners_of(surface.field->bounds());
+  surface.corners.colors.assign(8, Rgba(0.9, 0.4, 0.1, 0.4));
+  scene.objects.push_back({"surface", surface, opaque});
+  PointObject ball;
+  ball.set.positions = {Vec3(0.5, 0, 0)};
+  ball.set.colors = {Rgba(0, 0.2, 1, 0.5)};
+  ball.radius = 1;
+  ball.profile = PointObject::Profile::sphere;
+  scene.objects.push_back({"ball", ball});
+  return scene;
+}
+
+Image drawn(const MethodRow& row, const Scene& scene, const RawOptions& options = {}) {
+  const Parameters parameters(row.name, row.parameters, options);
+  return row.make(scene, parameters, {})->render({}).image;
+}
+
+double largest_difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int c = 0; c < 4; ++c)
+      largest = std::max<double>(largest, std::abs(a.pixels[i][c] - b.pixels[i][c]));
+  return largest;
+}
+
+TEST(AgreementMarch, ComesCloserToTheExactCompositeWithShorterSteps) {
+  for (const bool opaque : {false, true}) {
+    const Scene scene = balls(opaque);
+    const Image exact = drawn(raytrace_method(), scene);
+    const auto error = [&](const char* step) {
+      return largest_difference(drawn(march_method(), scene, {{"step", step}}), exact);
+    };
+    EXPECT_GT(error("1"), 4 * error("16"));
+    // Positions by bisection agree to some ulp, and so do the gradients that light them.
+    EXPECT_LT(largest_difference(
+                  drawn(march_method(), scene, {{"step", "16"}, {"refine", "bisection"}}), exact),
+              1e-6);
+  }
+}
+
+/// The plane x = z, seen along -z, in the colour of y from 0 (y = -1) to 1 (y = 1).
+Scene colored_plane() {
+  Scene scene = testing::orthographic_scene(16, 16);
+  const auto levels = [](const auto& f) {
+    return std::vector{sampled(Vec3(-4), 0.5, 17, f), sampled(Vec3(-0.5), 0.25, 9, f)};
+  };
+  const auto& blend = find_reconstruction("blend");
+  Isosurface surface;
+  surface.field =
+      std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.x - x.z; }), blend);
+  surface.coloring = {
+      {std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.y; }), blend),
+       Vec2(-1, 1)},
+      &find_colormap("four-color")};
+  surface.corners = corners_of(surface.field->bounds());
+  surface.corners.colors.assign(8, Rgba(0, 0, 0, 1));
+  scene.objects.push_back({"plane", surface});
+  return scene;
+}
+
+TEST(UnitMarch, ASurfaceHasTheColourOfItsScalarWhereItIsCrossed) {
+  const Scene scene = colored_plane();
+  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+    const Image image = drawn(*row, scene);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const Vec3 expected = find_colormap("four-color")(1 - (y + 0.5) / 16);
+        // Sums of floats near 1 of samples that floats hold.
+        EXPECT_LT(glm::length(Vec3(image.at(x, y)) - expected), 1e-6) << x << ' ' << y;
+      }
+  }
+}
+
+TEST(UnitMarch, ASurfaceFadesByItsScalarWhereItIsCrossed) {
+  Scene scene = colored_plane();
+  auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  surface.coloring->scalar.range = Vec2(-8, 8);
+  surface.fading = {surface.coloring->scalar, Vec2(0.2, 1)};
+  surface.fading->scalar.range = Vec2(-0.5, 1);
+  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+    const Image image = drawn(*row, scene);
+    for (int y = 0; y < 16; ++y) {
+      const double at = 1 - (y + 0.5) / 8;
+      EXPECT_NEAR(image.at(5, y).a, at < -0.5 ? 0.2 : 0.2 + 0.8 * (at + 0.5) / 1.5, 1e-6) << y;
+    }
+  }
+}
+
+/// A ball of radius 1, and the plane z = -3 behind and z = 3 before it, seen along -z.
+Scene ball_between_planes() {
+  Scene scene = testing::orthographic_scene(40, 40);
+  scene.camera.height = 4;
+  scene.camera.eye = Vec3(0, 0, 10);
+  scene.camera.target = Vec3(0);
+  Isosurface surface;
+  surface.field = std::make_shared<const LevelField>(
+      std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& x) { return std::abs(x.z); })},
+      find_reconstruction("trilinear"));
+  surface.value = 3;
+  surface.corners = corners_of(surface.field->bounds());
+  surface.corners.colors.assign(8, Rgba(1, 0, 0, 0.5));
+  scene.objects.push_back({"planes", surface});
+  PointObject ball;
+  ball.set.positions = {Vec3(0)};
+  ball.set.colors = {Rgba(0, 0, 1, 1)};
+  ball.radius = 1;
+  ball.profile = PointObject::Profile::sphere;
+  scene.objects.push_back({"ball", ball, true});
+  return scene;
+}
+
+// Behind a crossing that hides all, a march finds none; behind one that fades, it goes on.
+TEST(UnitMarch, AFadingSurfaceEndsRaysWhereItHidesAll) {
+  Scene scene = ball_between_planes();
+  scene.objects.pop_back();
+  auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  // From opaque at x = 0 to 0.5 at x = 4, the same on both planes.
+  const auto x = std::make_shared<const LevelField>(
+      std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& p) { return p.x; })},
+      find_reconstruction("trilinear"));
+  surface.fading = {{x, Vec2(0, 4)}, Vec2(1, 0.5)};
+  const Rendering rendering =
+      march_method()
+          .make(scene, Parameters("march", march_method().parameters, {}), {})
+          ->render({});
+  EXPECT_EQ(rendering.stats.fragments, 40u * 20u * 3u);  // one where x < 0, else both planes
+  EXPECT_EQ(rendering.image.at(3, 3).a, 1);
+}
+
+TEST(UnitMarch, ADilatedSphereEndsRaysEvenWhereTheyMissIt) {
+  const Scene scene = ball_between_planes();
+  const Image all = drawn(march_method(), scene);
+  const Image filtered = drawn(march_method(), scene, {{"filter", "dilate:0.5"}});
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const double r = std::hypot((x + 0.5) / 10 - 2, (y + 0.5) / 10 - 2);
+      if (std::abs(r - 1.5) < 1e-9 || std::abs(r - 1) < 1e-9) continue;
+      // Half of red before: white behind; red and white; blue.
+      const Rgba through(1, 0.25, 0.25, 0.75), once(1, 0.5, 0.5, 0.5), ball(0.5, 0, 0.5, 1);
+      EXPECT_EQ(all.at(x, y), r < 1 ? ball : through) << x << ' ' << y;
+      EXPECT_EQ(filtered.at(x, y), r < 1 ? ball : r < 1.5 ? once : through) << x << ' ' << y;
+    }
+}
+
+TEST(UnitMarch, RefusesAFilterItDoesNotKnow) {
+  for (const char* filter :
+       {"dilate", "dilate:", "dilate:-1", "dilate:nan", "erode:1", "dilate:1 m"})
+    EXPECT_THROW(drawn(march_method(), balls(false), {{"filter", filter}}), InputError) << filter;
+}
+
+TEST(AgreementMarch, ACameraInsideTheVolumeSeesWhatLiesBefore) {
+  // Within the surface x² + y² + z² = 4 of both levels: each ray leaves it once.
+  Scene scene = balls(false);
+  scene.objects.pop_back();
+  scene.lighting = Lighting::none;
+  scene.camera.eye = Vec3(0.3, 0.1, 0.2);
+  scene.camera.target = Vec3(1, 0.5, -2);
+  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+    const Image image = drawn(*row, scene);
+    for (const Rgba& pixel : image.pixels) EXPECT_FLOAT_EQ(pixel.a, 0.4f);
+  }
+}
+
+TEST(UnitMarch, RefusesAStepOutOfRange) {
+  EXPECT_THROW(drawn(march_method(), balls(false), {{"step", "0"}}), InputError);
+  EXPECT_THROW(drawn(march_method(), balls(false), {{"step", "65"}}), InputError);
+}
+
+}  // namespace
+}  // namespace pellucid

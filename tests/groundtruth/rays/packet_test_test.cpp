@@ -1,0 +1,61 @@
+#include "groundtruth/rays/packet_test.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace pellucid {
+namespace {
+
+class PropertyPacketTest : public ::testing::TestWithParam<std::tuple<Projection, Precision>> {};
+
+/// Coordinates of few values, so that rays meet edges and vertices and triangles degenerate, or of
+/// any.
+double coordinate(std::mt19937& random, bool few) {
+  if (few) return (int(random() % 5) - 2) / 2.0;
+  return std::uniform_real_distribution<double>(-1, 1)(random);
+}
+
+TEST_P(PropertyPacketTest, SaysWhatTheTestOfEachRaySays) {
+  const auto [projection, precision] = GetParam();
+  std::mt19937 random(11);
+  int crossed = 0, on_edges = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const bool few = round % 2;
+    const auto vertex = [&] {
+      return Vec3(coordinate(random, few), coordinate(random, few), 1 + random() % 2);
+    };
+    const Vec3 a = vertex(), b = vertex(), c = vertex();
+    std::vector<CrossingTest> tests;
+    for (std::size_t i = 0; i < PacketTest::width; ++i)
+      tests.emplace_back(PictureRay{coordinate(random, few), coordinate(random, few), projection},
+                         2, precision);
+    PacketTest packet;
+    for (std::size_t i = 0; i < tests.size(); ++i) packet.set(i, tests[i]);
+    const std::uint32_t lanes = random() % 256;
+    std::array<EdgeFunctions, PacketTest::width> together;
+    const std::uint32_t found = packet.crosses(a, b, c, lanes, together);
+    EXPECT_EQ(found & ~lanes, 0u);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      EdgeFunctions alone;
+      const bool crosses = tests[i].crosses(a, b, c, alone) && (lanes >> i & 1);
+      ASSERT_EQ(found >> i & 1, crosses);
+      if (!crosses) continue;
+      ++crossed;
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(together[i].e[k], alone.e[k]);
+        on_edges += alone.e[k] == 0;
+      }
+    }
+  }
+  EXPECT_GT(crossed, 500);
+  EXPECT_GT(on_edges, 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cameras, PropertyPacketTest,
+    ::testing::Combine(::testing::Values(Projection::perspective, Projection::orthographic),
+                       ::testing::Values(Precision::rounded, Precision::exact)));
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,124 @@
+// Exact crossings with isosurfaces: closed forms, then bisection.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "groundtruth/levels/ray_polynomial.h"
+#include "tests/groundtruth/levels.h"
+
+namespace pellucid {
+namespace {
+
+TEST(UnitRayPolynomial, FindsTheRootsOfAProduct) {
+  RayPolynomial p(1.0);
+  const std::vector<double> roots{0.1, 0.25, 0.5, 0.5000001, 0.9};
+  for (const double root : roots) p = p * RayPolynomial(-root, 1 - root);
+  std::vector<double> found;
+  append_sign_changes(p, found);
+  ASSERT_EQ(found.size(), roots.size());
+  // Two roots 1e-7 apart: an error of 1e-16 in p moves them by 1e-16 / (1e-7 · slope 1e-2).
+  for (std::size_t i = 0; i < roots.size(); ++i) EXPECT_NEAR(found[i], roots[i], 1e-7);
+  EXPECT_NEAR(found[0], 0.1, 1e-13);
+}
+
+TEST(UnitRayPolynomial, CountsAZeroEndAsPositive) {
+  std::vector<double> found;
+  append_sign_changes(RayPolynomial(0, 1), found);
+  EXPECT_TRUE(found.empty());
+  append_sign_changes(RayPolynomial(0, -1), found);
+  EXPECT_EQ(found, std::vector<double>{0});
+  found.clear();
+  append_sign_changes(RayPolynomial(0.0), found);  // a plateau
+  EXPECT_TRUE(found.empty());
+}
+
+class PropertyIsosurface : public ::testing::TestWithParam<ReconstructionRow> {};
+INSTANTIATE_TEST_SUITE_P(All, PropertyIsosurface, ::testing::ValuesIn(reconstructions),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(PropertyIsosurface, GridAlignedRaysCrossAPlaneOnce) {
+  const LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
+  // Rays through samples, cell faces and level faces, both ways; the plane on each of those, too.
+  for (const double value : {1.5, 1.7, 3.0, 3.25, 3.5, 4.125})
+    for (const double y : {1.5, 2.0, 2.25, 3.75, 4.0, 6.0, 6.5})
+      for (const double z : {2.0, 2.25, 5.0, 6.0}) {
+        const auto forth = exact_crossings(field, value, {Vec3(-5, y, z), Vec3(1, 0, 0)});
+        const auto back = exact_crossings(field, value, {Vec3(15, y, z), Vec3(-1, 0, 0)});
+        ASSERT_EQ(forth.size(), 1u) << value << ' ' << y << ' ' << z;
+        ASSERT_EQ(back.size(), 1u) << value << ' ' << y << ' ' << z;
+        EXPECT_NEAR(forth[0] - 5, 15 - back[0], 1e-12);
+        if (GetParam().linear_preserving) {
+          EXPECT_NEAR(forth[0] - 5, value, 1e-12);
+        }
+      }
+}
+
+TEST_P(PropertyIsosurface, RaysThroughFacesCrossAPlaneOnce) {
+  // In the planes between cells and along the diagonals of their edges.
+  const LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
+  for (const Vec3 direction : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(1, 1, 1), Vec3(2, 1, 0)})
+    for (const Vec3 through : {Vec3(3.25, 4.25, 4.25), Vec3(3, 4, 4), Vec3(2, 2, 2.5)}) {
+      const double value = through.x + 0.125;
+      EXPECT_EQ(exact_crossings(field, value, {through - 3.0 * direction, direction}).size(), 1u);
+    }
+}
+
+TEST_P(PropertyIsosurface, RandomRaysAgreeWithBisection) {
+  const LevelField field = nested(wavy, GetParam());
+  constexpr double value = 0.05, step = 1.0 / 512;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0.7, 7.3);
+  const auto any = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  std::size_t bisected = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 a = any(), b = any();
+    const WorldRay ray{a, glm::normalize(b - a)};
+    const auto inside = [&](double t) { return field.value(ray.at(t)).value() >= value; };
+    auto found = exact_crossings(field, value, ray);
+    std::erase_if(found, [&](double t) { return t > glm::length(b - a); });
+    for (double t = 0; t + step < glm::length(b - a); t += step) {
+      if (inside(t) == inside(t + step)) continue;
+      double low = t, high = t + step;
+      for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (inside(middle) == inside(low) ? low : high) = middle;
+      }
+      ++bisected;
+      // 1e-9 of the finest cell. Where it jumps, single signs at the face may differ.
+      EXPECT_TRUE(std::ranges::any_of(found, [&](double at) {
+        return std::abs(at - low) < 0.5e-9;
+      })) << low;
+    }
+    // Signs alternate, so that their number is as odd as the ends are different.
+    EXPECT_EQ(found.size() % 2 == 1, inside(0) != inside(glm::length(b - a)));
+  }
+  EXPECT_GT(bisected, 30u);
+}
+
+TEST_P(PropertyIsosurface, APlateauAtTheValueIsBoundedAndNotFilled) {
+  const auto plateau = [](const Vec3& x) { return std::min(x.x - 4, 0.0); };
+  const LevelField field({sampled(Vec3(0), 1, 9, plateau)}, GetParam());
+  EXPECT_EQ(exact_crossings(field, 0, {Vec3(-1, 3.3, 3.7), Vec3(1, 0, 0)}), std::vector<double>{5});
+}
+
+TEST_P(PropertyIsosurface, ValuesOutOfRangeHaveNoSurface) {
+  const LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
+  EXPECT_TRUE(surface_cells(field, 100).empty());
+  EXPECT_TRUE(surface_cells(field, -100).empty());
+}
+
+TEST(UnitIsosurface, ASphereIsEnteredAndLeft) {
+  const auto distance = [](const Vec3& x) { return glm::length(x - 4.0); };
+  const LevelField field({sampled(Vec3(0), 0.125, 65, distance)}, find_reconstruction("blend"));
+  const auto at = exact_crossings(field, 2, {Vec3(-2, 4, 4), Vec3(1, 0, 0)});
+  ASSERT_EQ(at.size(), 2u);
+  // Along the axis through samples the reconstruction is linear: |x - 4| up to float.
+  EXPECT_NEAR(at[0], 4, 1e-6);
+  EXPECT_NEAR(at[1], 8, 1e-6);
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,76 @@
+// The sums along a ray: closed forms of stacks, and the picture itself.
+
+#include "groundtruth/sums/ray_sums.h"
+
+#include <gtest/gtest.h>
+
+#include "groundtruth/methods/raytrace.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid {
+namespace {
+
+using namespace testing;
+
+TEST(UnitRaySums, StackInClosedForm) {
+  // n layers of α = 1/4 and g = i / n at equal distances, given in any order.
+  const int n = 16;
+  for (const std::uint32_t shuffle : {0u, 5u}) {
+    Scene scene = stack(
+        n, 3, 3, [](int i) { return Rgba(float(i) / n, 0, 0, 0.25f); }, shuffle);
+    for (SceneObject& object : scene.objects) {
+      const Vertices& vertices = object.vertices();
+      object.vertices().importance.assign(4, vertices.colors[0].r);
+    }
+    const RayProbe probe(scene);
+    const RaySums sums = probe.at(1.5, 1.5);
+    ASSERT_EQ(sums.layers.size(), std::size_t(n));
+    double g_sum = 0;
+    for (int i = 0; i < n; ++i) {
+      const RayLayer& layer = sums.layers[i];
+      const double z = 4 + 2.0 * i / (n - 1);  // from the eye at z = 5
+      g_sum += double(i) * i / (n * n);
+      EXPECT_NEAR(layer.depth, z, 1e-14);
+      EXPECT_NEAR(layer.d, probe.depths().normalized(z), 1e-14);
+      EXPECT_NEAR(layer.importance, double(i) / n, 1e-15);
+      EXPECT_NEAR(layer.transmittance, std::pow(0.75, i), 1e-15);
+      EXPECT_NEAR(layer.importance_sum, g_sum, 1e-14);
+      EXPECT_NEAR(layer.optical_depth, -(i + 1) * std::log(0.75), 1e-14);
+      // The curves are steps at the layers.
+      EXPECT_EQ(sums.importance_sum(layer.d), layer.importance_sum);
+      EXPECT_EQ(sums.optical_depth(layer.d + 1e-6), layer.optical_depth);
+      EXPECT_EQ(sums.optical_depth(layer.d - 1e-6), i ? sums.layers[i - 1].optical_depth : 0);
+    }
+    EXPECT_EQ(sums.importance_sum(0), 0);
+    EXPECT_EQ(sums.optical_depth(1), sums.layers.back().optical_depth);
+    EXPECT_NEAR(sums.transmittance, std::pow(0.75, n), 1e-16);
+  }
+}
+
+TEST(PropertyRaySums, TransmittanceIsTheExponentialOfOpticalDepth) {
+  Scene scene;
+  scene.width = scene.height = 16;
+  scene.objects = {{"", random_triangles(300, 3)}};
+  const RayProbe probe(scene);
+  const Rendering picture =
+      raytrace_method()
+          .make(scene, Parameters("raytrace", raytrace_method().parameters, {}), {})
+          ->render({.layers = true});
+  std::size_t most = 0;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const RaySums sums = probe.at(x + 0.5, y + 0.5);
+      most = std::max(most, sums.layers.size());
+      EXPECT_NEAR(std::exp(-sums.optical_depth(1)), sums.transmittance, 1e-14);
+      EXPECT_EQ(picture.image.at(x, y), Rgba(sums.color, 1 - sums.transmittance));
+      EXPECT_EQ(picture.layers.at(x, y), sums.layers.size());
+      for (const RayLayer& layer : sums.layers) {
+        EXPECT_GT(layer.d, 0);
+        EXPECT_LT(layer.d, 1);
+      }
+    }
+  EXPECT_GT(most, 10u);
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,102 @@
+#include "integrators/lines/integrate_lines.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "fields/make_field.h"
+
+namespace pellucid {
+namespace {
+
+LineRequest request_for(const VectorField& field, double duration) {
+  LineRequest request;
+  request.field = &field;
+  request.seeds = seeds_on(segment_seed({0.2, 1, 0}, {1, 1, 0.3}), 7);
+  request.duration = duration;
+  return request;
+}
+
+TEST(UnitLines, StreamLinesOfTheSaddleAreHyperbolas) {
+  const auto field = make_field("saddle");
+  const LineRequest request = request_for(*field, 2);
+  const LineSet lines = integrate_lines("stream-lines", request).lines;
+  ASSERT_EQ(lines.line_count(), 7u);
+  for (std::size_t k = 0; k < 7; ++k) {
+    EXPECT_EQ(lines.positions[lines.offsets[k]], request.seeds[k]);
+    EXPECT_EQ(lines.scalars.at("t")[lines.offsets[k + 1] - 1], 2);
+    for (std::size_t i = lines.offsets[k]; i < lines.offsets[k + 1]; ++i)
+      EXPECT_NEAR(lines.positions[i].x * lines.positions[i].y, request.seeds[k].x, 1e-8);
+  }
+}
+
+TEST(UnitLines, PathAndStreamAndStreakDifferInAnUnsteadyField) {
+  // v = (cos t, sin t, 0): stream lines at time 0 are straight, path lines circles that start along
+  // x; the streak line from x₀ at time T joins x₀ + ∫ v from T - age to T.
+  const auto field = make_field("drift");
+  LineRequest request = request_for(*field, 2);
+  request.seeds = {{0, 0, 0}};
+  for (const Vec3& x : integrate_lines("stream-lines", request).lines.positions)
+    EXPECT_NEAR(x.y, 0, 1e-12);
+  const LineSet paths = integrate_lines("path-lines", request).lines;
+  for (std::size_t i = 0; i < paths.positions.size(); ++i) {
+    const double t = paths.scalars.at("t")[i];
+    EXPECT_LE(glm::distance(paths.positions[i], Vec3(std::sin(t), 1 - std::cos(t), 0)), 1e-8);
+  }
+  const LineSet streaks = integrate_lines("streak-lines:releases=40", request).lines;
+  ASSERT_EQ(streaks.positions.size(), 41u);
+  for (std::size_t i = 0; i < streaks.positions.size(); ++i) {
+    const double begin = 2 - streaks.scalars.at("t")[i];
+    const Vec3 expected(std::sin(2) - std::sin(begin), std::cos(begin) - std::cos(2), 0);
+    EXPECT_LE(glm::distance(streaks.positions[i], expected), 1e-8);
+  }
+}
+
+TEST(UnitLines, VerticesKeepTheirDistance) {
+  const auto field = make_field("rotation");
+  const LineRequest request = request_for(*field, 3);
+  const LineSet lines = integrate_lines("stream-lines:step=0.05", request).lines;
+  for (std::size_t i = 1; i < lines.positions.size(); ++i) {
+    const bool begins = lines.scalars.at("t")[i] == 0;
+    const double apart = glm::distance(lines.positions[i], lines.positions[i - 1]);
+    EXPECT_TRUE(begins || apart <= 0.05 + 1e-9) << apart;
+  }
+}
+
+TEST(PropertyLines, TheSameToTheLastBitForAnyNumberOfThreads) {
+  const auto field = make_field("abc");
+  for (const LineIntegratorRow& row : line_integrators()) {
+    LineRequest request = request_for(*field, 3);
+    request.seeds = seeds_in({{0, 0, 0}, {6, 6, 6}}, 4, 3, 2);
+    const LineSet parallel = integrate_lines(row.name, request).lines;
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const LineSet serial = integrate_lines(row.name, request).lines;
+    EXPECT_EQ(parallel.positions, serial.positions) << row.name;
+    EXPECT_EQ(parallel.offsets, serial.offsets) << row.name;
+    EXPECT_EQ(parallel.scalars, serial.scalars) << row.name;
+  }
+}
+
+TEST(UnitLines, SeedsFillCurvesAndBoxes) {
+  const auto grid = seeds_in({{0, 0, 0}, {1, 2, 3}}, 2, 3, 1);
+  ASSERT_EQ(grid.size(), 6u);
+  EXPECT_EQ(grid.front(), Vec3(0, 0, 1.5));
+  EXPECT_EQ(grid.back(), Vec3(1, 2, 1.5));
+  EXPECT_EQ(seeds_on(circle_seed({0, 0, 0}, {0, 0, 1}, 1), 4).size(), 4u);
+}
+
+TEST(UnitLines, WrongCallsAreRefused) {
+  const auto field = make_field("abc");
+  LineRequest request = request_for(*field, 1);
+  EXPECT_THROW(integrate_lines("steam-lines", request), InputError);
+  EXPECT_THROW(integrate_lines("stream-lines:step=0", request), InputError);
+  request.duration = 0;
+  EXPECT_THROW(integrate_lines("stream-lines", request), InputError);
+  request.seeds.clear();
+  EXPECT_THROW(integrate_lines("stream-lines", request), InputError);
+}
+
+}  // namespace
+}  // namespace pellucid

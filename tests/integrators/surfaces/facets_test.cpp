@@ -1,0 +1,153 @@
+// Facets that stand off the surface are mended: by turning edges, and by vertices on the surface.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "integrators/mesh/mesh_quality.h"
+#include "integrators/mesh/triangle_links.h"
+#include "integrators/surfaces/surface_error.h"
+#include "tests/integrators/closed_forms.h"
+
+namespace pellucid {
+namespace {
+
+using testing::closed_forms;
+using testing::sweep;
+using Triangles = std::vector<TriangleLinks::Triangle>;
+
+/// A square of 2 n² triangles.
+Triangles square(std::uint32_t n) {
+  Triangles triangles;
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
+      triangles.push_back({a, b, d});
+      triangles.push_back({a, d, c});
+    }
+  return triangles;
+}
+
+/// What it says of neighbours is what a fresh look says.
+void expect_consistent(const TriangleLinks& links, Triangles triangles, std::size_t vertices) {
+  const TriangleLinks fresh(triangles, vertices);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      ASSERT_EQ(links.neighbour({i, k}), fresh.neighbour({i, k})) << i << " " << k;
+}
+
+TEST(PropertyTriangleLinks, TurningAndSplittingKeepAManifold) {
+  Triangles triangles = square(6);
+  std::uint32_t vertices = 49;
+  TriangleLinks links(triangles, vertices);
+  std::mt19937 random(1);
+  for (int i = 0; i < 300; ++i) {
+    const TriangleLinks::Edge edge{std::uint32_t(random() % triangles.size()), int(random() % 3)};
+    if (i % 3 == 0)
+      links.split(edge, vertices++);
+    else if (links.can_turn(edge))
+      links.turn(edge);
+    expect_consistent(links, triangles, vertices);
+  }
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < vertices; ++i) mesh.positions.emplace_back(i, i * i, 0);
+  mesh.triangles = triangles;
+  const MeshQuality quality = measure_quality(mesh);
+  EXPECT_TRUE(quality.manifold);
+  EXPECT_EQ(quality.misoriented_edges, 0u);
+  EXPECT_EQ(quality.sheets, 1u);
+}
+
+TEST(UnitTriangleLinks, AnEdgeIsNotMadeTwice) {
+  // A tetrahedron without its floor: the other diagonal of any two sides is an edge of the floor.
+  Triangles triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const TriangleLinks links(triangles, 4);
+  for (std::uint32_t i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) EXPECT_FALSE(links.can_turn({i, k}));
+}
+
+/// Where the front leans along the flow, its triangles would be turned over.
+SurfaceRequest abc_request(const VectorField& field, double duration) {
+  return {&field, segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1}), duration, 0, false, {}};
+}
+
+TEST(PropertyFacets, NoneOfTheAbcSurfaceStandsOffIt) {
+  const auto field = make_field("abc");
+  const SurfaceRequest request = abc_request(*field, 9);
+  for (const IntegratorRow& row : integrators()) {
+    if (!row.promises.refines) continue;
+    for (const char* fineness : {"tolerance=0.002", "threshold=0.1"}) {
+      const std::string integrator = fmt::format("{}:{}", row.name, fineness);
+      const TriangleMesh mesh = integrate_surface(integrator, request).mesh;
+      const MeshQuality quality = measure_quality(mesh);
+      // Normals of vertices are exact, by the variational equation, and all facets are asked.
+      EXPECT_LE(quality.normal_degrees.max, 30) << integrator;
+      EXPECT_LE(measure_error(mesh, request, 500).normal_max_degrees, 30) << integrator;
+      EXPECT_TRUE(quality.manifold) << integrator;
+      EXPECT_EQ(quality.degenerate_triangles, 0u) << integrator;
+      // As the front made them some are turned over: the test can fail.
+      const auto as_made = integrate_surface(integrator + ",facet-angle=180", request).mesh;
+      EXPECT_GT(measure_quality(as_made).normal_degrees.max, 60) << integrator;
+    }
+  }
+}
+
+TEST(PropertyFacets, AnyAngleCanBeAskedFor) {
+  constexpr double angle = 4;  // degrees
+  for (const auto& form : closed_forms())
+    for (const IntegratorRow& row : integrators()) {
+      if (!row.promises.refines) continue;
+      const auto swept =
+          sweep(form, fmt::format("{}:threshold=0.2,facet-angle={}", row.name, angle));
+      const MeshQuality quality = measure_quality(swept.surface.mesh);
+      EXPECT_LE(quality.normal_degrees.max, angle) << form.name << " " << row.name;
+      EXPECT_TRUE(quality.manifold) << form.name << " " << row.name;
+      EXPECT_EQ(quality.sheets, 1u) << form.name << " " << row.name;
+      for (const Vec3& x : swept.surface.mesh.positions)
+        ASSERT_LE(testing::implicit_distance(form, x), 1e-8) << form.name << " " << row.name;
+      std::uint64_t ended = 0;
+      for (const auto& [reason, count] : swept.surface.stats.ends) ended += count;
+      EXPECT_EQ(ended, swept.surface.stats.particles) << form.name << " " << row.name;
+    }
+}
+
+TEST(PropertyFacets, NoEdgeIsSplitTwiceInTheSamePlace) {
+  // These surfaces stay whole and lean most where they end.
+  const auto field = make_field("abc");
+  const double pi = std::numbers::pi;
+  const SurfaceRequest request{
+      field.get(), segment_seed({pi, pi, pi - 3}, {pi, pi, pi + 3}), 9, 0, false, {}};
+  for (const char* integrator :
+       {"adaptive-front:tolerance=0.01,rip=1e-8", "hultquist:tolerance=0.01,rip=1e-8"}) {
+    const auto surface = integrate_surface(integrator, request);
+    const MeshQuality quality = measure_quality(surface.mesh);
+    EXPECT_GT(surface.stats.ends.at(EndReason::vertex), 0u) << integrator;
+    EXPECT_EQ(quality.duplicate_vertices, 0u) << integrator;
+    EXPECT_EQ(quality.degenerate_triangles, 0u) << integrator;
+    EXPECT_TRUE(quality.manifold) << integrator;
+  }
+}
+
+TEST(UnitFacets, MendingComesToAnEnd) {
+  // Whole to the end, this surface asks for more vertices on its border than it has.
+  const auto field = make_field("abc");
+  const auto surface =
+      integrate_surface("hultquist:threshold=0.1,rip=1e-8", abc_request(*field, 9));
+  EXPECT_LE(surface.stats.ends.at(EndReason::vertex), 5000 + surface.mesh.positions.size() / 100);
+  EXPECT_TRUE(measure_quality(surface.mesh).manifold);
+}
+
+TEST(UnitFacets, OverTheSeamOfAClosedCurve) {
+  const auto field = make_field("rotation:omega=1,c=1");
+  const SurfaceRequest request{field.get(), circle_seed({1, 0, 0}, {0, 1, 0}, 0.3), 2, 0, false,
+                               {}};
+  const auto surface = integrate_surface("hultquist:threshold=0.2,facet-angle=6", request);
+  const MeshQuality quality = measure_quality(surface.mesh);
+  EXPECT_GT(surface.stats.ends.at(EndReason::vertex), 0u);
+  EXPECT_LE(quality.normal_degrees.max, 6);
+  EXPECT_TRUE(quality.manifold);
+}
+
+}  // namespace
+}  // namespace pellucid

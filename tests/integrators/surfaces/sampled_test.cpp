@@ -1,0 +1,147 @@
+// Trajectories and surfaces in samples of a field against those in the field itself: they differ
+// by no more than the sampling error that is reported.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/files/output_file.h"
+#include "fields/make_field.h"
+#include "integrators/surfaces/integrate_surface.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pellucid {
+namespace {
+
+constexpr double duration = 0.8;
+
+/// A velocity at 33³ points of the cube [low, low + 6]³. Returns the file's name.
+std::string write_samples(const testing::TemporaryFolder& folder,
+                          const std::function<Vec3(const Vec3& x)>& velocity, double low = 0) {
+  constexpr int count = 33;
+  constexpr double spacing = 6. / (count - 1);
+  std::string raw;
+  for (int k = 0; k < count; ++k)
+    for (int j = 0; j < count; ++j)
+      for (int i = 0; i < count; ++i) {
+        const Vec3 v = velocity(Vec3(low) + spacing * Vec3(i, j, k));
+        raw.append(reinterpret_cast<const char*>(&v), sizeof v);
+      }
+  write_text(folder / "samples.raw", raw);
+  write_text(folder / "samples.mhd",
+             fmt::format("ObjectType = Image\nNDims = 3\nDimSize = {0} {0} {0}\n"
+                         "ElementSpacing = {1} {1} {1}\nOffset = {2} {2} {2}\n"
+                         "ElementType = MET_DOUBLE\nElementNumberOfChannels = 3\n"
+                         "BinaryDataByteOrderMSB = False\nElementDataFile = samples.raw\n",
+                         count, spacing, low));
+  return (folder / "samples.mhd").string();
+}
+
+std::string write_abc(const testing::TemporaryFolder& folder) {
+  const auto abc = make_field("abc");
+  const auto sampler = abc->sampler();
+  return write_samples(folder, [&](const Vec3& x) {
+    Vec3 v;
+    sampler->velocity(x, 0, v);
+    return v;
+  });
+}
+
+/// Grönwall: velocities that are at most ε apart lead at most ε (e^(LT) - 1) / L apart. For
+/// A² = 3, B² = 2, C² = 1 the Frobenius norm of the Jacobian is √6 everywhere.
+double largest_deviation(double velocity_error) {
+  const double L = std::sqrt(6.);
+  return velocity_error * std::expm1(L * duration) / L;
+}
+
+TEST(AgreementSampled, SurfacesAreWithinTheReportedErrorOfTheAnalyticOnes) {
+  const testing::TemporaryFolder folder;
+  const std::string file = write_abc(folder);
+  const auto abc = make_field("abc");
+  const SeedCurve seed = segment_seed({2.6, 3, 3}, {3.4, 3, 3});
+  const auto positions = [&](const VectorField& field) {
+    const SurfaceRequest request{&field, seed, duration, 0, false, {}};
+    return integrate_surface("fixed-front:particles=40,rows=4", request).mesh.positions;
+  };
+  const std::vector<Vec3> truth = positions(*abc);
+  for (const char* sampler : {"linear", "c1"}) {
+    const auto field = make_field(file + ":sampler=" + sampler);
+    const std::vector<Vec3> sampled = positions(*field);
+    ASSERT_EQ(sampled.size(), truth.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      largest = std::max(largest, glm::distance(truth[i], sampled[i]));
+    const double bound = largest_deviation(*field->sampling_error());
+    EXPECT_LE(largest, bound) << sampler;
+    // And the bound says something: most of it is the exponential's pessimism.
+    EXPECT_GE(largest, bound / 100) << sampler;
+  }
+}
+
+IntegratedSurface sweep(const VectorField& field, const std::string& integrator,
+                        const SeedCurve& seed) {
+  return integrate_surface(integrator, {&field, seed, duration, 0, false, {}});
+}
+
+std::uint64_t evaluations(const VectorField& field, const std::string& integrator,
+                          const SeedCurve& seed) {
+  return sweep(field, integrator, seed).stats.evaluations;
+}
+
+Vec3 swirl(const Vec3& x) { return {-x.y, x.x, 0.3}; }
+
+TEST(UnitSampledSteps, NoKinksNoShortSteps) {
+  // Samples of a linear field are the field: they take the steps that its formula takes.
+  const testing::TemporaryFolder folder;
+  const auto samples = make_field(write_samples(folder, swirl, -3));
+  const auto formula = make_field("formula:u=-y,v=x,w=0.3");
+  const SeedCurve seed = segment_seed({0.5, 0.1, -0.1}, {1, 0.2, 0.1});
+  // So loose that the field alone would allow steps of many cells.
+  const std::string integrator = "fixed-front:particles=20,rows=4,normals=none,accuracy=1e-3";
+  const std::uint64_t fewest = evaluations(*formula, integrator, seed);
+  EXPECT_EQ(evaluations(*samples, integrator, seed), fewest);
+  EXPECT_GT(evaluations(*samples, integrator + ",cells=0.5", seed), 2 * fewest);
+}
+
+TEST(UnitSampledSteps, HalfACellWhereThereAreKinks) {
+  const testing::TemporaryFolder folder;
+  const SeedCurve seed = segment_seed({2.6, 3, 3}, {3.4, 3, 3});
+  const std::string file = write_abc(folder), integrator = "fixed-front:particles=20,rows=4";
+  for (const char* sampler : {"linear", "c1"}) {
+    const auto field = make_field(file + ":sampler=" + sampler);
+    const auto of = [&](const char* cells) {
+      return evaluations(*field, integrator + cells, seed);
+    };
+    EXPECT_EQ(of(""), of(",cells=0.5")) << sampler;
+    // Shorter ones are as many more as they are shorter, but for the first and the last.
+    EXPECT_GT(of(",cells=0.05"), 3 * of(",cells=0.5")) << sampler;
+  }
+}
+
+TEST(UnitSampledSteps, NoneOverAHole) {
+  // One sample that is no number makes a hole of two cells' width in the way of all particles.
+  const testing::TemporaryFolder folder;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto field = make_field(write_samples(
+      folder, [&](const Vec3& x) { return glm::length(x) < 1e-9 ? Vec3(nan) : Vec3(10, 0, 0); },
+      -3));
+  const auto surface = sweep(*field, "fixed-front:particles=9,rows=1",
+                             segment_seed({-2, -0.15, -0.1}, {-2, 0.15, 0.1}));
+  EXPECT_EQ(surface.stats.ends.at(EndReason::not_finite), 9u);
+  EXPECT_LE(surface.mesh.bounds().max.x, -6. / 32 + 1e-5);
+}
+
+TEST(UnitSampledSteps, NoneOutOfTheSamplesAndInAgain) {
+  // Circles that bulge out of the box: a long step could miss that.
+  const testing::TemporaryFolder folder;
+  const auto field = make_field(write_samples(folder, swirl, -3));
+  const auto surface = integrate_surface(
+      "fixed-front:particles=9,rows=40",
+      {field.get(), segment_seed({2.9, -1.2, -2}, {2.9, -1.4, -2}), 2, 0, false, {}});
+  EXPECT_EQ(surface.stats.ends.at(EndReason::left_domain), 9u);
+}
+
+}  // namespace
+}  // namespace pellucid

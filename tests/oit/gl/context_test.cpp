@@ -1,0 +1,94 @@
+// The GL layer: contexts, shader text, errors.
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "oit/gl/driver_check.h"
+#include "oit/gl/program.h"
+#include "tests/oit/test_scenes.h"
+
+namespace pellucid::test {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Call>
+std::string message_of(Call&& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(UnitContext, SaysWhatItsDriverIs) {
+  const GlContext context("osmesa");
+  EXPECT_THAT(context.driver(), HasSubstr("OpenGL 4.5"));
+  EXPECT_NO_THROW(check_driver(context));
+}
+
+TEST(UnitContext, AnUnknownKindNamesTheKnownOnes) {
+  EXPECT_THROW(GlContext("glx"), InputError);
+  EXPECT_THAT(message_of([] { GlContext("glx"); }), HasSubstr("osmesa|egl"));
+}
+
+TEST(UnitContext, ReportsErrorsInTheDriversWords) {
+  const GlContext context("osmesa");
+  context.gl().Enable(GL_INVALID_ENUM);
+  const std::string message = message_of([&] { context.check("testing"); });
+  EXPECT_THAT(message, HasSubstr("0x0500 while testing"));
+  EXPECT_THAT(message, HasSubstr("glEnable"));
+  EXPECT_NO_THROW(context.check("testing again"));
+}
+
+TEST(UnitContext, AShaderThatDoesNotCompileShowsTheLog) {
+  const GlContext context("osmesa");
+  const std::string message =
+      message_of([&] { Program(context, "void main() {}", {"void main() { x = 1; }"}, {}); });
+  EXPECT_THAT(message, HasSubstr("does not compile"));
+  EXPECT_THAT(message, HasSubstr("undeclared"));
+}
+
+TEST(UnitContext, IncludesAreExpanded) {
+  EXPECT_THAT(expand_includes("#include \"oit/optical_depth/optical_depth.glsl\"\nend\n"),
+              HasSubstr("float optical_depth(float alpha)"));
+  EXPECT_THROW(expand_includes("#include \"oit/nothing.glsl\"\n"), WorkError);
+}
+
+TEST(UnitContext, APictureTooLargeIsRefusedBeforeItIsAllocated) {
+  const Scene scene = stack(1 << 20, 1, {{1, 1, 1, 1}});
+  EXPECT_THROW(render(method("weighted-average"), scene), InputError);
+}
+
+// Renderers whose contexts take turns on one thread keep to their own objects.
+TEST(UnitContext, RenderersDoNotDisturbEachOther) {
+  const std::vector<Rgba> red = {{1, 0, 0, 0.5f}}, green = {{0, 1, 0, 0.5f}};
+  const Scene first = stack(3, 3, red), second = stack(2, 2, green);
+  const MethodRow& row = method("linked-list");
+  const auto a = row.make(first, {}, {});
+  {
+    const auto b = row.make(second, {}, {});
+    EXPECT_LE(max_difference(b->render({}).image, composite(green, second.background)), 1e-6);
+    EXPECT_LE(max_difference(a->render({}).image, composite(red, first.background)), 1e-6);
+  }
+  EXPECT_LE(max_difference(a->render({}).image, composite(red, first.background)), 1e-6);
+}
+
+// Where EGL has a driver its pictures are those of OSMesa, up to another order of sums.
+TEST(AgreementContext, EglDrawsWhatOsmesaDraws) {
+  const Scene scene = stack(9, 5, random_layers(8, 0.9f, 12));
+  for (const MethodRow& row : oit_methods()) {
+    const Parameters parameters(row.name, row.parameters, {});
+    const Image expected = row.make(scene, parameters, {.gl = "osmesa"})->render({}).image;
+    Image image;
+    try {
+      image = row.make(scene, parameters, {.gl = "egl"})->render({}).image;
+    } catch (const WorkError& error) {
+      GTEST_SKIP() << error.what();
+    }
+    EXPECT_LE(max_difference(image, expected), 1e-4) << row.name;
+  }
+}
+
+}  // namespace
+}  // namespace pellucid::test

@@ -1,0 +1,127 @@
+// Isosurfaces of a scene file.
+
+#include "fields/levels/level_field.h"
+#include "scene/appearance/colormap.h"
+#include "tests/scene/files/scene_file_folder.h"
+
+namespace pellucid {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using namespace testing;
+
+class UnitIsosurfaceFile : public SceneFileTest {};
+
+TEST_F(UnitIsosurfaceFile, AnIsosurfaceKeepsTheReconstructionItNames) {
+  for (const ReconstructionRow& row : reconstructions) {
+    const Scene scene = with(R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude", "reconstruction": ")" +
+                             std::string(row.name) + R"("}})");
+    const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+    EXPECT_EQ(&surface.field->reconstruction(), &row);  // of the table, no copy that dies
+  }
+}
+
+TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeAMesh) {
+  const auto text = [](const std::string& keys) {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude", "mesh": true)" +
+           keys + R"(}, "color": [1, 0, 0], "opacity": 0.25})";
+  };
+  const TriangleMesh whole = with(text("")).objects.front().mesh();
+  EXPECT_EQ(whole.normals.size(), whole.positions.size());
+  EXPECT_EQ(whole.colors.front(), Rgba(1, 0, 0, 0.25));
+  const TriangleMesh cut =
+      with(text(R"(, "hole": {"center": [0, 0, 0], "radius": 1.5})")).objects.front().mesh();
+  EXPECT_LT(cut.triangles.size(), whole.triangles.size());
+  for (const auto& triangle : cut.triangles)
+    for (const std::uint32_t corner : triangle) EXPECT_GE(glm::length(cut.positions[corner]), 1.5);
+}
+
+TEST_F(UnitIsosurfaceFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
+  const auto text = [](const std::string& color, const std::string& keys = "") {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude")" +
+           keys + R"(}, "opacity": 0.25, "color": {"by": )" + color + "}}";
+  };
+  const ColormapRow& map = find_colormap("four-color");
+  // Its own scalar is 0.9 all over it.
+  const Scene scene = with(text(R"("speed", "map": "four-color", "range": [0, 1.8])"));
+  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  ASSERT_TRUE(surface.coloring);
+  EXPECT_EQ(surface.corners.colors.front().a, 0.25f);
+  EXPECT_EQ(surface.coloring->scalar.fraction(Vec3(3, 0.5, 0)),
+            *surface.field->value(Vec3(3, 0.5, 0)) / 1.8);
+  EXPECT_EQ(surface.coloring->color(0.5), map(0.5));
+  const TriangleMesh mesh =
+      with(text(R"("speed", "map": "four-color", "range": [0, 1.8])", R"(, "mesh": true)"))
+          .objects.front()
+          .mesh();
+  for (const Rgba& color : mesh.colors) {
+    EXPECT_LT(glm::length(Vec3(color) - map(0.5)), 1e-5);  // vertices lie on it to some 1e-6
+    EXPECT_EQ(color.a, 0.25f);
+  }
+  // Without a range that of all samples.
+  const Scene free = with(text(R"("q")"));
+  const auto& coloring = *std::get<Isosurface>(free.objects.front().shape).coloring;
+  float low = 1e9f, high = -1e9f;
+  for (const float q : coloring.scalar.field->levels().front().samples) {
+    low = std::min(low, q);
+    high = std::max(high, q);
+  }
+  EXPECT_EQ(coloring.scalar.range, Vec2(low, high));
+  EXPECT_THAT(refusal(text(R"("vorticity")")), HasSubstr("unknown scalar 'vorticity'"));
+  EXPECT_THAT(refusal(text(R"("speed", "map": "rainbow")")), HasSubstr("unknown colour map"));
+}
+
+TEST_F(UnitIsosurfaceFile, AnIsosurfaceFadesByAScalarOfItsData) {
+  const auto text = [](const std::string& opacity, const std::string& keys = "") {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude")" +
+           keys + R"(}, "color": [1, 0, 0], "opacity": )" + opacity + "}";
+  };
+  // Its own scalar is 0.9 all over it: a third of the way.
+  const std::string by = R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0.6, 1.5]})";
+  const Scene scene = with(text(by));
+  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  ASSERT_TRUE(surface.fading);
+  const Vec3 x(3, 0.5, 0);
+  const double share = (*surface.field->value(x) - 0.6) / 0.9;
+  EXPECT_NEAR(surface.fading->opacity(x), 0.9 - 0.6 * share, 1e-7);
+  EXPECT_EQ(surface.corners.colors.front(), Rgba(1, 0, 0, 1));
+  const Scene triangles = with(text(by, R"(, "mesh": true)"));
+  for (const Rgba& color : triangles.objects.front().mesh().colors) {
+    EXPECT_NEAR(color.a, 0.7, 1e-5);  // vertices lie on it to some 1e-6
+    EXPECT_EQ(Vec3(color), Vec3(1, 0, 0));
+  }
+  // Constant beyond the range.
+  const Scene beyond = with(text(R"({"by": "speed", "opacities": [0.9, 0.3], "range": [0, 0.1]})"));
+  EXPECT_FLOAT_EQ(std::get<Isosurface>(beyond.objects.front().shape).fading->opacity(x), 0.3f);
+  EXPECT_THAT(refusal(text(R"({"by": "vorticity", "opacities": [0, 1]})")),
+              HasSubstr("unknown scalar 'vorticity'"));
+}
+
+TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeCutAlongABody) {
+  write_mesh(folder_ / "body.ply", sphere(4, Rgba(1)));  // facets within 0.005 of the unit sphere
+  const auto text = [](const std::string& hole) {
+    return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
+        "scalar": "magnitude", "hole": )" +
+           hole + "}}";
+  };
+  const Scene scene = with(text(R"({"mesh": "body.ply", "distance": 0.25})"));
+  const auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  EXPECT_TRUE(surface.cuts_away(Vec3(0.3, 0.2, 0.1)));
+  for (const Vec3 direction : {Vec3(1, 0, 0), Vec3(0.6, 0, -0.8), Vec3(0, -0.8, 0.6)}) {
+    EXPECT_TRUE(surface.cuts_away(1.24 * direction));
+    EXPECT_FALSE(surface.cuts_away(1.26 * direction));
+  }
+  write_mesh(folder_ / "open.ply", rectangle(0, 1, 0, 1, 0, Rgba(1)));
+  EXPECT_THAT(refusal(text(R"({"mesh": "open.ply"})")),
+              AllOf(HasSubstr("hole.mesh"), HasSubstr("closed mesh")));
+  EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "radius": 1})")), HasSubstr("radius"));
+  EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "distance": -1})")), HasSubstr("distance"));
+}
+
+}  // namespace
+}  // namespace pellucid

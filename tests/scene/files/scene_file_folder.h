@@ -1,0 +1,52 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "geometry/files/mesh_file.h"
+#include "scene/files/scene_file.h"
+#include "tests/support/scenes.h"
+
+namespace pellucid::testing {
+
+/// A folder with a mesh, for scene files that are read or refused.
+class SceneFileTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "pellucid-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    TriangleMesh mesh = full_layer(0, Rgba(0.25, 0.5, 0.75, 0.125));
+    mesh.scalars["speed"] = {0, 1, 2, 4};
+    write_mesh(folder_ / "sheet.ply", mesh);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Scene load(const std::string& text) const {
+    std::ofstream(folder_ / "scene.json") << text;
+    return load_scene(folder_ / "scene.json");
+  }
+  /// A scene with the given objects and further top-level keys ("\"key\": value, …").
+  Scene with(const std::string& objects, const std::string& keys = "") const {
+    return load(R"({"format": "pellucid-scene", "version": 1, )" + keys +
+                (keys.empty() ? "" : ", ") + R"("objects": [)" + objects + "]}");
+  }
+  template <class... Texts>
+  std::string refusal(const Texts&... texts) const {
+    try {
+      with(texts...);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    ADD_FAILURE() << "the scene was accepted";
+    return {};
+  }
+
+  const std::string sheet = R"({"mesh": "sheet.ply"})";
+  std::filesystem::path folder_;
+};
+
+}  // namespace pellucid::testing
