@@ -5,7 +5,7 @@
 
 #include "core/progress.h"
 
-namespace pellucid {
+namespace pellucid::app {
 
 /// Options that every command takes.
 struct GlobalOptions {
@@ -36,4 +36,4 @@ void add_gl_option(CLI::App& command, GlobalOptions& globals);
 /// left, on a terminal; plain lines elsewhere; nothing when quiet.
 Progress console_progress(const GlobalOptions& globals);
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -11,7 +11,7 @@
 #include "compare/results/result_row.h"
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 struct CompareArguments {
@@ -19,24 +19,24 @@ struct CompareArguments {
   std::optional<double> fail_rmse, fail_ssim, fail_max_error;
 };
 
-std::string ssim_text(const Metrics& m) {
+std::string ssim_text(const compare::Metrics& m) {
   return m.ssim ? fmt::format("{:.6f}", *m.ssim) : "none: a side is below 11 pixels";
 }
 
-void print_metrics(std::string_view title, const Metrics& m) {
+void print_metrics(std::string_view title, const compare::Metrics& m) {
   fmt::print("{}\n  RMSE       {:.6g}\n  SSIM       {}\n  PSNR       {:.2f} dB\n", title, m.rmse,
              ssim_text(m), m.psnr);
   fmt::print("  max error  {:.6g} at ({}, {})\n", m.max_error.value, m.max_error.x, m.max_error.y);
 }
 
-void print_comparison(const Comparison& comparison, bool as_json) {
-  if (as_json) return fmt::print("{}\n", to_json(comparison).dump(1));
+void print_comparison(const compare::Comparison& comparison, bool as_json) {
+  if (as_json) return fmt::print("{}\n", compare::to_json(comparison).dump(1));
   print_metrics("float values", comparison.linear);
   print_metrics("8-bit values, as a screen shows them", comparison.displayed);
 }
 
 /// Like idiff: beyond a threshold the pictures count as different, and the command as failed.
-void check_thresholds(const CompareArguments& arguments, const Metrics& m) {
+void check_thresholds(const CompareArguments& arguments, const compare::Metrics& m) {
   if (arguments.fail_rmse && m.rmse > *arguments.fail_rmse)
     throw WorkError(
         fmt::format("RMSE {:.6g} is above --fail-rmse {}", m.rmse, *arguments.fail_rmse));
@@ -51,10 +51,11 @@ void check_thresholds(const CompareArguments& arguments, const Metrics& m) {
 }
 
 void run(const CompareArguments& arguments, const GlobalOptions& globals) {
-  const Image reference = read_image(arguments.reference);
-  const Image test = read_image(arguments.test);
-  const Comparison comparison = compare_images(reference, test);
-  if (!arguments.diff.empty()) write_image(arguments.diff, error_map(reference, test));
+  const Image reference = compare::read_image(arguments.reference);
+  const Image test = compare::read_image(arguments.test);
+  const compare::Comparison comparison = compare::compare_images(reference, test);
+  if (!arguments.diff.empty())
+    compare::write_image(arguments.diff, compare::error_map(reference, test));
   print_comparison(comparison, globals.json);
   check_thresholds(arguments, comparison.linear);
 }
@@ -78,4 +79,4 @@ void add_compare_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -7,7 +7,7 @@
 #include "app/commands.h"
 #include "core/machine/stopwatch.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 std::string remaining(double fraction, double elapsed) {
@@ -70,4 +70,4 @@ void add_gl_option(CLI::App& command, GlobalOptions& globals) {
       ->capture_default_str();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

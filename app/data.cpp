@@ -11,14 +11,14 @@
 #include "geometry/files/mesh_file.h"
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 /// Before the work that would be in vain. Throws InputError with the names that are known, or the
 /// endings that the data set takes.
 void check(const std::string& dataset, const std::string& output) {
   const std::string name = parse_name_and_options(dataset).name;
-  const DatasetRow& row = find_row("data set", name, datasets());
+  const scene::DatasetRow& row = find_row("data set", name, scene::datasets());
   const std::string ending = std::filesystem::path(output).extension().string();
   const bool fits =
       row.on_levels ? ending == ".vdb" : ending == ".ply" || ending == ".obj" || ending == ".vtp";
@@ -27,31 +27,31 @@ void check(const std::string& dataset, const std::string& output) {
                                  row.on_levels ? ".vdb" : ".ply, .obj, .vtp"));
 }
 
-nlohmann::ordered_json write(const VelocityLevels& levels, const std::string& output) {
-  write_vdb_levels(output, "velocity", levels);
+nlohmann::ordered_json write(const scene::VelocityLevels& levels, const std::string& output) {
+  fields::write_vdb_levels(output, "velocity", levels);
   nlohmann::ordered_json grids = nlohmann::ordered_json::array();
-  for (const VectorLevel& level : levels)
+  for (const fields::VectorLevel& level : levels)
     grids.push_back({{"size", level.size},
                      {"width", level.width},
                      {"first", {level.origin.x, level.origin.y, level.origin.z}}});
   return {{"grids", grids}};
 }
 
-nlohmann::ordered_json write(const TriangleMesh& mesh, const std::string& output) {
-  write_mesh(output, mesh);
+nlohmann::ordered_json write(const geometry::TriangleMesh& mesh, const std::string& output) {
+  geometry::write_mesh(output, mesh);
   return {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
 }
 
-nlohmann::ordered_json write(const LineSet& lines, const std::string& output) {
-  write_lines(output, lines);
+nlohmann::ordered_json write(const geometry::LineSet& lines, const std::string& output) {
+  geometry::write_lines(output, lines);
   return {{"lines", lines.line_count()}, {"points", lines.positions.size()}};
 }
 
 /// The vertices of a mesh without triangles.
-nlohmann::ordered_json write(const PointSet& points, const std::string& output) {
+nlohmann::ordered_json write(const geometry::PointSet& points, const std::string& output) {
   if (std::filesystem::path(output).extension() != ".ply")
     throw InputError(output + ": accepted for points: .ply");
-  write_mesh(output, TriangleMesh{Vertices(points), {}});
+  geometry::write_mesh(output, geometry::TriangleMesh{geometry::Vertices(points), {}});
   return {{"points", points.positions.size()}};
 }
 
@@ -59,7 +59,7 @@ void make(const std::string& dataset, const std::string& output, const GlobalOpt
   check(dataset, output);
   const nlohmann::ordered_json json =
       std::visit([&](const auto& data) { return write(data, output); },
-                 make_dataset(dataset, console_progress(globals)));
+                 scene::make_dataset(dataset, console_progress(globals)));
   if (globals.json)
     std::cout << json.dump(2) << '\n';
   else if (!globals.quiet)
@@ -80,4 +80,4 @@ void add_data_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([dataset, output, &globals] { make(*dataset, *output, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -13,7 +13,7 @@
 #include "core/options/names.h"
 #include "scene/files/scene_file.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,7 +27,7 @@ struct FramesOptions {
 /// Rows of frames.csv, and the same as JSON.
 class FrameTable {
  public:
-  void add(const SequenceFrame& frame) {
+  void add(const compare::SequenceFrame& frame) {
     text_ += fmt::format(
         "{},{:.6g},{:.6g},{},{},{},{:.6g}\n", frame.index, frame.motion.degrees,
         frame.motion.distance, cell(frame.opacity ? &frame.opacity->mean : nullptr),
@@ -67,23 +67,24 @@ void make_folder(const fs::path& folder) {
 
 void frames(const FramesOptions& options, const GlobalOptions& globals) {
   const NameAndOptions named = parse_name_and_options(options.method);
-  const MethodRow& row = find_row("method", named.name, methods());
+  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
   const Parameters parameters(row.name, row.parameters, named.options);
   const Progress progress = console_progress(globals);
-  Scene scene = load_scene(options.scene, progress);
-  if (options.orbit) scene.camera_path = orbit(scene.camera, *options.orbit, options.frames);
+  scene::Scene scene = scene::load_scene(options.scene, progress);
+  if (options.orbit) scene.camera_path = scene::orbit(scene.camera, *options.orbit, options.frames);
   if (scene.camera_path.empty())
     throw InputError(options.scene + ": it has no camera_path; accepted: one, or --orbit DEGREES");
   const fs::path folder = options.output;
   make_folder(folder);
   FrameTable table;
   const auto count = double(scene.camera_path.size());
-  render_sequence(scene, row, parameters, {.gl = globals.gl}, [&](const SequenceFrame& frame) {
-    write_image(folder / fmt::format("{:04}.png", frame.index), frame.rendering.image);
-    table.add(frame);
-    write_text(folder / "frames.csv", table.csv());
-    report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
-  });
+  compare::render_sequence(
+      scene, row, parameters, {.gl = globals.gl}, [&](const compare::SequenceFrame& frame) {
+        compare::write_image(folder / fmt::format("{:04}.png", frame.index), frame.rendering.image);
+        table.add(frame);
+        write_text(folder / "frames.csv", table.csv());
+        report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
+      });
   if (globals.json)
     std::cout << table.json().dump(2) << '\n';
   else if (!globals.quiet)
@@ -116,4 +117,4 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([options, &globals] { frames(*options, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -13,7 +13,7 @@
 #include "integrators/surfaces/integrate_surface.h"
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
@@ -29,7 +29,7 @@ nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
 
 nlohmann::ordered_json list_methods() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const MethodRow& row : methods())
+  for (const scene::MethodRow& row : compare::methods())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
@@ -47,12 +47,12 @@ nlohmann::ordered_json list_methods() {
 
 nlohmann::ordered_json list_integrators() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const IntegratorRow& row : integrators())
+  for (const integrators::IntegratorRow& row : integrators::integrators())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
                     {"parameters", to_json(row.parameters)}});
-  for (const LineIntegratorRow& row : line_integrators())
+  for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
@@ -62,7 +62,7 @@ nlohmann::ordered_json list_integrators() {
 
 nlohmann::ordered_json list_fields() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const FieldRow& row : analytic_fields())
+  for (const fields::FieldRow& row : fields::analytic_fields())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
@@ -74,7 +74,7 @@ nlohmann::ordered_json list_fields() {
 
 nlohmann::ordered_json list_datasets() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const DatasetRow& row : datasets())
+  for (const scene::DatasetRow& row : scene::datasets())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
@@ -85,7 +85,7 @@ nlohmann::ordered_json list_datasets() {
 
 nlohmann::ordered_json list_metrics() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const MetricRow& row : metrics())
+  for (const compare::MetricRow& row : compare::metrics())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"definition", row.definition},
@@ -96,7 +96,7 @@ nlohmann::ordered_json list_metrics() {
 
 nlohmann::ordered_json list_all_studies() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const StudySummary& study : list_studies())
+  for (const compare::StudySummary& study : compare::list_studies())
     rows.push_back({{"name", study.name}, {"title", study.title}, {"source", study.source}});
   return rows;
 }
@@ -168,4 +168,4 @@ void add_list_command(CLI::App& app, GlobalOptions& globals) {
   });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/machine/build_info.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 /// Exit codes of the command line; scripts rely on them.
@@ -68,9 +68,9 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::app
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
-  return pellucid::run(argc, argv);
+  return pellucid::app::run(argc, argv);
 }

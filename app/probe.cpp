@@ -7,12 +7,12 @@
 #include "core/error.h"
 #include "groundtruth/sums/ray_sums.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 nlohmann::json to_json(const Vec3& x) { return {x.x, x.y, x.z}; }
 
-nlohmann::json to_json(const RayLayer& layer) {
+nlohmann::json to_json(const groundtruth::RayLayer& layer) {
   return {{"depth", layer.depth},
           {"d", layer.d},
           {"object", layer.object},
@@ -25,21 +25,21 @@ nlohmann::json to_json(const RayLayer& layer) {
           {"optical_depth", layer.optical_depth}};
 }
 
-nlohmann::json pixel_json(const RayProbe& probe, int x, int y) {
-  const RaySums sums = probe.at(x + 0.5, y + 0.5);
+nlohmann::json pixel_json(const groundtruth::RayProbe& probe, int x, int y) {
+  const groundtruth::RaySums sums = probe.at(x + 0.5, y + 0.5);
   nlohmann::json json{{"x", x},
                       {"y", y},
                       {"color", to_json(sums.color)},
                       {"transmittance", sums.transmittance},
                       {"layers", nlohmann::json::array()}};
-  for (const RayLayer& layer : sums.layers) json["layers"].push_back(to_json(layer));
+  for (const groundtruth::RayLayer& layer : sums.layers) json["layers"].push_back(to_json(layer));
   return json;
 }
 
 }  // namespace
 
-nlohmann::json probe_json(const Scene& scene, const std::vector<int>& pixels) {
-  const RayProbe probe(scene);
+nlohmann::json probe_json(const scene::Scene& scene, const std::vector<int>& pixels) {
+  const groundtruth::RayProbe probe(scene);
   nlohmann::json json{{"depth", {{"near", probe.depths().near}, {"far", probe.depths().far}}},
                       {"pixels", nlohmann::json::array()}};
   for (std::size_t i = 0; i + 1 < pixels.size(); i += 2) {
@@ -52,4 +52,4 @@ nlohmann::json probe_json(const Scene& scene, const std::vector<int>& pixels) {
   return json;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

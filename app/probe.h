@@ -5,12 +5,12 @@
 
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::app {
 
 /// The exact crossings and sums along the rays through the centres of pixels, given as x, y, x, y,
 /// …: {"depth": {near, far}, "pixels": [{x, y, color, transmittance, layers: […]}]}; a layer's keys
 /// are those of RayLayer. An optical depth that is infinite is null. Throws InputError for a pixel
 /// outside the picture.
-nlohmann::json probe_json(const Scene& scene, const std::vector<int>& pixels);
+nlohmann::json probe_json(const scene::Scene& scene, const std::vector<int>& pixels);
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -16,7 +16,7 @@
 #include "core/options/names.h"
 #include "scene/files/scene_file.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 struct RenderOptions {
@@ -36,71 +36,74 @@ CLI::Validator ending_among(const std::vector<std::string>& endings) {
       fmt::format("{}", fmt::join(endings, "|")));
 }
 
-nlohmann::json to_json(const FrameStats& frame) {
+nlohmann::json to_json(const scene::FrameStats& frame) {
   return {{"seconds", frame.seconds}, {"lines", frame.lines}, {"fragments", frame.fragments},
           {"layers", frame.layers},   {"bytes", frame.bytes}, {"change", frame.change}};
 }
 
-nlohmann::json to_json(const MethodRow& row, const Parameters& parameters, const RenderStats& stats,
-                       const Renderer& renderer) {
+nlohmann::json to_json(const scene::MethodRow& row, const Parameters& parameters,
+                       const scene::RenderStats& stats, const scene::Renderer& renderer) {
   nlohmann::json json;
   json["method"] = row.name;
   json["parameters"] = parameters.all();
   json["seconds"]["total"] = stats.seconds();
-  for (const StepTime& step : stats.steps) json["seconds"]["steps"][step.name] = step.seconds;
+  for (const scene::StepTime& step : stats.steps)
+    json["seconds"]["steps"][step.name] = step.seconds;
   json["bytes"]["total"] = stats.total_bytes();
-  for (const NamedBytes& part : stats.bytes) json["bytes"][part.name] = part.bytes;
+  for (const scene::NamedBytes& part : stats.bytes) json["bytes"][part.name] = part.bytes;
   json["fragments"] = stats.fragments;
   json["stored"] = stats.stored;
   json["dropped"] = stats.dropped;
   json["truncated_pixels"] = stats.truncated;
   json["max_layers"] = stats.max_layers;
-  for (const FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
+  for (const scene::FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
   json["machine"] = machine_facts();
   json["machine"].update(nlohmann::json(renderer.facts()));
   return json;
 }
 
-void print_summary(const RenderOptions& options, const RenderStats& stats) {
+void print_summary(const RenderOptions& options, const scene::RenderStats& stats) {
   std::cout << fmt::format("{}: {:.1f} ms, {:.2f} MB, {} fragments, at most {} layers\n",
                            options.output, 1e3 * stats.seconds(), 1e-6 * stats.total_bytes(),
                            stats.fragments, stats.max_layers);
 }
 
 /// What is asked for beside the picture: it is exact, whatever the method.
-void write_exact_sums(const RenderOptions& options, const Scene& scene, const Progress& progress) {
+void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
+                      const Progress& progress) {
   if (!options.probe.empty())
     write_text(options.probe_output, probe_json(scene, options.probe).dump(2) + '\n');
   if (options.sums.empty() && options.deep.empty()) return;
   if (!options.deep.empty() && scene.samples != 1)
     throw InputError(fmt::format("--deep: the scene takes {0} x {0} samples per pixel; accepted: 1",
                                  scene.samples));
-  const RayProbe probe(scene);
-  if (!options.sums.empty()) write_sums(options.sums, picture_sums(scene, probe, progress));
+  const groundtruth::RayProbe probe(scene);
+  if (!options.sums.empty())
+    compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));
   if (!options.deep.empty())
-    write_deep(options.deep, scene.width, scene.height, [&](int y) {
+    compare::write_deep(options.deep, scene.width, scene.height, [&](int y) {
       report(progress, double(y) / scene.height, "deep picture");
-      return row_sums(scene, probe, y);
+      return groundtruth::row_sums(scene, probe, y);
     });
 }
 
 void render(const RenderOptions& options, const GlobalOptions& globals) {
   const NameAndOptions named = parse_name_and_options(options.method);
-  const MethodRow& row = find_row("method", named.name, methods());
+  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
   const Parameters parameters(row.name, row.parameters, named.options);
   const Progress progress = console_progress(globals);
-  const Scene scene = load_scene(options.scene, progress);
+  const scene::Scene scene = scene::load_scene(options.scene, progress);
   write_exact_sums(options, scene, progress);
   const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
   report(progress, 0.5, fmt::format("rendering {}", row.name));
   // A first frame compiles shaders and touches memory for the first time; the second is timed.
   renderer->render({});
-  const Rendering rendering = renderer->render({.layers = true, .progress = progress});
+  const scene::Rendering rendering = renderer->render({.layers = true, .progress = progress});
   report(progress, 1, fmt::format("rendered {}", row.name));
   if (options.explain)
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
-  write_image(options.output, rendering.image);
-  if (!options.layers.empty()) write_counts(options.layers, rendering.layers);
+  compare::write_image(options.output, rendering.image);
+  if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
   const nlohmann::json json = to_json(row, parameters, rendering.stats, *renderer);
   if (!options.stats.empty()) write_text(options.stats, json.dump(2) + '\n');
   if (globals.json)
@@ -144,4 +147,4 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([options, &globals] { render(*options, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -12,7 +12,7 @@
 #include "compare/study/study.h"
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 struct StudyArguments {
@@ -22,7 +22,7 @@ struct StudyArguments {
   std::string only;
 };
 
-std::string milliseconds_and_memory(const ResultRow& row) {
+std::string milliseconds_and_memory(const compare::ResultRow& row) {
   return fmt::format("{:9.1f} ms {:9.1f} MB", row.seconds.median * 1e3,
                      double(row.total_bytes()) / 1e6);
 }
@@ -32,20 +32,20 @@ void clear_progress_line() {
   if (::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0) fmt::print("\r\x1b[K");
 }
 
-void print_row(const ResultRow& row) {
+void print_row(const compare::ResultRow& row) {
   clear_progress_line();
   const std::string name = row.parameters.empty()
                                ? fmt::format("{}/{}", row.scene, row.method)
                                : fmt::format("{}/{}:{}", row.scene, row.method, row.parameters);
   if (!row.error.empty()) return fmt::print("{:40} failed: {}\n", name, row.error);
-  const Metrics& m = row.metrics.linear;
+  const compare::Metrics& m = row.metrics.linear;
   fmt::print("{:40} RMSE {:9.3e}  SSIM {}  {}\n", name, m.rmse,
              m.ssim ? fmt::format("{:.4f}", *m.ssim) : "none  ", milliseconds_and_memory(row));
   std::fflush(stdout);
 }
 
-void check_failures(const StudyOutcome& outcome, const std::filesystem::path& folder) {
-  const auto failed = [](const ResultRow& row) { return !row.error.empty(); };
+void check_failures(const compare::StudyOutcome& outcome, const std::filesystem::path& folder) {
+  const auto failed = [](const compare::ResultRow& row) { return !row.error.empty(); };
   const auto count = std::count_if(outcome.rows.begin(), outcome.rows.end(), failed);
   if (count == 0) return;
   const auto first = std::find_if(outcome.rows.begin(), outcome.rows.end(), failed);
@@ -55,8 +55,9 @@ void check_failures(const StudyOutcome& outcome, const std::filesystem::path& fo
 }
 
 void run(const StudyArguments& arguments, const GlobalOptions& globals) {
-  const Study study = load_study(find_study(arguments.name_or_file), methods());
-  StudyOptions options;
+  const compare::Study study =
+      compare::load_study(compare::find_study(arguments.name_or_file), compare::methods());
+  compare::StudyOptions options;
   options.folder = arguments.folder;
   if (options.folder.empty()) options.folder = std::filesystem::path("results") / study.name;
   options.resume = arguments.resume;
@@ -64,9 +65,9 @@ void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   options.context.gl = globals.gl;
   options.progress = console_progress(globals);
   if (!globals.json && !globals.quiet) options.on_row = print_row;
-  const StudyOutcome outcome = run_study(study, options);
+  const compare::StudyOutcome outcome = compare::run_study(study, options);
   if (globals.json)
-    fmt::print("{}", results_json(study, outcome.rows));
+    fmt::print("{}", compare::results_json(study, outcome.rows));
   else if (!globals.quiet)
     fmt::print("{} cells computed, {} kept; report: {}\n", outcome.computed, outcome.kept,
                (options.folder / "report.html").string());
@@ -93,4 +94,4 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

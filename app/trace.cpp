@@ -17,7 +17,7 @@
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 struct TraceOptions {
@@ -57,17 +57,18 @@ std::vector<Vec3> parse_seed(std::string_view text) {
   return points;
 }
 
-nlohmann::ordered_json to_json(const EndCounts& ends) {
+nlohmann::ordered_json to_json(const integrators::EndCounts& ends) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [reason, count] : ends) json[std::string(name_of(reason))] = count;
+  for (const auto& [reason, count] : ends) json[std::string(integrators::name_of(reason))] = count;
   return json;
 }
 
-nlohmann::ordered_json to_json(const Percentiles& values) {
+nlohmann::ordered_json to_json(const integrators::Percentiles& values) {
   return {{"p1", values.p1}, {"p50", values.p50}, {"p99", values.p99}, {"max", values.max}};
 }
 
-nlohmann::ordered_json to_json(const IntegratedSurface& surface, const MeshQuality& quality) {
+nlohmann::ordered_json to_json(const integrators::IntegratedSurface& surface,
+                               const integrators::MeshQuality& quality) {
   return {{"particles", surface.stats.particles},
           {"vertices", surface.mesh.positions.size()},
           {"triangles", surface.mesh.triangles.size()},
@@ -86,22 +87,24 @@ nlohmann::ordered_json to_json(const IntegratedSurface& surface, const MeshQuali
           {"ends", to_json(surface.stats.ends)}};
 }
 
-void add_error(nlohmann::ordered_json& json, const SurfaceError& error) {
+void add_error(nlohmann::ordered_json& json, const integrators::SurfaceError& error) {
   json["distance"] = {{"mean", error.mean}, {"rms", error.rms}, {"max", error.max}};
   json["normal_degrees"] = {{"mean", error.normal_mean_degrees}, {"max", error.normal_max_degrees}};
   json["samples"] = error.samples;
 }
 
-nlohmann::ordered_json to_json(const OneSidedDistance& distance) {
+nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
   return {{"mean", distance.mean}, {"rms", distance.rms}, {"max", distance.max}};
 }
 
 /// Of the surface from that of another integrator, and the other way round.
 void add_distance_between(nlohmann::ordered_json& json, const TraceOptions& options,
-                          const TriangleMesh& mesh, const SurfaceRequest& request) {
-  const TriangleMesh other = integrate_surface(options.against, request).mesh;
+                          const geometry::TriangleMesh& mesh,
+                          const integrators::SurfaceRequest& request) {
+  const geometry::TriangleMesh other =
+      integrators::integrate_surface(options.against, request).mesh;
   report(request.progress, 1, "measuring the distance between the two surfaces");
-  const auto [from_this, from_other] = mesh_distance(mesh, other, options.samples);
+  const auto [from_this, from_other] = integrators::mesh_distance(mesh, other, options.samples);
   json["against"] = {{"integrator", options.against},
                      {"from_this", to_json(from_this)},
                      {"from_other", to_json(from_other)}};
@@ -121,49 +124,52 @@ void print(const TraceOptions& options, const GlobalOptions& globals,
 }
 
 /// From above the front right corner, all of the surface in view.
-void write_error_picture(const std::string& file, const TriangleMesh& mesh,
+void write_error_picture(const std::string& file, const geometry::TriangleMesh& mesh,
                          const std::vector<double>& distances) {
-  Scene view;
-  view.camera = fitted_camera(mesh.bounds());
-  write_image(file, distance_picture(view, mesh, distances).image);
+  scene::Scene view;
+  view.camera = scene::fitted_camera(mesh.bounds());
+  compare::write_image(file, compare::distance_picture(view, mesh, distances).image);
 }
 
 void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
-                   const VectorField& field) {
-  SurfaceRequest request;
+                   const fields::VectorField& field) {
+  integrators::SurfaceRequest request;
   request.field = &field;
-  request.seed = polyline_seed(parse_seed(options.seed), options.closed);
+  request.seed = integrators::polyline_seed(parse_seed(options.seed), options.closed);
   request.duration = options.duration;
   request.start_time = options.start_time;
   request.path = options.path;
   request.progress = console_progress(globals);
-  IntegratedSurface surface = integrate_surface(options.integrator, request);
-  nlohmann::ordered_json json = to_json(surface, measure_quality(surface.mesh));
+  integrators::IntegratedSurface surface =
+      integrators::integrate_surface(options.integrator, request);
+  nlohmann::ordered_json json = to_json(surface, integrators::measure_quality(surface.mesh));
   if (options.samples > 0) {
     report(request.progress, 1, "measuring the distance to the exact surface");
-    SurfaceError error = measure_error(surface.mesh, request, options.samples);
+    integrators::SurfaceError error =
+        integrators::measure_error(surface.mesh, request, options.samples);
     add_error(json, error);
     if (!options.error_picture.empty())
       write_error_picture(options.error_picture, surface.mesh, error.at_vertices);
     surface.mesh.scalars["error"] = std::move(error.at_vertices);
   }
   if (!options.against.empty()) add_distance_between(json, options, surface.mesh, request);
-  write_mesh(options.output, surface.mesh);
+  geometry::write_mesh(options.output, surface.mesh);
   print(options, globals, json);
 }
 
 void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
-                 const VectorField& field) {
-  LineRequest request;
+                 const fields::VectorField& field) {
+  integrators::LineRequest request;
   request.field = &field;
   request.seeds = parse_seed(options.seed);
   if (request.seeds.size() > 1)
-    request.seeds =
-        seeds_on(polyline_seed(request.seeds, options.closed), line_particles(options.integrator));
+    request.seeds = integrators::seeds_on(integrators::polyline_seed(request.seeds, options.closed),
+                                          integrators::line_particles(options.integrator));
   request.duration = options.duration;
   request.start_time = options.start_time;
-  const IntegratedLines lines = integrate_lines(options.integrator, request);
-  write_lines(options.output, lines.lines);
+  const integrators::IntegratedLines lines =
+      integrators::integrate_lines(options.integrator, request);
+  geometry::write_lines(options.output, lines.lines);
   print(options, globals,
         {{"particles", lines.stats.particles},
          {"lines", lines.lines.line_count()},
@@ -178,15 +184,17 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
 bool draws_lines(std::string_view integrator) {
   const std::string name = parse_name_and_options(integrator).name;
   std::vector<std::string_view> known;
-  for (const IntegratorRow& row : integrators()) known.push_back(row.name);
-  for (const LineIntegratorRow& row : line_integrators()) known.push_back(row.name);
+  for (const integrators::IntegratorRow& row : integrators::integrators())
+    known.push_back(row.name);
+  for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
+    known.push_back(row.name);
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) throw InputError(unknown_name("integrator", name, known));
-  return std::size_t(found - known.begin()) >= integrators().size();
+  return std::size_t(found - known.begin()) >= integrators::integrators().size();
 }
 
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
-  const auto field = make_field(options.field);
+  const auto field = fields::make_field(options.field);
   const bool measures = options.samples > 0 && !draws_lines(options.integrator);
   for (const auto& [name, value] : {std::pair("--error-picture", &options.error_picture),
                                     std::pair("--against", &options.against)})
@@ -232,4 +240,4 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([options, &globals] { trace(*options, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

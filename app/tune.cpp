@@ -11,43 +11,43 @@
 #include "core/error.h"
 #include "core/options/names.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 struct TuneArguments {
   std::filesystem::path scene;
-  ErrorBound bound;
+  compare::ErrorBound bound;
   std::string cost = "seconds";
   int repeats = 3;
 };
 
 /// Every method but the reference, which has no error to bound.
-TuneRequest request_of(const TuneArguments& arguments, const GlobalOptions& globals) {
-  const MethodRow& reference = methods().front();
+compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOptions& globals) {
+  const scene::MethodRow& reference = compare::methods().front();
   return {.scene = arguments.scene,
           .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
-          .candidates = every_method(methods().subspan(1)),
+          .candidates = compare::every_method(compare::methods().subspan(1)),
           .bound = arguments.bound,
-          .cost = arguments.cost == "bytes" ? Cost::bytes : Cost::seconds,
+          .cost = arguments.cost == "bytes" ? compare::Cost::bytes : compare::Cost::seconds,
           .repeats = arguments.repeats,
           .context = {.gl = globals.gl},
           .progress = console_progress(globals),
           .on_row = {}};
 }
 
-std::string call_text(const ResultRow& row) {
+std::string call_text(const compare::ResultRow& row) {
   return row.parameters.empty() ? row.method : row.method + ":" + row.parameters;
 }
 
-void print_table(const TuneOutcome& outcome) {
+void print_table(const compare::TuneOutcome& outcome) {
   fmt::print("{:28} {:>10} {:>9} {:>10} {:>8}\n", "", "ms", "MB", "RMSE", "SSIM");
   for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
-    const ResultRow& row = outcome.rows[i];
+    const compare::ResultRow& row = outcome.rows[i];
     if (!row.error.empty()) {
       fmt::print("{:28} failed: {}\n", call_text(row), row.error);
       continue;
     }
-    const Metrics& m = row.metrics.linear;
+    const compare::Metrics& m = row.metrics.linear;
     fmt::print("{:28} {:10.1f} {:9.1f} {:10.3e} {:>8}  {}\n", call_text(row),
                1e3 * row.seconds.median, 1e-6 * double(row.total_bytes()), m.rmse,
                m.ssim ? fmt::format("{:.4f}", *m.ssim) : "none",
@@ -55,13 +55,13 @@ void print_table(const TuneOutcome& outcome) {
   }
 }
 
-nlohmann::ordered_json to_json(const TuneOutcome& outcome) {
+nlohmann::ordered_json to_json(const compare::TuneOutcome& outcome) {
   nlohmann::ordered_json json;
-  const ResultRow* best = outcome.best();
+  const compare::ResultRow* best = outcome.best();
   json["cheapest"] = best ? nlohmann::ordered_json(call_text(*best)) : nlohmann::ordered_json();
   json["rows"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
-    nlohmann::ordered_json row = to_json(outcome.rows[i]);
+    nlohmann::ordered_json row = compare::to_json(outcome.rows[i]);
     row["within_bound"] = bool(outcome.within_bound[i]);
     json["rows"].push_back(std::move(row));
   }
@@ -69,8 +69,8 @@ nlohmann::ordered_json to_json(const TuneOutcome& outcome) {
 }
 
 void run(const TuneArguments& arguments, const GlobalOptions& globals) {
-  const TuneOutcome outcome = tune(request_of(arguments, globals));
-  const ResultRow* best = outcome.best();
+  const compare::TuneOutcome outcome = compare::tune(request_of(arguments, globals));
+  const compare::ResultRow* best = outcome.best();
   if (globals.json) {
     std::cout << to_json(outcome).dump(2) << '\n';
   } else {
@@ -106,4 +106,4 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::app

@@ -39,7 +39,8 @@ std::vector<Vec3> places(const Box3& box, bool along_lines) {
   return points;
 }
 
-void evaluate(benchmark::State& state, const VectorField& field, const Box3& box, bool jacobian) {
+void evaluate(benchmark::State& state, const fields::VectorField& field, const Box3& box,
+              bool jacobian) {
   const std::vector<Vec3> points = places(box, true);
   const auto sampler = field.sampler();
   std::size_t i = 0;
@@ -102,7 +103,8 @@ void bare_dense(benchmark::State& state) {
   }
 }
 
-void add_field(const std::string& name, std::shared_ptr<VectorField> field, const Box3& box) {
+void add_field(const std::string& name, std::shared_ptr<fields::VectorField> field,
+               const Box3& box) {
   for (const bool jacobian : {false, true})
     benchmark::RegisterBenchmark(
         (name + (jacobian ? "/jacobian" : "")).c_str(),
@@ -110,11 +112,11 @@ void add_field(const std::string& name, std::shared_ptr<VectorField> field, cons
 }
 
 void add_catalogue() {
-  for (const FieldRow& row : analytic_fields())
-    add_field("catalogue/" + std::string(row.name), make_field(row.name), row.region);
+  for (const fields::FieldRow& row : fields::analytic_fields())
+    add_field("catalogue/" + std::string(row.name), fields::make_field(row.name), row.region);
   add_field("formula/abc",
-            make_field("formula:u=sqrt(3)*sin(z)+cos(y),v=sqrt(2)*sin(x)+sqrt(3)*cos(z),"
-                       "w=sin(y)+sqrt(2)*cos(x)"),
+            fields::make_field("formula:u=sqrt(3)*sin(z)+cos(y),v=sqrt(2)*sin(x)+sqrt(3)*cos(z),"
+                               "w=sin(y)+sqrt(2)*cos(x)"),
             {Vec3(0), Vec3(6)});
 }
 
@@ -124,16 +126,16 @@ void add_sampled(const TemporaryFolder& folder) {
   benchmark::RegisterBenchmark("bare_dense", bare_dense);
   for (const std::string sampler : {"linear", "c1"})
     add_field("sampled/vti_" + sampler,
-              make_field((folder / "cube.vti").string() + ":sampler=" + sampler), cube);
+              fields::make_field((folder / "cube.vti").string() + ":sampler=" + sampler), cube);
   openvdb::initialize();
   const auto grid = vdb_grid();
   openvdb::io::File((folder / "sparse.vdb").string()).write({grid});
   benchmark::RegisterBenchmark("bare_vdb",
                                [grid](benchmark::State& state) { bare_vdb(state, *grid); });
-  add_field("sampled/vdb", make_field((folder / "sparse.vdb").string()), cube);
+  add_field("sampled/vdb", fields::make_field((folder / "sparse.vdb").string()), cube);
   for (const std::string_view kind : {"vts", "vtu"})
     add_field("sampled/" + std::string(kind),
-              make_field(write_grid(folder, grid_kind(kind), wave).string()), grid_box);
+              fields::make_field(write_grid(folder, grid_kind(kind), wave).string()), grid_box);
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ namespace pellucid {
 namespace {
 
 /// `layers` wavy sheets of 2 × 150 × 150 triangles over the whole picture.
-Scene wavy_sheets(int layers) {
+scene::Scene wavy_sheets(int layers) {
   constexpr std::uint32_t cells = 150;
-  Scene scene;
+  scene::Scene scene;
   scene.camera.fov = 25;
   for (int i = 0; i < layers; ++i) {
-    TriangleMesh mesh;
+    geometry::TriangleMesh mesh;
     for (std::uint32_t v = 0; v <= cells; ++v)
       for (std::uint32_t u = 0; u <= cells; ++u) {
         const double x = 2.6 * u / cells - 1.3, y = 2.6 * v / cells - 1.3;
@@ -71,14 +71,14 @@ void record(const RTCFilterFunctionNArguments* args) {
 /// Built-in triangles in float.
 class BareTraversal {
  public:
-  BareTraversal(const Scene& from, bool robust)
+  BareTraversal(const scene::Scene& from, bool robust)
       : width_(from.width),
         height_(from.height),
         rays_(from.camera, from.width, from.height),
         device_(rtcNewDevice(nullptr)),
         scene_(rtcNewScene(device_)) {
     if (robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    for (const SceneObject& object : from.objects) attach(object.mesh());
+    for (const scene::SceneObject& object : from.objects) attach(object.mesh());
     rtcCommitScene(scene_);
   }
   ~BareTraversal() {
@@ -102,7 +102,7 @@ class BareTraversal {
   }
 
  private:
-  void attach(const TriangleMesh& mesh) {
+  void attach(const geometry::TriangleMesh& mesh) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
@@ -120,7 +120,7 @@ class BareTraversal {
 
   std::uint64_t trace(int x, int y, std::vector<BareHit>& hits) const {
     hits.clear();
-    const Ray ray = rays_.ray(x + 0.5, y + 0.5);
+    const scene::Ray ray = rays_.ray(x + 0.5, y + 0.5);
     BareContext context{{}, &hits};
     rtcInitIntersectContext(&context.embree);
     RTCRay r{};
@@ -136,7 +136,7 @@ class BareTraversal {
   }
 
   int width_, height_;
-  RayGenerator rays_;
+  scene::RayGenerator rays_;
   RTCDevice device_;
   RTCScene scene_;
 };
@@ -166,9 +166,9 @@ void in_pairs(benchmark::State& state, const auto& tested, const auto& bare) {
   state.counters["bare_ms"] = 1e3 * median(bare_times);
 }
 
-void against_bare(benchmark::State& state, const Scene& scene, const std::string& precision,
+void against_bare(benchmark::State& state, const scene::Scene& scene, const std::string& precision,
                   bool robust) {
-  const MethodRow& row = raytrace_method();
+  const scene::MethodRow& row = groundtruth::raytrace_method();
   const auto renderer =
       row.make(scene, Parameters(row.name, row.parameters, {{"precision", precision}}), {});
   const BareTraversal bare(scene, robust);
@@ -179,17 +179,17 @@ void against_bare(benchmark::State& state, const Scene& scene, const std::string
 }
 
 /// Finding and ordering alone: what is left of the ratio is the composite's.
-void crossings_against_bare(benchmark::State& state, const Scene& scene) {
-  const CrossingFinder finder(scene, Precision::exact);
+void crossings_against_bare(benchmark::State& state, const scene::Scene& scene) {
+  const groundtruth::CrossingFinder finder(scene, groundtruth::Precision::exact);
   const BareTraversal bare(scene, true);
-  using Buffers = std::array<std::vector<Crossing>, RayPacket::width>;
+  using Buffers = std::array<std::vector<groundtruth::Crossing>, groundtruth::RayPacket::width>;
   const auto find_all = [&] {
     tbb::enumerable_thread_specific<Buffers> buffers;
     // A packet is 4 x 2 pixels; a task 16 x 16.
     tbb::parallel_for(
         tbb::blocked_range2d<int>(0, (scene.height + 1) / 2, 8, 0, (scene.width + 3) / 4, 4),
         [&](const auto& r) {
-          std::vector<PictureRay> rays;
+          std::vector<groundtruth::PictureRay> rays;
           for (int py = r.rows().begin(); py < r.rows().end(); ++py)
             for (int px = r.cols().begin(); px < r.cols().end(); ++px) {
               rays.clear();
@@ -204,8 +204,8 @@ void crossings_against_bare(benchmark::State& state, const Scene& scene) {
 }
 
 void one_thread_against_two(benchmark::State& state) {
-  const Scene scene = wavy_sheets(8);
-  const MethodRow& row = raytrace_method();
+  const scene::Scene scene = wavy_sheets(8);
+  const scene::MethodRow& row = groundtruth::raytrace_method();
   const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
   const auto with_threads = [&](int count) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, count);
@@ -217,10 +217,10 @@ void one_thread_against_two(benchmark::State& state) {
 
 /// The eighth of 64 sheets opaque, against all transparent: what lies behind is not visited.
 void opaque_against_transparent(benchmark::State& state) {
-  const Scene transparent = wavy_sheets(64);
-  Scene opaque = transparent;
+  const scene::Scene transparent = wavy_sheets(64);
+  scene::Scene opaque = transparent;
   opaque.objects[7].opaque = true;
-  const MethodRow& row = raytrace_method();
+  const scene::MethodRow& row = groundtruth::raytrace_method();
   const Parameters parameters(row.name, row.parameters, {});
   const auto tested = row.make(opaque, parameters, {}), all = row.make(transparent, parameters, {});
   in_pairs(
@@ -228,7 +228,7 @@ void opaque_against_transparent(benchmark::State& state) {
   state.counters["crossings"] = double(tested->render({}).stats.fragments);
 }
 
-void register_scene(const std::string& name, const Scene& scene) {
+void register_scene(const std::string& name, const scene::Scene& scene) {
   benchmark::RegisterBenchmark(
       (name + "/crossings-only/against-robust").c_str(),
       [&scene](benchmark::State& state) { crossings_against_bare(state, scene); })
@@ -254,12 +254,12 @@ int main(int argc, char** argv) {
   using namespace pellucid;
   benchmark::Initialize(&argc, argv);
   // A scene file may follow the options, e.g. scenes/abc.json.
-  const Scene few = wavy_sheets(8), many = wavy_sheets(64);
+  const scene::Scene few = wavy_sheets(8), many = wavy_sheets(64);
   register_scene("sheets-8", few);
   register_scene("sheets-64", many);
-  Scene file;
+  scene::Scene file;
   if (argc > 1) {
-    file = load_scene(argv[1]);
+    file = scene::load_scene(argv[1]);
     register_scene(file.name, file);
   }
   benchmark::RegisterBenchmark("opaque-8th-of-64-against-none", opaque_against_transparent)

@@ -28,19 +28,19 @@ double peak_memory() {
 }
 
 /// Looks at [0, 2π]³ along its diagonal.
-Camera abc_camera() {
+scene::Camera abc_camera() {
   return {.eye = Vec3(14, 11, 17), .target = Vec3(3.14), .up = {0, 0, 1}, .fov = 30};
 }
 
 /// 32 000 stream lines of the ABC flow, 500 segments each: classical RK4, one step a segment.
-LineSet abc_lines() {
+geometry::LineSet abc_lines() {
   constexpr std::size_t lines = 32000, segments = 500;
   constexpr double step = 0.004;
-  LineSet set;
+  geometry::LineSet set;
   set.positions.resize(lines * (segments + 1));
   set.colors.assign(set.positions.size(), Rgba(0.2, 0.4, 0.8, 0.1));
   for (std::size_t k = 1; k <= lines; ++k) set.offsets.push_back(k * (segments + 1));
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   parallel_ranges(tbb::blocked_range<std::size_t>(0, lines), [&](const auto& range) {
     const auto sampler = field->sampler();
     const auto velocity = [&](const Vec3& x) {
@@ -64,31 +64,31 @@ LineSet abc_lines() {
   return set;
 }
 
-Scene lines_scene(LineObject::Profile profile) {
-  Scene scene;
+scene::Scene lines_scene(scene::LineObject::Profile profile) {
+  scene::Scene scene;
   scene.camera = abc_camera();
-  scene.objects.push_back({"lines", LineObject{abc_lines(), 0.004, profile}});
+  scene.objects.push_back({"lines", scene::LineObject{abc_lines(), 0.004, profile}});
   return scene;
 }
 
-Scene points_scene(PointObject::Profile profile) {
-  Scene scene;
+scene::Scene points_scene(scene::PointObject::Profile profile) {
+  scene::Scene scene;
   scene.camera = {.eye = {1.9, 2.4, 3.4}, .target = {0, 0, 0}, .up = {0, 0, 1}, .fov = 36};
-  auto points = std::get<PointSet>(make_dataset("dark-sky"));
+  auto points = std::get<geometry::PointSet>(scene::make_dataset("dark-sky"));
   points.colors.assign(points.positions.size(), Rgba(0.2, 0.4, 0.8, 0.05));
-  scene.objects.push_back({"points", PointObject{std::move(points), 0.003, profile}});
+  scene.objects.push_back({"points", scene::PointObject{std::move(points), 0.003, profile}});
   return scene;
 }
 
 void build_and_render(benchmark::State& state, const auto& make_scene) {
-  const Scene scene = make_scene();
-  const MethodRow& row = raytrace_method();
+  const scene::Scene scene = make_scene();
+  const scene::MethodRow& row = groundtruth::raytrace_method();
   for (auto _ : state) {
     forget_peak_memory();
     const Stopwatch building;
     const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
     state.counters["build_s"] = building.seconds();
-    const Rendering rendering = renderer->render({.layers = true});
+    const scene::Rendering rendering = renderer->render({.layers = true});
     state.counters["peak_GiB"] = peak_memory() / (1 << 30);
     state.counters["crossings"] = double(rendering.stats.fragments);
     state.counters["layers"] = rendering.stats.max_layers;
@@ -107,8 +107,8 @@ void add(const char* name, const auto& make_scene) {
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  using Line = LineObject::Profile;
-  using Point = PointObject::Profile;
+  using Line = scene::LineObject::Profile;
+  using Point = scene::PointObject::Profile;
   add("32000-lines-of-500/ribbons", [] { return lines_scene(Line::ribbon); });
   add("32000-lines-of-500/tubes", [] { return lines_scene(Line::tube); });
   add("16.3-million-points/discs", [] { return points_scene(Point::disc); });

@@ -29,16 +29,16 @@ struct Arrival {
   std::uint64_t evaluations;
 };
 
-Arrival arrive(const TrajectoryOptions& options, const Vec3& end) {
-  const auto field = make_field("abc");
-  CountingSampler sampler(*field);
-  Trajectory path(options, abc_start, Vec3(0), sampler);
+Arrival arrive(const integrators::TrajectoryOptions& options, const Vec3& end) {
+  const auto field = fields::make_field("abc");
+  integrators::CountingSampler sampler(*field);
+  integrators::Trajectory path(options, abc_start, Vec3(0), sampler);
   path.reach(options.duration, sampler);
   return {glm::distance(path.at(options.duration).x, end), sampler.evaluations()};
 }
 
-void stepper_order(benchmark::State& state, const ButcherTableau& row) {
-  TrajectoryOptions options;
+void stepper_order(benchmark::State& state, const integrators::ButcherTableau& row) {
+  integrators::TrajectoryOptions options;
   options.stepper = &row;
   options.tolerance = 1e300;  // every step is accepted: steps of one size
   const auto error = [&](double step) {
@@ -50,8 +50,8 @@ void stepper_order(benchmark::State& state, const ButcherTableau& row) {
 }
 
 void dopri5_on_abc(benchmark::State& state) {
-  TrajectoryOptions options;
-  options.stepper = &find_row("stepper", "dopri5", steppers());
+  integrators::TrajectoryOptions options;
+  options.stepper = &find_row("stepper", "dopri5", integrators::steppers());
   options.duration = 10;
   options.tolerance = 1e-8;
   for (auto _ : state) {
@@ -68,7 +68,8 @@ struct FrontError {
 /// Over all triangles.
 FrontError fixed_front_error(const ClosedForm& form, int n) {
   const auto swept = sweep(form, fmt::format("fixed-front:particles={},rows={}", n + 1, 3 * n / 2));
-  const SurfaceError error = measure_error(swept.surface.mesh, swept.request, 1 << 20);
+  const integrators::SurfaceError error =
+      integrators::measure_error(swept.surface.mesh, swept.request, 1 << 20);
   return {testing::largest_distance(form, swept.surface.mesh), error.normal_mean_degrees,
           testing::worst_facet(form, swept.surface.mesh)};
 }
@@ -91,7 +92,7 @@ void tolerance_held(benchmark::State& state, const ClosedForm& form, std::string
   for (auto _ : state) {
     const auto swept =
         sweep(form, fmt::format("{}:particles=2,tolerance={}", integrator, tolerance));
-    const TriangleMesh& mesh = swept.surface.mesh;
+    const geometry::TriangleMesh& mesh = swept.surface.mesh;
     state.counters["error/tolerance"] = testing::largest_distance(form, mesh) / tolerance;
     state.counters["worst_facet_degrees"] = testing::worst_facet(form, mesh);
     state.counters["triangles"] = double(mesh.triangles.size());
@@ -115,21 +116,23 @@ void facet_tilt(benchmark::State& state, const ClosedForm& form, std::string_vie
 /// Facets of the ABC surface, whose front leans along the flow, against the vertices' own normals,
 /// all of them; and against the exact surface, a sample.
 void abc_facets(benchmark::State& state, const std::string& integrator) {
-  const auto field = make_field("abc");
-  const SurfaceRequest request{
-      field.get(), segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1}), 9, 0, false, {}};
+  const auto field = fields::make_field("abc");
+  const integrators::SurfaceRequest request{
+      field.get(), integrators::segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1}), 9, 0, false, {}};
   for (auto _ : state) {
-    const IntegratedSurface surface = integrate_surface(integrator, request);
-    const MeshQuality quality = measure_quality(surface.mesh);
+    const integrators::IntegratedSurface surface =
+        integrators::integrate_surface(integrator, request);
+    const integrators::MeshQuality quality = integrators::measure_quality(surface.mesh);
     state.counters["worst_degrees"] = quality.normal_degrees.max;
     state.counters["p99_degrees"] = quality.normal_degrees.p99;
     state.counters["sampled_degrees"] =
-        measure_error(surface.mesh, request, 4000).normal_max_degrees;
+        integrators::measure_error(surface.mesh, request, 4000).normal_max_degrees;
     state.counters["triangles"] = double(surface.mesh.triangles.size());
     state.counters["particles"] = double(surface.stats.particles);
-    state.counters["vertex_particles"] = surface.stats.ends.contains(EndReason::vertex)
-                                             ? double(surface.stats.ends.at(EndReason::vertex))
-                                             : 0;
+    state.counters["vertex_particles"] =
+        surface.stats.ends.contains(integrators::EndReason::vertex)
+            ? double(surface.stats.ends.at(integrators::EndReason::vertex))
+            : 0;
     state.counters["trimmed"] = double(surface.stats.trimmed);
     state.counters["degenerate"] = double(quality.degenerate_triangles);
     state.counters["seconds"] = surface.stats.seconds;
@@ -140,7 +143,7 @@ void crossing_saddle(benchmark::State& state) {
   const ClosedForm form{"", "saddle", testing::wave_seed(-1, 1, 0.2, 3), 5, false, testing::wave};
   for (auto _ : state) {
     const auto swept = sweep(form, "hultquist:tolerance=1e-2");
-    state.counters["sheets"] = double(measure_quality(swept.surface.mesh).sheets);
+    state.counters["sheets"] = double(integrators::measure_quality(swept.surface.mesh).sheets);
     state.counters["particles"] = double(swept.surface.stats.particles);
   }
 }
@@ -155,19 +158,19 @@ auto* add(const std::string& name, Function function, Arguments... arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const ButcherTableau& row : steppers())
+  for (const integrators::ButcherTableau& row : integrators::steppers())
     add(fmt::format("order/{}", row.name), stepper_order, row);
   add("abc, T=10/dopri5 at 1e-8", dopri5_on_abc);
   for (const ClosedForm& form : closed_forms())
     add("order of the surface/" + form.name, surface_order, form)->Arg(16)->Arg(32)->Arg(64);
   for (const ClosedForm& form : closed_forms())
-    for (const IntegratorRow& row : integrators())
+    for (const integrators::IntegratorRow& row : integrators::integrators())
       for (const double tolerance : {1e-2, 1e-3, 1e-4})
         if (row.promises.bounds_error)
           add(fmt::format("tolerance/{}/{}/{}", form.name, row.name, tolerance), tolerance_held,
               form, row.name, tolerance);
   for (const ClosedForm& form : closed_forms())
-    for (const IntegratorRow& row : integrators())
+    for (const integrators::IntegratorRow& row : integrators::integrators())
       if (row.promises.bounds_error)
         add(fmt::format("facet tilt/{}/{}", form.name, row.name), facet_tilt, form, row.name);
   for (const char* integrator :

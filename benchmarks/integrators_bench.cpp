@@ -41,11 +41,11 @@ struct Request {
 };
 
 /// A field that writes down what it is asked; for one thread.
-class RecordedField final : public VectorField {
+class RecordedField final : public fields::VectorField {
  public:
-  explicit RecordedField(const VectorField& field) : field_(field) {}
+  explicit RecordedField(const fields::VectorField& field) : field_(field) {}
 
-  std::unique_ptr<FieldSampler> sampler() const override {
+  std::unique_ptr<fields::FieldSampler> sampler() const override {
     return std::make_unique<Sampler>(field_.sampler(), requests_);
   }
   Box3 domain() const override { return field_.domain(); }
@@ -58,30 +58,31 @@ class RecordedField final : public VectorField {
   const std::vector<Request>& requests() const { return requests_; }
 
  private:
-  class Sampler final : public FieldSampler {
+  class Sampler final : public fields::FieldSampler {
    public:
-    Sampler(std::unique_ptr<FieldSampler> sampler, std::vector<Request>& requests)
+    Sampler(std::unique_ptr<fields::FieldSampler> sampler, std::vector<Request>& requests)
         : sampler_(std::move(sampler)), requests_(requests) {}
-    SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
+    fields::SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
       requests_.push_back({x, t, false});
       return sampler_->velocity(x, t, v);
     }
-    SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
+    fields::SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v,
+                                               Mat3& jacobian) override {
       requests_.push_back({x, t, true});
       return sampler_->velocity_and_jacobian(x, t, v, jacobian);
     }
 
    private:
-    std::unique_ptr<FieldSampler> sampler_;
+    std::unique_ptr<fields::FieldSampler> sampler_;
     std::vector<Request>& requests_;
   };
 
-  const VectorField& field_;
+  const fields::VectorField& field_;
   mutable std::vector<Request> requests_;
 };
 
 /// Processor time of the field evaluations of a run by themselves: the median of five.
-double evaluation_seconds(const VectorField& field, const std::vector<Request>& requests) {
+double evaluation_seconds(const fields::VectorField& field, const std::vector<Request>& requests) {
   const auto sampler = field.sampler();
   std::array<double, 5> seconds;
   for (double& each : seconds) {
@@ -102,7 +103,7 @@ double evaluation_seconds(const VectorField& field, const std::vector<Request>& 
   return seconds[seconds.size() / 2];
 }
 
-void report_surface(benchmark::State& state, const IntegratedSurface& surface,
+void report_surface(benchmark::State& state, const integrators::IntegratedSurface& surface,
                     double evaluation_seconds, double seconds) {
   const double triangles = double(surface.mesh.triangles.size());
   const double each = seconds / double(state.iterations());
@@ -114,33 +115,36 @@ void report_surface(benchmark::State& state, const IntegratedSurface& surface,
 }
 
 /// Runs it again and again, and once more to see what its field evaluations take by themselves.
-IntegratedSurface time_surface(benchmark::State& state, SurfaceRequest request,
-                               const std::string& integrator) {
-  IntegratedSurface surface;
+integrators::IntegratedSurface time_surface(benchmark::State& state,
+                                            integrators::SurfaceRequest request,
+                                            const std::string& integrator) {
+  integrators::IntegratedSurface surface;
   const double begin = cpu_seconds();
-  for (auto _ : state) surface = integrate_surface(integrator, request);
+  for (auto _ : state) surface = integrators::integrate_surface(integrator, request);
   const double seconds = cpu_seconds() - begin;
-  const VectorField& field = *request.field;
+  const fields::VectorField& field = *request.field;
   const RecordedField recorded(field);
   request.field = &recorded;
-  integrate_surface(integrator, request);
+  integrators::integrate_surface(integrator, request);
   report_surface(state, surface, evaluation_seconds(field, recorded.requests()), seconds);
   return surface;
 }
 
 void abc_lines(benchmark::State& state) {
-  const auto field = make_field("abc");
-  LineRequest request;
+  const auto field = fields::make_field("abc");
+  integrators::LineRequest request;
   request.field = field.get();
-  request.seeds = seeds_on(segment_seed({2.64, 3.14, 3.14}, {3.64, 3.14, 3.14}), 65);
+  request.seeds =
+      integrators::seeds_on(integrators::segment_seed({2.64, 3.14, 3.14}, {3.64, 3.14, 3.14}), 65);
   request.duration = 12;
   std::size_t vertices = 0;
   for (auto _ : state)
-    vertices = integrate_lines("stream-lines:step=0.05", request).lines.positions.size();
+    vertices =
+        integrators::integrate_lines("stream-lines:step=0.05", request).lines.positions.size();
   state.counters["vertices"] = double(vertices);
 }
 
-vtkNew<vtkImageData> samples_of(const VectorField& field, const Box3& box, int n) {
+vtkNew<vtkImageData> samples_of(const fields::VectorField& field, const Box3& box, int n) {
   vtkNew<vtkImageData> image;
   image->SetDimensions(n, n, n);
   image->SetOrigin(box.min.x, box.min.y, box.min.z);
@@ -162,34 +166,36 @@ vtkNew<vtkImageData> samples_of(const VectorField& field, const Box3& box, int n
 }
 
 /// The field's samples at n³ points of the box, trilinear between them.
-std::unique_ptr<VectorField> sampled(const VectorField& field, const Box3& box, int n) {
+std::unique_ptr<fields::VectorField> sampled(const fields::VectorField& field, const Box3& box,
+                                             int n) {
   const auto path = std::filesystem::temp_directory_path() / "pellucid_bench.vti";
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(samples_of(field, box, n));
   writer->Write();
-  auto samples = make_field(path.string());
+  auto samples = fields::make_field(path.string());
   std::filesystem::remove(path);
   return samples;
 }
 
 /// The same surface of the same flow by three kinds of field whose evaluations cost differently.
-std::unique_ptr<VectorField> abc_field(const std::string& kind) {
+std::unique_ptr<fields::VectorField> abc_field(const std::string& kind) {
   if (kind == "formula")
-    return make_field(
+    return fields::make_field(
         "formula:u=sqrt(3)*sin(z)+cos(y),v=sqrt(2)*sin(x)+sqrt(3)*cos(z),w=sin(y)+sqrt(2)*cos(x)");
-  auto abc = make_field("abc");
+  auto abc = fields::make_field("abc");
   return kind == "samples" ? sampled(*abc, {Vec3(1, -14, 0), Vec3(9, 4, 6)}, 128) : std::move(abc);
 }
 
 void abc_surface(benchmark::State& state, const std::string& kind, const std::string& integrator) {
   const auto field = abc_field(kind);
   const Vec3 seed(2.64, 3.14, 3.14);
-  time_surface(state, {field.get(), segment_seed(seed, seed + Vec3(1, 0, 0)), 7, 0, false, {}},
-               integrator);
+  time_surface(
+      state, {field.get(), integrators::segment_seed(seed, seed + Vec3(1, 0, 0)), 7, 0, false, {}},
+      integrator);
 }
 
-vtkNew<vtkPolyData> polyline(const SeedCurve& seed, int count) {
+vtkNew<vtkPolyData> polyline(const integrators::SeedCurve& seed, int count) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
@@ -212,8 +218,8 @@ Box3 box_of(const ClosedForm& form) {
   return box;
 }
 
-TriangleMesh triangles_of(vtkPolyData* data) {
-  TriangleMesh mesh;
+geometry::TriangleMesh triangles_of(vtkPolyData* data) {
+  geometry::TriangleMesh mesh;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     double x[3];
     data->GetPoint(i, x);
@@ -248,7 +254,7 @@ vtkNew<vtkStreamSurface> vtk_filter(const ClosedForm& form, const VtkRun& run, v
   return filter;
 }
 
-TriangleMesh mesh_of(vtkStreamSurface* filter) {
+geometry::TriangleMesh mesh_of(vtkStreamSurface* filter) {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(filter->GetOutput());
   triangles->Update();
@@ -271,10 +277,11 @@ double median_seconds(const Function& function) {
 }
 
 /// The loosest tolerance, of a ladder, at which our error is at most VTK's.
-std::string as_exact_as(const SurfaceRequest& request, const ClosedForm& form, double error) {
+std::string as_exact_as(const integrators::SurfaceRequest& request, const ClosedForm& form,
+                        double error) {
   for (double tolerance = 4 * error;; tolerance *= 0.9) {
     const std::string integrator = fmt::format("hultquist:tolerance={}", tolerance);
-    const TriangleMesh mesh = integrate_surface(integrator, request).mesh;
+    const geometry::TriangleMesh mesh = integrators::integrate_surface(integrator, request).mesh;
     if (pellucid::testing::largest_distance(form, mesh) <= error) return integrator;
   }
 }
@@ -282,23 +289,24 @@ std::string as_exact_as(const SurfaceRequest& request, const ClosedForm& form, d
 /// VTK's time over ours at equal largest error, both from the same image, one thread each. Ours has
 /// normals, VTK's has none.
 void beside_vtk(benchmark::State& state, const ClosedForm& form, const VtkRun& run) {
-  const auto formula = make_field(form.field);
+  const auto formula = fields::make_field(form.field);
   const Box3 box = box_of(form);
   const auto image = samples_of(*formula, box, 32);
   const auto field = sampled(*formula, box, 32);
   const double length =
       pellucid::testing::sweep(form, "hultquist:threshold=0.1").surface.mesh.bounds().diagonal();
-  const SurfaceRequest request{field.get(), form.seed, form.duration, 0, false, {}};
+  const integrators::SurfaceRequest request{field.get(), form.seed, form.duration, 0, false, {}};
   for (auto _ : state) {
     const auto filter = vtk_filter(form, run, image, length);
     filter->Update();
-    const TriangleMesh theirs = mesh_of(filter);
+    const geometry::TriangleMesh theirs = mesh_of(filter);
     const double error = pellucid::testing::largest_distance(form, theirs);
     const std::string integrator = as_exact_as(request, form, error);
-    const TriangleMesh ours = integrate_surface(integrator, request).mesh;
+    const geometry::TriangleMesh ours = integrators::integrate_surface(integrator, request).mesh;
     const double vtk_seconds =
         median_seconds([&] { vtk_filter(form, run, image, length)->Update(); });
-    const double our_seconds = median_seconds([&] { integrate_surface(integrator, request); });
+    const double our_seconds =
+        median_seconds([&] { integrators::integrate_surface(integrator, request); });
     state.counters["vtk_ms"] = 1e3 * vtk_seconds;
     state.counters["vtk_error"] = error;
     state.counters["vtk_triangles"] = double(theirs.triangles.size());

@@ -43,27 +43,28 @@ constexpr const char* big_field = "sphere-levels:size=big,rings=5";
 
 // Pictures
 
-Rendering drawn(const MethodRow& row, const Scene& scene, const RawOptions& options,
-                double& seconds) {
+scene::Rendering drawn(const scene::MethodRow& row, const scene::Scene& scene,
+                       const RawOptions& options, double& seconds) {
   const Stopwatch watch;
   const auto renderer = row.make(scene, Parameters(row.name, row.parameters, options), {});
-  Rendering rendering = renderer->render({});
+  scene::Rendering rendering = renderer->render({});
   seconds = watch.seconds();
   return rendering;
 }
 
 void exact_against_marched(benchmark::State& state, const std::string& scene_file) {
   const Stopwatch loading;
-  const Scene scene = load_scene(scene_file);
+  const scene::Scene scene = scene::load_scene(scene_file);
   state.counters["load_s"] = loading.seconds();
   for (auto _ : state) {
     double exact_s = 0, march_s = 0;
-    const Rendering exact = drawn(raytrace_method(), scene, {}, exact_s);
-    const Rendering marched = drawn(march_method(), scene, {{"step", "16"}}, march_s);
+    const scene::Rendering exact = drawn(groundtruth::raytrace_method(), scene, {}, exact_s);
+    const scene::Rendering marched =
+        drawn(groundtruth::march_method(), scene, {{"step", "16"}}, march_s);
     state.SetIterationTime(exact_s);
     state.counters["march_s"] = march_s;
     state.counters["march/exact"] = march_s / exact_s;
-    state.counters["rmse"] = rmse(exact.image, marched.image);
+    state.counters["rmse"] = compare::rmse(exact.image, marched.image);
     state.counters["crossings"] = double(exact.stats.fragments);
     state.counters["marched_crossings"] = double(marched.stats.fragments);
   }
@@ -146,12 +147,12 @@ auto bare_sampler(const Grid& grid) {
 
 void sample_levels(benchmark::State& state, const std::filesystem::path& file,
                    std::string_view reconstruction, bool finest_alone) {
-  std::vector<ScalarLevel> levels = read_vdb_levels(file, "q");
+  std::vector<fields::ScalarLevel> levels = fields::read_vdb_levels(file, "q");
   if (finest_alone) {
-    std::ranges::sort(levels, {}, &ScalarLevel::width);
+    std::ranges::sort(levels, {}, &fields::ScalarLevel::width);
     levels.resize(1);
   }
-  const LevelField field(std::move(levels), find_reconstruction(reconstruction));
+  const fields::LevelField field(std::move(levels), fields::find_reconstruction(reconstruction));
   const auto grid = read_finest<openvdb::FloatGrid>(file);
   in_pairs(
       state, places(field.levels().front().box(-2), field.levels().front().width / 16),
@@ -168,7 +169,7 @@ void sample_velocity(benchmark::State& state, const testing::TemporaryFolder& fo
   grid->getAccessor().setValueOn({-1000, 0, 0});
   const auto path = folder / "sparse.vdb";
   openvdb::io::File(path.string()).write({grid});
-  const auto field = make_field(path.string());
+  const auto field = fields::make_field(path.string());
   const auto sampler = field->sampler();
   in_pairs(
       state,
@@ -184,8 +185,8 @@ void sample_velocity(benchmark::State& state, const testing::TemporaryFolder& fo
 
 // Derived scalars
 
-ScalarLevel sum_of_components(const VectorLevel& v) {
-  ScalarLevel out{v.origin, v.width, v.size, std::vector<float>(v.samples.size())};
+fields::ScalarLevel sum_of_components(const fields::VectorLevel& v) {
+  fields::ScalarLevel out{v.origin, v.width, v.size, std::vector<float>(v.samples.size())};
   parallel_for(0, v.size[2], [&](int k) {
     for (std::size_t i = v.index(0, 0, k); i < v.index(0, 0, k + 1); ++i)
       out.samples[i] = v.samples[i].x + v.samples[i].y + v.samples[i].z;
@@ -194,14 +195,14 @@ ScalarLevel sum_of_components(const VectorLevel& v) {
 }
 
 void derive(benchmark::State& state) {
-  const VectorLevel level = make_velocity_levels(big_field).back();
+  const fields::VectorLevel level = scene::make_velocity_levels(big_field).back();
   const auto time = [&](const auto& compute) {
     const Stopwatch watch;
     benchmark::DoNotOptimize(compute(level).samples.data());
     return 1e9 * watch.seconds() / double(level.samples.size());
   };
   in_pairs(
-      state, [&] { return time(find_derived_scalar("q").compute); },
+      state, [&] { return time(fields::find_derived_scalar("q").compute); },
       [&] { return time(sum_of_components); });
 }
 
@@ -245,8 +246,8 @@ std::vector<openvdb::GridBase::Ptr> read_grids(const std::filesystem::path& path
 
 /// The scene and the hierarchy over its crossings.
 struct Indexed {
-  std::unique_ptr<const Scene> scene;
-  std::unique_ptr<CrossingFinder> finder;
+  std::unique_ptr<const scene::Scene> scene;
+  std::unique_ptr<groundtruth::CrossingFinder> finder;
 };
 
 void memory(benchmark::State& state, const std::filesystem::path& scene_file,
@@ -255,8 +256,9 @@ void memory(benchmark::State& state, const std::filesystem::path& scene_file,
     const Growth grids = growth_of([&] { return read_grids(grid_file); });
     const Stopwatch watch;
     const Growth field = growth_of([&] {
-      Indexed indexed{std::make_unique<const Scene>(load_scene(scene_file)), nullptr};
-      indexed.finder = std::make_unique<CrossingFinder>(*indexed.scene, Precision::exact);
+      Indexed indexed{std::make_unique<const scene::Scene>(scene::load_scene(scene_file)), nullptr};
+      indexed.finder = std::make_unique<groundtruth::CrossingFinder>(*indexed.scene,
+                                                                     groundtruth::Precision::exact);
       return indexed;
     });
     state.SetIterationTime(watch.seconds());
@@ -287,7 +289,7 @@ void once(const std::string& name, benchmark::TimeUnit unit, int iterations, aut
 
 void add_samples(const testing::TemporaryFolder& folder, const std::filesystem::path& velocity,
                  const std::filesystem::path& scalar) {
-  for (const ReconstructionRow& row : reconstructions)
+  for (const fields::ReconstructionRow& row : fields::reconstructions)
     for (const bool alone : {true, false})
       once(fmt::format("sample/{}/{}", row.name, alone ? "finest-level" : "four-levels"),
            benchmark::kNanosecond, 25,
@@ -307,9 +309,9 @@ int main(int argc, char** argv) {
   const testing::TemporaryFolder folder;
   const auto velocity = folder / "velocity.vdb", scalar = folder / "scalar.vdb";
   {
-    const std::vector<VectorLevel> levels = make_velocity_levels(big_field);
-    write_vdb_levels(velocity, "velocity", levels);
-    write_vdb_levels(scalar, "q", scalars_of(levels, "q"));
+    const std::vector<fields::VectorLevel> levels = scene::make_velocity_levels(big_field);
+    fields::write_vdb_levels(velocity, "velocity", levels);
+    fields::write_vdb_levels(scalar, "q", fields::scalars_of(levels, "q"));
   }
   for (const auto& [name, look] :
        {std::pair("memory/", ""), std::pair("memory/colored/", R"(, "color": {"by": "speed"})")})

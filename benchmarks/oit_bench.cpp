@@ -22,14 +22,14 @@ struct Sheets {
 };
 
 /// Wavy sheets over the whole picture, in an order of no meaning.
-Scene wavy_sheets(const Sheets& sheets) {
+scene::Scene wavy_sheets(const Sheets& sheets) {
   const auto [layers, size, cells] = sheets;
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = size;
   scene.camera.fov = 25;
   for (int i = 0; i < layers; ++i) {
     const int place = i * 7919 % layers;
-    TriangleMesh mesh;
+    geometry::TriangleMesh mesh;
     for (unsigned v = 0; v <= cells; ++v)
       for (unsigned u = 0; u <= cells; ++u) {
         const double x = 2.6 * u / cells - 1.3, y = 2.6 * v / cells - 1.3;
@@ -54,7 +54,8 @@ struct BarePass {
   bool over_geometry;
   std::vector<GLenum> targets;  // formats
   std::string shader;
-  Blend last_blend = Blend::add;  // of the last target; the others of a pass over geometry add up
+  oit::Blend last_blend =
+      oit::Blend::add;  // of the last target; the others of a pass over geometry add up
 };
 
 std::string write_constants(int targets) {
@@ -71,7 +72,7 @@ BarePass geometry_into(std::vector<GLenum> targets) {
 // The last target holds a product of transmittances.
 BarePass geometry_into_transmittance(std::vector<GLenum> targets) {
   BarePass pass = geometry_into(std::move(targets));
-  pass.last_blend = Blend::transmit;
+  pass.last_blend = oit::Blend::transmit;
   return pass;
 }
 
@@ -131,7 +132,7 @@ const std::vector<Case>& cases() {
 /// The bare passes of a case, ready to be drawn.
 class BareRenderer {
  public:
-  BareRenderer(const Scene& scene, const Case& what, int layers)
+  BareRenderer(const scene::Scene& scene, const Case& what, int layers)
       : stage_(scene, {}),
         heads_(stage_.gl(), GL_R32UI, scene.width, scene.height),
         nodes_(stage_.gl(), GL_RGBA32UI, 16 * (stage_.pixel_count() * layers + 1)),
@@ -151,11 +152,11 @@ class BareRenderer {
  private:
   struct Pass {
     bool over_geometry;
-    Blend last_blend;
-    std::vector<Texture> targets;
-    std::vector<Framebuffer> framebuffers;  // one
-    GeometryProgram geometry;
-    Program screen;
+    oit::Blend last_blend;
+    std::vector<oit::Texture> targets;
+    std::vector<oit::Framebuffer> framebuffers;  // one
+    oit::GeometryProgram geometry;
+    oit::Program screen;
   };
 
   void add(const BarePass& bare, int layers) {
@@ -165,7 +166,7 @@ class BareRenderer {
     for (const GLenum format : bare.targets)
       pass.targets.emplace_back(stage_.gl(), format, stage_.width(), stage_.height());
     const auto& t = pass.targets;
-    const Gl& gl = stage_.gl();
+    const oit::Gl& gl = stage_.gl();
     if (t.empty()) pass.framebuffers.emplace_back(gl, stage_.width(), stage_.height());
     if (t.size() == 1) pass.framebuffers.push_back({gl, {{t[0]}}});
     if (t.size() == 2) pass.framebuffers.push_back({gl, {{t[0]}, {t[1]}}});
@@ -189,9 +190,9 @@ class BareRenderer {
   }
 
   void draw(const Pass& pass) const {
-    const Framebuffer& target = pass.framebuffers[0];
+    const oit::Framebuffer& target = pass.framebuffers[0];
     target.clear_all(0);
-    const Blend blend = pass.over_geometry ? Blend::add : Blend::replace;
+    const oit::Blend blend = pass.over_geometry ? oit::Blend::add : oit::Blend::replace;
     if (target.attachments() > 1)
       stage_.begin_pass(target, {blend, pass.last_blend});
     else
@@ -200,17 +201,17 @@ class BareRenderer {
     stage_.gl().Finish();
   }
 
-  Stage stage_;
-  Texture heads_;
-  BufferTexture nodes_, colors_;
-  Buffer counter_;
+  oit::Stage stage_;
+  oit::Texture heads_;
+  oit::BufferTexture nodes_, colors_;
+  oit::Buffer counter_;
   std::vector<Pass> passes_;
 };
 
 void against_bare_passes(benchmark::State& state, const Case& what, int layers, int size) {
-  const Scene scene = wavy_sheets({layers, size});
+  const scene::Scene scene = wavy_sheets({layers, size});
   const NameAndOptions call = parse_name_and_options(what.method);
-  const MethodRow& row = find_row("method", call.name, oit_methods());
+  const scene::MethodRow& row = find_row("method", call.name, oit::oit_methods());
   const auto method = row.make(scene, Parameters(row.name, row.parameters, call.options), {});
   BareRenderer bare(scene, what, layers);
   method->render({});
@@ -227,8 +228,8 @@ void against_bare_passes(benchmark::State& state, const Case& what, int layers, 
 }
 
 /// Time of a method over the number of layers, for the curve of cost.
-void over_layers(benchmark::State& state, const MethodRow& row, const Sheets& sheets) {
-  const Scene scene = wavy_sheets(sheets);
+void over_layers(benchmark::State& state, const scene::MethodRow& row, const Sheets& sheets) {
+  const scene::Scene scene = wavy_sheets(sheets);
   const auto method = row.make(scene, Parameters(row.name, row.parameters, {}), {});
   const std::uint64_t bytes = method->render({}).stats.total_bytes();
   for (auto _ : state) state.SetIterationTime(method->render({}).stats.seconds());
@@ -239,13 +240,13 @@ void over_layers(benchmark::State& state, const MethodRow& row, const Sheets& sh
 }
 
 /// A stream surface of the ABC flow, drawn by lines alone.
-Scene stream_surface() {
-  Scene scene;
+scene::Scene stream_surface() {
+  scene::Scene scene;
   scene.camera = {.eye = {27, 11, 4}, .target = {2.5, 3.3, 3}, .fov = 36};
-  SceneObject object;
-  FlowSource& source = object.source.emplace();
-  source.field = make_field("abc");
-  source.seed = segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1});
+  scene::SceneObject object;
+  scene::FlowSource& source = object.source.emplace();
+  source.field = fields::make_field("abc");
+  source.seed = integrators::segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1});
   source.duration = 9;
   object.mesh().positions = {Vec3(-8), Vec3(14)};  // the depth range
   scene.objects.push_back(std::move(object));
@@ -254,8 +255,8 @@ Scene stream_surface() {
 
 /// Frames per second of the progressive tree at so many lines per frame.
 void tree_frames(benchmark::State& state) {
-  const Scene scene = stream_surface();
-  const MethodRow& row = find_row("method", "tree", oit_methods());
+  const scene::Scene scene = stream_surface();
+  const scene::MethodRow& row = find_row("method", "tree", oit::oit_methods());
   const RawOptions options = {{"lines-per-frame", std::to_string(state.range(0))}, {"frames", "5"}};
   const auto tree = row.make(scene, Parameters(row.name, row.parameters, options), {});
   tree->render({});
@@ -282,14 +283,15 @@ void register_all() {
   // Lists of three lengths with as many fragments each, and a pool of 1.4 GB; few triangles, so
   // that fragments are what takes the time.
   for (const auto& [layers, size] : {std::pair(8, 1000), {64, 354}, {500, 126}, {45, 1000}})
-    benchmark::RegisterBenchmark(
-        ("lists/layers:" + std::to_string(layers)).c_str(),
-        [layers = layers, size = size](benchmark::State& state) {
-          over_layers(state, find_row("method", "linked-list", oit_methods()), {layers, size, 10});
-        })
+    benchmark::RegisterBenchmark(("lists/layers:" + std::to_string(layers)).c_str(),
+                                 [layers = layers, size = size](benchmark::State& state) {
+                                   over_layers(
+                                       state, find_row("method", "linked-list", oit::oit_methods()),
+                                       {layers, size, 10});
+                                 })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
-  for (const MethodRow& row : oit_methods())
+  for (const scene::MethodRow& row : oit::oit_methods())
     benchmark::RegisterBenchmark(("layers/" + std::string(row.name)).c_str(),
                                  [&row](benchmark::State& state) {
                                    over_layers(state, row, {int(state.range(0)), 250});

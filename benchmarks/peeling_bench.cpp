@@ -34,11 +34,11 @@ constexpr int side = 1000;  // pixels
 const double alpha = 77 / 255.0;
 
 /// 32 quads, each larger than the picture.
-Scene full_screen_quads() {
-  Scene scene;
-  scene.camera.projection = Projection::orthographic;
+scene::Scene full_screen_quads() {
+  scene::Scene scene;
+  scene.camera.projection = scene::Projection::orthographic;
   for (int i = 0; i < 32; ++i) {
-    TriangleMesh quad;
+    geometry::TriangleMesh quad;
     const double z = 1 - i / 16.0;
     quad.positions = {{-2, -2, z}, {2, -2, z}, {2, 2, z}, {-2, 2, z}};
     quad.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -49,24 +49,25 @@ Scene full_screen_quads() {
 }
 
 /// 24 stream surfaces of the ABC flow, 16 000 triangles each.
-Scene abc_surfaces() {
-  Scene scene;
+scene::Scene abc_surfaces() {
+  scene::Scene scene;
   scene.camera.eye = Vec3(27, 11, 4);
   scene.camera.target = Vec3(2.5, 3.3, 3);
   scene.camera.fov = 36;
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   for (int i = 0; i < 24; ++i) {
     const Vec3 from(0.25 * i, 0.2, 3.14);
-    const SurfaceRequest request{field.get(), segment_seed(from, from + Vec3(0, 6, 0)), 4, 0, false,
-                                 {}};
-    TriangleMesh mesh = integrate_surface("fixed-front:particles=81,rows=100", request).mesh;
+    const integrators::SurfaceRequest request{
+        field.get(), integrators::segment_seed(from, from + Vec3(0, 6, 0)), 4, 0, false, {}};
+    geometry::TriangleMesh mesh =
+        integrators::integrate_surface("fixed-front:particles=81,rows=100", request).mesh;
     mesh.colors.assign(mesh.positions.size(), Rgba(i * 10 / 255.0, 0.4, 0.6, alpha));
     scene.objects.push_back({"surface", std::move(mesh)});
   }
   return scene;
 }
 
-vtkNew<vtkActor> actor_of(const TriangleMesh& mesh) {
+vtkNew<vtkActor> actor_of(const geometry::TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(4);
@@ -96,8 +97,9 @@ vtkNew<vtkActor> actor_of(const TriangleMesh& mesh) {
 /// The scene as VTK draws it, off screen.
 class VtkPeeling {
  public:
-  explicit VtkPeeling(const Scene& scene) {
-    for (const SceneObject& object : scene.objects) renderer_->AddActor(actor_of(object.mesh()));
+  explicit VtkPeeling(const scene::Scene& scene) {
+    for (const scene::SceneObject& object : scene.objects)
+      renderer_->AddActor(actor_of(object.mesh()));
     renderer_->SetBackground(scene.background.r, scene.background.g, scene.background.b);
     renderer_->SetUseDepthPeeling(true);
     renderer_->SetMaximumNumberOfPeels(1000);
@@ -127,13 +129,13 @@ class VtkPeeling {
   }
 
  private:
-  void aim(const Camera& camera) {
+  void aim(const scene::Camera& camera) {
     vtkCamera* view = renderer_->GetActiveCamera();
     view->SetPosition(camera.eye.x, camera.eye.y, camera.eye.z);
     view->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
     view->SetViewUp(camera.up.x, camera.up.y, camera.up.z);
     view->SetViewAngle(camera.fov);
-    view->SetParallelProjection(camera.projection == Projection::orthographic);
+    view->SetParallelProjection(camera.projection == scene::Projection::orthographic);
     view->SetParallelScale(camera.height / 2);
     renderer_->ResetCameraClippingRange();
   }
@@ -148,14 +150,14 @@ double seconds_of(const auto& work) {
   return watch.seconds();
 }
 
-void against_vtk(benchmark::State& state, Scene (*make_scene)()) {
-  Scene scene = make_scene();
+void against_vtk(benchmark::State& state, scene::Scene (*make_scene)()) {
+  scene::Scene scene = make_scene();
   scene.width = scene.height = side;
-  const MethodRow& row = raytrace_method();
+  const scene::MethodRow& row = groundtruth::raytrace_method();
   const auto exact = row.make(scene, Parameters(row.name, row.parameters, {}), {});
   VtkPeeling vtk(scene);
   vtk.render();
-  const Rendering truth = exact->render({.layers = true});
+  const scene::Rendering truth = exact->render({.layers = true});
   std::vector<double> ratios, vtk_times;
   for (auto _ : state) {
     const double seconds = seconds_of([&] { exact->render({}); });
@@ -167,7 +169,7 @@ void against_vtk(benchmark::State& state, Scene (*make_scene)()) {
   std::ranges::sort(vtk_times);
   state.counters["ratio"] = ratios[ratios.size() / 2];
   state.counters["vtk_ms"] = 1e3 * vtk_times[vtk_times.size() / 2];
-  state.counters["rmse"] = rmse(truth.image, vtk.image());
+  state.counters["rmse"] = compare::rmse(truth.image, vtk.image());
   state.counters["crossings"] = double(truth.stats.fragments);
   state.counters["layers"] = truth.stats.max_layers;
 }
@@ -180,7 +182,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   benchmark::Initialize(&argc, argv);
-  const auto add = [](const char* name, Scene (*scene)()) {
+  const auto add = [](const char* name, scene::Scene (*scene)()) {
     benchmark::RegisterBenchmark(name,
                                  [scene](benchmark::State& state) { against_vtk(state, scene); })
         ->UseManualTime()

@@ -4,7 +4,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// A number with its three derivatives: forward-mode automatic differentiation. A flow written over
 /// its scalar type gives its exact Jacobian when it is evaluated with Duals.
@@ -54,4 +54,4 @@ inline Dual sqrt(const Dual& a) {
   return {root, root > 0 ? a.gradient / (2 * root) : Vec3(0)};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

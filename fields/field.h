@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Why a velocity could not be given.
 enum class SampleStatus { ok, outside, not_finite };
@@ -51,4 +51,4 @@ class VectorField {
   virtual std::string description() const = 0;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

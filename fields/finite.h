@@ -4,7 +4,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -14,4 +14,4 @@ inline bool is_finite(const Mat3& m) {
   return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

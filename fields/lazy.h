@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// A value that is made when it is first asked for, once, by whichever thread asks.
 template <class Value>
@@ -19,4 +19,4 @@ class Lazy {
   mutable Value value_{};
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

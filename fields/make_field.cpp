@@ -9,7 +9,7 @@
 #include "fields/analytic/formula_field.h"
 #include "fields/readers/file_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 [[noreturn]] void fail_unknown(std::string_view name) {
@@ -35,4 +35,4 @@ std::unique_ptr<VectorField> make_field(std::string_view text, const std::filesy
   fail_unknown(given.name);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

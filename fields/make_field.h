@@ -6,7 +6,7 @@
 
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Builds a field from "NAME[:k=v,…]" of the catalogue, "formula:u=…,v=…,w=…", or the path of a
 /// sampled field (relative paths start at `base`). Throws InputError that names the field, the key
@@ -14,4 +14,4 @@ namespace pellucid {
 std::unique_ptr<VectorField> make_field(std::string_view text,
                                         const std::filesystem::path& base = {});
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -5,7 +5,7 @@
 
 #include "geometry/vertices.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 /// Polylines: line k joins the points offsets[k] … offsets[k + 1] - 1. A line of one point or of
 /// none has no segment.
@@ -21,4 +21,4 @@ struct LineSet : Vertices {
   }
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

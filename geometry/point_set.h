@@ -2,9 +2,9 @@
 
 #include "geometry/vertices.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 /// Points that nothing joins.
 struct PointSet : Vertices {};
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -15,7 +15,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -90,4 +90,4 @@ bool SolidMesh::within(const Vec3& x, double distance) const {
   return state_->near(x, distance) || state_->inside(x);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

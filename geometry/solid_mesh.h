@@ -4,7 +4,7 @@
 
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 /// What a closed mesh bounds. Immutable; any number of threads may ask.
 class SolidMesh {
@@ -22,4 +22,4 @@ class SolidMesh {
   std::unique_ptr<const State> state_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

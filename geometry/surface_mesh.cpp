@@ -2,7 +2,7 @@
 
 #include <OpenMesh/Core/Utils/vector_cast.hh>
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 /// OpenMesh reports faces it refuses on its own stream; the caller is told by the result.
@@ -44,4 +44,4 @@ TriangleMesh triangle_mesh(const SurfaceMesh& surface) {
   return mesh;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 struct SurfaceMeshTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -26,4 +26,4 @@ std::optional<SurfaceMesh> surface_mesh(const TriangleMesh& mesh);
 /// Positions and triangles.
 TriangleMesh triangle_mesh(const SurfaceMesh& mesh);
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -6,11 +6,11 @@
 
 #include "geometry/vertices.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 /// A triangle soup with shared vertices, as it is drawn.
 struct TriangleMesh : Vertices {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

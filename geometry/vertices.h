@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 /// Vertices and what they carry, whatever joins them. Arrays are empty or as long as `positions`;
 /// values are interpolated linearly between joined vertices.
@@ -24,4 +24,4 @@ struct Vertices {
   }
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -11,7 +11,7 @@
 #include "integrators/paths/end_reason.h"
 #include "integrators/paths/seed_curve.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// What a surface took.
 struct SurfaceStats {
@@ -25,7 +25,7 @@ struct SurfaceStats {
 
 /// A surface to be swept by the particles of a seed curve.
 struct SurfaceRequest {
-  const VectorField* field = nullptr;
+  const fields::VectorField* field = nullptr;
   SeedCurve seed;
   double duration = 0;    // > 0
   double start_time = 0;  // where the field's own time starts
@@ -36,7 +36,7 @@ struct SurfaceRequest {
 /// The mesh has unit `normals` and the scalars "s" (on the seed curve), "t" (since the seed),
 /// "time" (t + start_time) and "speed".
 struct IntegratedSurface {
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   SurfaceStats stats;
 };
 
@@ -57,4 +57,4 @@ struct IntegratorRow {
   IntegratedSurface (*run)(const SurfaceRequest&, const Parameters&);
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -18,9 +18,9 @@
 #include "oit/methods/weighted/weighted_blended.h"
 #include "oit/methods/weighted/weighted_sum.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
-std::span<const MethodRow> oit_methods() {
+std::span<const scene::MethodRow> oit_methods() {
   static const std::array rows = {linked_list_method(),
                                   depth_peeling_method(),
                                   dual_depth_peeling_method(),
@@ -39,4 +39,4 @@ std::span<const MethodRow> oit_methods() {
   return rows;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

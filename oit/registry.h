@@ -4,9 +4,9 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The order-independent methods, one row each; they render by OpenGL 4.5 core.
-std::span<const MethodRow> oit_methods();
+std::span<const scene::MethodRow> oit_methods();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -4,7 +4,7 @@
 
 #include "scene/view/ribbon.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 class HaloBuilder {
@@ -15,7 +15,7 @@ class HaloBuilder {
         projection_(scene.camera.projection),
         color_(lines.halo->color.value_or(scene.background)) {}
 
-  TriangleMesh build() {
+  geometry::TriangleMesh build() {
     for (std::size_t k = 0; k < lines_.set.line_count(); ++k)
       add_line(lines_.set.offsets[k], lines_.set.offsets[k + 1]);
     return std::move(mesh_);
@@ -54,7 +54,7 @@ class HaloBuilder {
   Projection projection_;
   Vec3 color_;
   std::vector<Vec3> half_widths_;
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
 };
 
 }  // namespace
@@ -71,4 +71,4 @@ void place_halos(Scene& scene) {
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

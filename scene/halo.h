@@ -2,7 +2,7 @@
 
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Puts the halos of the scene's lines, seen by its camera, behind their lines in the order of its
 /// objects, in place of those that are there. Depth-dependent halos: Everts, Bekker, Roerdink,
@@ -14,4 +14,4 @@ namespace pellucid {
 /// faces the light. The paper displaces depths in a shader, by any function; this one is linear.
 void place_halos(Scene& scene);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

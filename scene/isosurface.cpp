@@ -8,7 +8,7 @@
 #include "scene/appearance/appearance.h"
 #include "scene/appearance/colormap.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 double Isosurface::OtherScalar::fraction(const Vec3& x) const {
   return fraction_of(field->value(x).value_or(range.x), range);
@@ -27,4 +27,4 @@ bool Isosurface::cuts_away(const Vec3& x) const {
   return body && body->solid->within(x, body->distance);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

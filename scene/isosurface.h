@@ -6,10 +6,15 @@
 
 #include "geometry/vertices.h"
 
-namespace pellucid {
-
+namespace pellucid::fields {
 class LevelField;
+}
+namespace pellucid::geometry {
 class SolidMesh;
+}
+
+namespace pellucid::scene {
+
 struct ColormapRow;
 
 /// Where a scalar on levels of samples takes a value.
@@ -20,13 +25,13 @@ struct Isosurface {
   };
   /// A solid, and all within this distance of it.
   struct Body {
-    std::shared_ptr<const SolidMesh> solid;
+    std::shared_ptr<const geometry::SolidMesh> solid;
     double distance = 0;  // world
   };
 
   /// A scalar where the surface is, reconstructed as the surface's own.
   struct OtherScalar {
-    std::shared_ptr<const LevelField> field;  // on the same levels
+    std::shared_ptr<const fields::LevelField> field;  // on the same levels
     Vec2 range{0, 1};
 
     double fraction(const Vec3& x) const;  // of the range
@@ -45,19 +50,19 @@ struct Isosurface {
     float opacity(const Vec3& x) const;
   };
 
-  std::shared_ptr<const LevelField> field;
+  std::shared_ptr<const fields::LevelField> field;
   double value = 0;
   std::optional<Coloring> coloring;               // none: the colour of `corners`
   std::optional<Fading> fading;                   // none: the opacity of `corners`
   std::variant<std::monostate, Ball, Body> hole;  // nothing of the surface is drawn within
-  Vertices corners;  // the eight of its field's bounds: the surface's colour and opacity
+  geometry::Vertices corners;  // the eight of its field's bounds: the surface's colour and opacity
 
   bool cuts_away(const Vec3& x) const;
 };
 
 /// Of the field's bounds.
-inline Vertices corners_of(const Box3& box) {
-  Vertices corners;
+inline geometry::Vertices corners_of(const Box3& box) {
+  geometry::Vertices corners;
   for (int corner = 0; corner < 8; ++corner)
     corners.positions.emplace_back(corner & 1 ? box.max.x : box.min.x,
                                    corner & 2 ? box.max.y : box.min.y,
@@ -65,4 +70,4 @@ inline Vertices corners_of(const Box3& box) {
   return corners;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

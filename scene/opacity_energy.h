@@ -8,7 +8,7 @@
 
 #include "core/options/parameters.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 struct EnergyWeights {
   double p = 1;       // keeps fragments opaque; > 0
@@ -65,4 +65,4 @@ inline EnergyWeights energy_weights(const Parameters& values, const EnergyWeight
           value("lambda", of_scene.lambda)};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

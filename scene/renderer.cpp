@@ -1,6 +1,6 @@
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 double RenderStats::seconds() const {
   double sum = 0;
@@ -14,4 +14,4 @@ std::uint64_t RenderStats::total_bytes() const {
   return sum;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -15,7 +15,7 @@
 #include "core/raster.h"
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 struct FrameMemory;
 
@@ -152,4 +152,4 @@ struct MethodRow {
   std::unique_ptr<Renderer> (*make)(const Scene&, const Parameters&, const RenderContext&);
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 double radius_of(const SceneObject& object) {
@@ -15,7 +15,7 @@ double radius_of(const SceneObject& object) {
 struct PrimitiveCounts {
   std::size_t triangles = 0, lines = 0, segments = 0, points = 0, isosurfaces = 0;
 
-  void operator()(const TriangleMesh& mesh) { triangles += mesh.triangles.size(); }
+  void operator()(const geometry::TriangleMesh& mesh) { triangles += mesh.triangles.size(); }
   void operator()(const LineObject& object) {
     lines += object.set.line_count();
     segments += object.set.segment_count();
@@ -24,15 +24,16 @@ struct PrimitiveCounts {
   void operator()(const Isosurface&) { ++isosurfaces; }
 };
 
-const Vertices& vertices_of(const TriangleMesh& mesh) { return mesh; }
-const Vertices& vertices_of(const LineObject& object) { return object.set; }
-const Vertices& vertices_of(const PointObject& object) { return object.set; }
-const Vertices& vertices_of(const Isosurface& surface) { return surface.corners; }
+const geometry::Vertices& vertices_of(const geometry::TriangleMesh& mesh) { return mesh; }
+const geometry::Vertices& vertices_of(const LineObject& object) { return object.set; }
+const geometry::Vertices& vertices_of(const PointObject& object) { return object.set; }
+const geometry::Vertices& vertices_of(const Isosurface& surface) { return surface.corners; }
 
 }  // namespace
 
-const Vertices& SceneObject::vertices() const {
-  return std::visit([](const auto& s) -> const Vertices& { return vertices_of(s); }, shape);
+const geometry::Vertices& SceneObject::vertices() const {
+  return std::visit([](const auto& s) -> const geometry::Vertices& { return vertices_of(s); },
+                    shape);
 }
 
 Box3 SceneObject::bounds() const {
@@ -63,4 +64,4 @@ std::string describe_primitives(const Scene& scene) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -19,7 +19,7 @@
 #include "scene/opacity_energy.h"
 #include "scene/view/camera.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Of lines, see place_halos().
 struct Halo {
@@ -35,7 +35,7 @@ struct Halo {
 struct LineObject {
   enum class Profile { ribbon, tube };
 
-  LineSet set;
+  geometry::LineSet set;
   double radius = 0;  // world; half a ribbon's width
   Profile profile = Profile::ribbon;
   std::optional<Halo> halo = std::nullopt;
@@ -47,15 +47,15 @@ struct LineObject {
 struct PointObject {
   enum class Profile { disc, sphere };
 
-  PointSet set;
+  geometry::PointSet set;
   double radius = 0;  // world
   Profile profile = Profile::disc;
 };
 
 /// What a surface was integrated from, for methods that draw lines of their own on it.
 struct FlowSource {
-  std::shared_ptr<const VectorField> field;
-  SeedCurve seed;
+  std::shared_ptr<const fields::VectorField> field;
+  integrators::SeedCurve seed;
   double duration = 0;
   double start_time = 0;
   bool path = false;
@@ -66,16 +66,18 @@ struct FlowSource {
 /// the scene is lit.
 struct SceneObject {
   std::string name;  // where it comes from, for messages and the report
-  std::variant<TriangleMesh, LineObject, PointObject, Isosurface> shape;
+  std::variant<geometry::TriangleMesh, LineObject, PointObject, Isosurface> shape;
   bool opaque = false;  // hides what lies behind it, whatever its alpha; context of the others
   std::optional<FlowSource> source = std::nullopt;
   bool is_halo = false;  // made by place_halos()
 
-  const Vertices& vertices() const;
-  Vertices& vertices() { return const_cast<Vertices&>(std::as_const(*this).vertices()); }
+  const geometry::Vertices& vertices() const;
+  geometry::Vertices& vertices() {
+    return const_cast<geometry::Vertices&>(std::as_const(*this).vertices());
+  }
   /// The object has to be a mesh.
-  const TriangleMesh& mesh() const { return std::get<TriangleMesh>(shape); }
-  TriangleMesh& mesh() { return std::get<TriangleMesh>(shape); }
+  const geometry::TriangleMesh& mesh() const { return std::get<geometry::TriangleMesh>(shape); }
+  geometry::TriangleMesh& mesh() { return std::get<geometry::TriangleMesh>(shape); }
   /// Of all that is drawn, widths included.
   Box3 bounds() const;
 };
@@ -102,4 +104,4 @@ struct Scene {
 /// What the objects consist of: "384000 triangles, 12 lines of 6000 segments".
 std::string describe_primitives(const Scene& scene);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

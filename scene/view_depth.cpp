@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "scene/view/ribbon.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 /// Smallest and largest view depth, world units.
@@ -26,7 +26,7 @@ class BoundsOfShape {
   BoundsOfShape(const Camera& camera, DepthBounds& bounds)
       : frame_(camera_frame(camera)), projection_(camera.projection), bounds_(bounds) {}
 
-  void operator()(const TriangleMesh& mesh) { extend(mesh, 0); }
+  void operator()(const geometry::TriangleMesh& mesh) { extend(mesh, 0); }
   void operator()(const PointObject& points) {
     extend(points.set, points.profile == PointObject::Profile::sphere ? points.radius : 0);
   }
@@ -37,7 +37,7 @@ class BoundsOfShape {
   }
 
  private:
-  void extend(const Vertices& vertices, double radius) {
+  void extend(const geometry::Vertices& vertices, double radius) {
     for (const Vec3& x : vertices.positions) {
       const double z = view_depth(frame_, x);
       bounds_.extend(z - radius);
@@ -81,4 +81,4 @@ DepthRange depth_range(const Scene& scene) {
   return {bounds.min - margin, bounds.max + margin};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

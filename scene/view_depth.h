@@ -2,7 +2,7 @@
 
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// The linear map from view depth z (world units along the viewing axis) to d in (0, 1): the one
 /// depth of ground truth and of every method.
@@ -19,4 +19,4 @@ struct DepthRange {
 /// the scene is in front of the camera.
 DepthRange depth_range(const Scene& scene);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

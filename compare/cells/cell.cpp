@@ -9,7 +9,7 @@
 #include "core/files/json_node.h"
 #include "core/files/output_file.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,7 +117,7 @@ std::string scene_fingerprint(const fs::path& scene_file) {
 }
 
 std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
-                             const MethodCall& reference, const RenderContext& context) {
+                             const MethodCall& reference, const scene::RenderContext& context) {
   Hash hash;
   hash.add(scene_fingerprint);
   add_call(cell.call, hash);
@@ -143,4 +143,4 @@ void write_row(const CellFiles& files, const ResultRow& row) {
   write_text(files.row(), to_json(row).dump(1) + "\n");
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

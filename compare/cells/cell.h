@@ -8,7 +8,7 @@
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// One scene × one method × one set of parameters.
 struct Cell {
@@ -58,11 +58,11 @@ std::string scene_fingerprint(const std::filesystem::path& scene_file);
 /// A hash of all that the cell's row depends on, times aside: the scene, the method and the
 /// reference with all their parameters, and where OpenGL runs.
 std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
-                             const MethodCall& reference, const RenderContext& context);
+                             const MethodCall& reference, const scene::RenderContext& context);
 
 /// The row of a cell that was finished, by whichever run, for the same fingerprint.
 std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint);
 
 void write_row(const CellFiles& files, const ResultRow& row);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -11,7 +11,7 @@
 #include "core/machine/machine.h"
 #include "core/machine/stopwatch.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 Spread spread(std::vector<double> values) {
@@ -21,25 +21,26 @@ Spread spread(std::vector<double> values) {
 }
 
 /// Steps have the same names in the same order in every repeat.
-std::vector<std::pair<std::string, Spread>> step_spreads(const std::vector<RenderStats>& runs) {
+std::vector<std::pair<std::string, Spread>> step_spreads(
+    const std::vector<scene::RenderStats>& runs) {
   std::vector<std::pair<std::string, Spread>> steps;
   for (std::size_t i = 0; i < runs.front().steps.size(); ++i) {
     std::vector<double> seconds;
-    for (const RenderStats& run : runs)
+    for (const scene::RenderStats& run : runs)
       if (i < run.steps.size()) seconds.push_back(run.steps[i].seconds);
     steps.emplace_back(runs.front().steps[i].name, spread(seconds));
   }
   return steps;
 }
 
-Spread total_spread(const std::vector<RenderStats>& runs) {
+Spread total_spread(const std::vector<scene::RenderStats>& runs) {
   std::vector<double> seconds;
   seconds.reserve(runs.size());
-  for (const RenderStats& run : runs) seconds.push_back(run.seconds());
+  for (const scene::RenderStats& run : runs) seconds.push_back(run.seconds());
   return spread(seconds);
 }
 
-void describe(const Renderer& renderer, const Scene& scene, ResultRow& row) {
+void describe(const scene::Renderer& renderer, const scene::Scene& scene, ResultRow& row) {
   row.explanation = renderer.explain();
   row.scene_provenance = scene.provenance;
   row.machine = machine_facts();
@@ -52,10 +53,10 @@ void check_finite(const Image& image) {
 }
 
 /// Counting takes time, so that the rendering that warms up counts and the timed ones don't.
-void warm_up(Renderer& renderer, CellMeasurement& result) {
-  RenderRequest counting;
+void warm_up(scene::Renderer& renderer, CellMeasurement& result) {
+  scene::RenderRequest counting;
   counting.layers = true;
-  Rendering rendering = renderer.render(counting);
+  scene::Rendering rendering = renderer.render(counting);
   result.layers = std::move(rendering.layers);
   result.row.fragments = rendering.stats.fragments;
   result.row.max_layers = rendering.stats.max_layers;
@@ -64,10 +65,10 @@ void warm_up(Renderer& renderer, CellMeasurement& result) {
   result.row.truncated = rendering.stats.truncated;
 }
 
-void time_renderings(Renderer& renderer, int repeats, CellMeasurement& result) {
-  std::vector<RenderStats> runs;
+void time_renderings(scene::Renderer& renderer, int repeats, CellMeasurement& result) {
+  std::vector<scene::RenderStats> runs;
   for (int i = 0; i < repeats; ++i) {
-    Rendering rendering = renderer.render({});
+    scene::Rendering rendering = renderer.render({});
     runs.push_back(std::move(rendering.stats));
     result.image = std::move(rendering.image);
   }
@@ -78,9 +79,9 @@ void time_renderings(Renderer& renderer, int repeats, CellMeasurement& result) {
   result.row.bytes = runs.back().bytes;
 }
 
-void take_findings(Findings findings, CellMeasurement& result) {
+void take_findings(scene::Findings findings, CellMeasurement& result) {
   result.row.measures = std::move(findings.measures);
-  for (MeasurePicture& picture : findings.pictures) {
+  for (scene::MeasurePicture& picture : findings.pictures) {
     result.row.pictures.push_back({picture.name, picture.title, picture.min, picture.max});
     result.further.push_back(std::move(picture.image));
   }
@@ -88,8 +89,8 @@ void take_findings(Findings findings, CellMeasurement& result) {
 
 }  // namespace
 
-CellMeasurement measure_cell(const Cell& cell, const Scene& scene, int repeats,
-                             const RenderContext& context) {
+CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, int repeats,
+                             const scene::RenderContext& context) {
   CellMeasurement result{identity_row(cell), {}, {}, {}};
   const Stopwatch setup;
   const auto renderer = cell.call.row->make(scene, cell.call.parameters, context);
@@ -126,4 +127,4 @@ CoverageCheck check_coverage(const Image& reference, const CountImage& reference
   return check;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "groundtruth/sums/ray_sums.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 constexpr int intervals = 512;
@@ -33,15 +33,15 @@ RowCurve depth_curve(const Pixel& pixel, std::vector<double> tau) {
           std::move(tau)};
 }
 
-OpticalDepth exact_depth(const RayProbe& probe, const Pixel& pixel) {
-  const RaySums sums = probe.at(pixel.x + 0.5, pixel.y + 0.5);
-  OpticalDepth result;
+scene::OpticalDepth exact_depth(const groundtruth::RayProbe& probe, const Pixel& pixel) {
+  const groundtruth::RaySums sums = probe.at(pixel.x + 0.5, pixel.y + 0.5);
+  scene::OpticalDepth result;
   for (const double d : depths()) result.values.push_back(std::min(sums.optical_depth(d), deepest));
   return result;
 }
 
 /// Of all rows in one plot: a shorter series has the same coefficients, as far as it goes.
-void add_harmonics(const Pixel& pixel, const OpticalDepth& depth, ResultRow& row) {
+void add_harmonics(const Pixel& pixel, const scene::OpticalDepth& depth, ResultRow& row) {
   RowCurve a{fmt::format("coefficients {} {}", pixel.x, pixel.y),
              "|a_k|",
              fmt::format("Fourier coefficients of pixel ({}, {})", pixel.x, pixel.y),
@@ -63,11 +63,11 @@ void add_harmonics(const Pixel& pixel, const OpticalDepth& depth, ResultRow& row
 
 }  // namespace
 
-void add_ray_curves(const Cell& cell, const Scene& scene, Renderer& renderer,
+void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer& renderer,
                     CellMeasurement& measured) {
   if (cell.probes.empty()) return;
   const bool exact = cell.reference && cell.call.row->promises.exact;
-  std::optional<RayProbe> probe;
+  std::optional<groundtruth::RayProbe> probe;
   if (exact) probe.emplace(scene);
   for (const Pixel& pixel : cell.probes) {
     if (pixel.x >= scene.width || pixel.y >= scene.height)
@@ -81,4 +81,4 @@ void add_ray_curves(const Cell& cell, const Scene& scene, Renderer& renderer,
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -5,18 +5,18 @@
 #include "compare/pictures/error_map.h"
 #include "groundtruth/sums/picture_sums.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// Twenty to each of eleven bins of depth, so that the bins' boundaries are among their ends.
 constexpr int classes = 220;
 
 /// The depth d of each pixel's nearest layer; not a number where there is none.
-Raster<double> nearest_depths(const Scene& scene) {
-  const RayProbe probe(scene);
+Raster<double> nearest_depths(const scene::Scene& scene) {
+  const groundtruth::RayProbe probe(scene);
   Raster<double> depths(scene.width, scene.height, std::numeric_limits<double>::quiet_NaN());
   for (int y = 0; y < scene.height; ++y) {
-    const std::vector<RaySums> rays = row_sums(scene, probe, y);
+    const std::vector<groundtruth::RaySums> rays = groundtruth::row_sums(scene, probe, y);
     for (int x = 0; x < scene.width; ++x)
       if (const auto& layers = rays[std::size_t(x)].layers; !layers.empty())
         depths.at(x, y) = layers.front().d;
@@ -24,7 +24,7 @@ Raster<double> nearest_depths(const Scene& scene) {
   return depths;
 }
 
-void measure(const Scene& scene, const Image& reference, CellMeasurement& cell) {
+void measure(const scene::Scene& scene, const Image& reference, CellMeasurement& cell) {
   const Raster<double> depths = nearest_depths(scene);
   std::vector<double> sums(classes), counts(classes);
   for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
@@ -57,4 +57,4 @@ const FurtherMeasure& depth_error_measure() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -1,10 +1,10 @@
 #include "compare/measures/further_measures.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 std::span<const FurtherMeasure> further_measures() {
   static const FurtherMeasure table[] = {hull_measure(), depth_error_measure()};
   return table;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

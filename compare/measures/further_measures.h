@@ -5,14 +5,14 @@
 
 #include "compare/results/cell_measurement.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// What a study may ask for of each of its pictures beyond the metrics: "measures" in its file.
 struct FurtherMeasure {
   std::string_view name;
   std::string_view title;
   /// Adds to the row's measures, pictures and curves. `reference` has the picture's size.
-  void (*measure)(const Scene& scene, const Image& reference, CellMeasurement& cell);
+  void (*measure)(const scene::Scene& scene, const Image& reference, CellMeasurement& cell);
 };
 
 /// How far the picture's colours are from the convex hull of the colours that a pixel is made of.
@@ -23,4 +23,4 @@ const FurtherMeasure& depth_error_measure();
 
 std::span<const FurtherMeasure> further_measures();
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

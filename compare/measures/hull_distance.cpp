@@ -6,7 +6,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 constexpr double tolerance = 1e-14;  // squared, of coordinates of about 1
@@ -85,4 +85,4 @@ double hull_distance(const Vec3& point, std::span<const Vec3> points) {
   return std::sqrt(nearest.distance2);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -4,7 +4,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// The distance from `point` to the convex hull of `points` (at least one), 0 inside, by Gilbert,
 /// Johnson and Keerthi 1988, "A fast procedure for computing the distance between complex objects
@@ -14,4 +14,4 @@ namespace pellucid {
 /// pixels.
 double hull_distance(const Vec3& point, std::span<const Vec3> points);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -6,7 +6,7 @@
 #include "core/parallel.h"
 #include "groundtruth/sums/picture_sums.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// Half a step of an 8-bit channel: what is farther off than this can show.
@@ -14,33 +14,33 @@ constexpr double visible = 0.5 / 255;
 
 /// 0 where the method saw another number of layers than there are crossings: at the very edge of a
 /// triangle it may have drawn other colours than the ray's.
-Raster<double> hull_distances(const Scene& scene, const CellMeasurement& cell) {
-  const RayProbe probe(scene);
+Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& cell) {
+  const groundtruth::RayProbe probe(scene);
   Raster<double> distances(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y) {
-    const std::vector<RaySums> rays = row_sums(scene, probe, y);
+    const std::vector<groundtruth::RaySums> rays = groundtruth::row_sums(scene, probe, y);
     parallel_for(0, scene.width, [&](int x) {
-      const std::vector<RayLayer>& layers = rays[std::size_t(x)].layers;
+      const std::vector<groundtruth::RayLayer>& layers = rays[std::size_t(x)].layers;
       const bool same_layers = cell.layers.pixels.empty() || cell.layers.at(x, y) == layers.size();
       if (!same_layers) return;
       std::vector<Vec3> colors{scene.background};
-      for (const RayLayer& layer : layers) colors.push_back(layer.color);
+      for (const groundtruth::RayLayer& layer : layers) colors.push_back(layer.color);
       distances.at(x, y) = hull_distance(Vec3(cell.image.at(x, y)), colors);
     });
   }
   return distances;
 }
 
-void measure(const Scene& scene, const Image&, CellMeasurement& cell) {
+void measure(const scene::Scene& scene, const Image&, CellMeasurement& cell) {
   const Raster<double> distances = hull_distances(scene, cell);
   const auto& values = distances.pixels;
   const auto outside =
       std::count_if(values.begin(), values.end(), [](double d) { return d > visible; });
   cell.row.measures.push_back({"outside_hull", "Pixels outside the hull of their colours", "",
-                               double(outside), Measure::Better::lower});
+                               double(outside), scene::Measure::Better::lower});
   cell.row.measures.push_back({"hull_distance_max", "Largest distance to the hull", "",
                                *std::max_element(values.begin(), values.end()),
-                               Measure::Better::lower});
+                               scene::Measure::Better::lower});
   cell.row.pictures.push_back({"hull", "Distance of the colour to the hull of the pixel's colours",
                                ErrorScale::min, ErrorScale::max});
   Image picture(scene.width, scene.height);
@@ -57,4 +57,4 @@ const FurtherMeasure& hull_measure() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

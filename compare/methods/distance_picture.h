@@ -2,12 +2,12 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Opaque and lit from the eye, `mesh` coloured by a distance that its vertices have (world units),
 /// seen as `view` has it: by its camera, of its size and background. The scale is logarithmic, from
 /// a millionth of the mesh's diagonal to a hundredth.
-MeasurePicture distance_picture(const Scene& view, TriangleMesh mesh,
-                                const std::vector<double>& distances);
+scene::MeasurePicture distance_picture(const scene::Scene& view, geometry::TriangleMesh mesh,
+                                       const std::vector<double>& distances);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <cstdint>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// FNV-1a, 32 bits: tells apart names that look alike once their odd characters are gone.
@@ -37,4 +37,4 @@ std::string MethodCall::slug() const {
   return lossy ? fmt::format("{}-{:08x}", slug.substr(0, 80), short_hash(text())) : slug;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -4,11 +4,11 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// A method and the parameters that it is called with.
 struct MethodCall {
-  const MethodRow* row = nullptr;
+  const scene::MethodRow* row = nullptr;
   Parameters parameters;
 
   /// "fourier:bands=5", as on the command line.
@@ -17,4 +17,4 @@ struct MethodCall {
   std::string slug() const;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -7,15 +7,16 @@
 #include "groundtruth/methods/raytrace.h"
 #include "oit/registry.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
-std::span<const MethodRow> methods() {
-  static const std::vector<MethodRow> table = [] {
-    std::vector<MethodRow> rows{raytrace_method(), march_method(), decoupled_method()};
-    rows.insert(rows.end(), oit_methods().begin(), oit_methods().end());
+std::span<const scene::MethodRow> methods() {
+  static const std::vector<scene::MethodRow> table = [] {
+    std::vector<scene::MethodRow> rows{groundtruth::raytrace_method(), groundtruth::march_method(),
+                                       groundtruth::decoupled_method()};
+    rows.insert(rows.end(), oit::oit_methods().begin(), oit::oit_methods().end());
     return rows;
   }();
   return table;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

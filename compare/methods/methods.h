@@ -4,10 +4,10 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Ground truth and every order-independent method: the one table that the command line, study
 /// files, property tests, benchmarks, report and README iterate. The reference comes first.
-std::span<const MethodRow> methods();
+std::span<const scene::MethodRow> methods();
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

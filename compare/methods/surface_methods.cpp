@@ -11,19 +11,19 @@
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// Enough for a picture of the distance; a sample takes about a millisecond.
 constexpr std::uint64_t distance_samples = 4000;
 
-using Better = Measure::Better;
+using Better = scene::Measure::Better;
 
 /// The one object that was integrated. Throws InputError.
-SceneObject& integrated_object(Scene& scene) {
-  SceneObject* found = nullptr;
+scene::SceneObject& integrated_object(scene::Scene& scene) {
+  scene::SceneObject* found = nullptr;
   int count = 0;
-  for (SceneObject& object : scene.objects)
+  for (scene::SceneObject& object : scene.objects)
     if (object.source) found = &object, ++count;
   if (count != 1)
     throw InputError(
@@ -33,12 +33,12 @@ SceneObject& integrated_object(Scene& scene) {
   return *found;
 }
 
-SurfaceRequest request_of(const FlowSource& source) {
+integrators::SurfaceRequest request_of(const scene::FlowSource& source) {
   return {source.field.get(), source.seed, source.duration, source.start_time, source.path, {}};
 }
 
-void add_counts(const SurfaceStats& stats, const TriangleMesh& mesh,
-                std::vector<Measure>& measures) {
+void add_counts(const integrators::SurfaceStats& stats, const geometry::TriangleMesh& mesh,
+                std::vector<scene::Measure>& measures) {
   measures.push_back({"particles", "Particles", "", double(stats.particles), Better::lower});
   measures.push_back({"vertices", "Vertices", "", double(mesh.positions.size()), Better::neither});
   measures.push_back({"triangles", "Triangles", "", double(mesh.triangles.size()), Better::lower});
@@ -49,7 +49,7 @@ void add_counts(const SurfaceStats& stats, const TriangleMesh& mesh,
       {"surface_bytes", "Mesh and trajectories", "bytes", double(stats.bytes), Better::lower});
 }
 
-void add_quality(const MeshQuality& quality, std::vector<Measure>& measures) {
+void add_quality(const integrators::MeshQuality& quality, std::vector<scene::Measure>& measures) {
   const auto add = [&](const char* name, const char* title, double value, Better better,
                        const char* unit = "") {
     measures.push_back({name, title, unit, value, better});
@@ -66,7 +66,7 @@ void add_quality(const MeshQuality& quality, std::vector<Measure>& measures) {
   add("aspect_p99", "Aspect ratio, 99th percentile", quality.aspect.p99, Better::lower);
 }
 
-void add_error(const SurfaceError& error, std::vector<Measure>& measures) {
+void add_error(const integrators::SurfaceError& error, std::vector<scene::Measure>& measures) {
   const auto add = [&](const char* name, const char* title, double value, const char* unit) {
     measures.push_back({name, title, unit, value, Better::lower});
   };
@@ -78,30 +78,31 @@ void add_error(const SurfaceError& error, std::vector<Measure>& measures) {
 }
 
 /// A column for each way in which a particle can end.
-void add_ends(const EndCounts& ends, std::vector<Measure>& measures) {
+void add_ends(const integrators::EndCounts& ends, std::vector<scene::Measure>& measures) {
   for (const auto& [reason, count] : ends)
-    measures.push_back({fmt::format("ended_{}", name_of(reason)),
-                        fmt::format("Particles ended: {}", name_of(reason)), "", double(count),
-                        Better::neither});
+    measures.push_back({fmt::format("ended_{}", integrators::name_of(reason)),
+                        fmt::format("Particles ended: {}", integrators::name_of(reason)), "",
+                        double(count), Better::neither});
 }
 
-class SurfaceMethod : public Renderer {
+class SurfaceMethod : public scene::Renderer {
  public:
-  SurfaceMethod(const Scene& scene, const IntegratorRow& row, const Parameters& parameters)
+  SurfaceMethod(const scene::Scene& scene, const integrators::IntegratorRow& row,
+                const Parameters& parameters)
       : row_(row),
         parameters_(parameters),
         scene_(scene),
         object_(integrated_object(scene_)),
         request_(request_of(*object_.source)),
-        tracing_("raytrace", raytrace_method().parameters, {}) {}
+        tracing_("raytrace", groundtruth::raytrace_method().parameters, {}) {}
 
-  Rendering render(const RenderRequest& request) override {
+  scene::Rendering render(const scene::RenderRequest& request) override {
     stats_ = integrate();
     const Stopwatch watch;
-    const auto tracer = raytrace_method().make(scene_, tracing_, {});
+    const auto tracer = groundtruth::raytrace_method().make(scene_, tracing_, {});
     const double hierarchy = watch.seconds();
-    Rendering rendering = tracer->render(request);
-    RenderStats& stats = rendering.stats;
+    scene::Rendering rendering = tracer->render(request);
+    scene::RenderStats& stats = rendering.stats;
     stats.steps.insert(stats.steps.begin(),
                        {{"integrate", stats_.seconds}, {"hierarchy", hierarchy}});
     stats.bytes.insert(stats.bytes.begin(), {"mesh and trajectories", stats_.bytes});
@@ -113,12 +114,13 @@ class SurfaceMethod : public Renderer {
   std::vector<std::string> explain() const override { return explanation_; }
   std::map<std::string, std::string> facts() const override { return facts_; }
 
-  Findings findings() override {
-    const TriangleMesh& mesh = object_.mesh();
-    Findings findings;
-    const SurfaceError error = measure_error(mesh, request_, distance_samples);
+  scene::Findings findings() override {
+    const geometry::TriangleMesh& mesh = object_.mesh();
+    scene::Findings findings;
+    const integrators::SurfaceError error =
+        integrators::measure_error(mesh, request_, distance_samples);
     add_counts(stats_, mesh, findings.measures);
-    add_quality(measure_quality(mesh), findings.measures);
+    add_quality(integrators::measure_quality(mesh), findings.measures);
     add_error(error, findings.measures);
     add_ends(stats_.ends, findings.measures);
     findings.pictures.push_back(distance_picture(scene_, mesh, error.at_vertices));
@@ -127,34 +129,36 @@ class SurfaceMethod : public Renderer {
 
  private:
   /// The mesh goes to the scene.
-  SurfaceStats integrate() {
-    IntegratedSurface surface = row_.run(request_, parameters_);
+  integrators::SurfaceStats integrate() {
+    integrators::IntegratedSurface surface = row_.run(request_, parameters_);
     if (surface.mesh.triangles.empty()) throw WorkError("nothing to draw: it has no triangle");
-    apply_appearance(object_.source->appearance, surface.mesh);
-    if (scene_.lighting != Lighting::none) ensure_normals(surface.mesh);
+    scene::apply_appearance(object_.source->appearance, surface.mesh);
+    if (scene_.lighting != scene::Lighting::none) scene::ensure_normals(surface.mesh);
     object_.shape = std::move(surface.mesh);
     return surface.stats;
   }
 
-  const IntegratorRow& row_;
+  const integrators::IntegratorRow& row_;
   Parameters parameters_;
-  Scene scene_;
-  SceneObject& object_;  // of scene_
-  SurfaceRequest request_;
+  scene::Scene scene_;
+  scene::SceneObject& object_;  // of scene_
+  integrators::SurfaceRequest request_;
   Parameters tracing_;
-  SurfaceStats stats_;
+  integrators::SurfaceStats stats_;
   std::vector<std::string> explanation_;
   std::map<std::string, std::string> facts_;
 };
 
 /// MethodRow::make knows no row: each integrator has its own.
-std::unique_ptr<Renderer> make_surface_method(const Scene& scene, const Parameters& parameters,
-                                              const RenderContext&) {
-  const IntegratorRow& row = find_row("integrator", parameters.owner(), integrators());
+std::unique_ptr<scene::Renderer> make_surface_method(const scene::Scene& scene,
+                                                     const Parameters& parameters,
+                                                     const scene::RenderContext&) {
+  const integrators::IntegratorRow& row =
+      find_row("integrator", parameters.owner(), integrators::integrators());
   return std::make_unique<SurfaceMethod>(scene, row, parameters);
 }
 
-MethodRow method_of(const IntegratorRow& row) {
+scene::MethodRow method_of(const integrators::IntegratorRow& row) {
   return {.name = row.name,
           .title = row.title,
           .citation = row.citation,
@@ -167,13 +171,14 @@ MethodRow method_of(const IntegratorRow& row) {
 
 }  // namespace
 
-std::span<const MethodRow> surface_methods() {
-  static const std::vector<MethodRow> table = [] {
-    std::vector<MethodRow> rows;
-    for (const IntegratorRow& row : integrators()) rows.push_back(method_of(row));
+std::span<const scene::MethodRow> surface_methods() {
+  static const std::vector<scene::MethodRow> table = [] {
+    std::vector<scene::MethodRow> rows;
+    for (const integrators::IntegratorRow& row : integrators::integrators())
+      rows.push_back(method_of(row));
     return rows;
   }();
   return table;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -25,7 +25,7 @@ std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::
   return combined;
 }
 
-std::vector<MethodCall> sweep_of(const MethodRow& row) {
+std::vector<MethodCall> sweep_of(const scene::MethodRow& row) {
   std::vector<RawOptions> sets(1);
   for (const std::string& part : split(std::string(row.sweep), ',')) {
     const std::size_t equals = part.find('=');
@@ -37,12 +37,12 @@ std::vector<MethodCall> sweep_of(const MethodRow& row) {
   return calls;
 }
 
-std::vector<MethodCall> every_method(std::span<const MethodRow> table) {
+std::vector<MethodCall> every_method(std::span<const scene::MethodRow> table) {
   std::vector<MethodCall> calls;
-  for (const MethodRow& row : table)
+  for (const scene::MethodRow& row : table)
     if (!row.optimizes_opacity)
       for (MethodCall& call : sweep_of(row)) calls.push_back(std::move(call));
   return calls;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -6,10 +6,10 @@
 
 #include "scene/appearance/colormap.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 Vec3 logarithmic_color(double value, double min, double max) {
-  static const ColormapRow& map = find_colormap("magma");
+  static const scene::ColormapRow& map = scene::find_colormap("magma");
   return map(std::log(std::max(value, min) / min) / std::log(max / min));
 }
 
@@ -29,4 +29,4 @@ Image error_map(const Image& reference, const Image& test) {
   return map;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

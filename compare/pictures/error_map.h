@@ -2,7 +2,7 @@
 
 #include "core/raster.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Colour of a value on a logarithmic scale from `min` to `max`; values outside have the colour of
 /// the nearer end.
@@ -23,4 +23,4 @@ Image error_map(const Image& reference, const Image& test);
 /// Largest RGB difference of two pixels.
 double pixel_error(const Rgba& a, const Rgba& b);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/files/output_file.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -202,4 +202,4 @@ Image displayed_values(const Image& image) {
   return shown;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

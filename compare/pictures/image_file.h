@@ -5,7 +5,7 @@
 
 #include "core/raster.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Reads a picture of any format that OpenImageIO knows as float RGBA, values as they are stored
 /// (n/255 for 8 bits, alpha not multiplied in, no transfer curve). One channel becomes grey;
@@ -31,4 +31,4 @@ std::uint8_t displayed_byte(float value);
 /// Every channel as n/255.
 Image displayed_values(const Image& image);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 bool finite(const Rgba& p) {
@@ -134,4 +134,4 @@ Comparison compare_images(const Image& reference, const Image& test) {
   return {measure(reference, test), measure(displayed_values(reference), displayed_values(test))};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

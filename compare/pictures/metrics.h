@@ -7,7 +7,7 @@
 
 #include "core/raster.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Largest absolute difference of any red, green or blue value, and the first pixel that has it.
 struct MaxError {
@@ -26,8 +26,8 @@ double psnr(const Image& reference, const Image& test);
 
 MaxError max_error(const Image& reference, const Image& test);
 
-/// Mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11 pixels: then no
-/// pixel's window lies inside.
+/// Mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11 pixels:
+/// then no pixel's window lies inside.
 std::optional<double> ssim(const Image& reference, const Image& test);
 
 struct Metrics {
@@ -63,4 +63,4 @@ struct MetricRow {
 
 std::span<const MetricRow> metrics();
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -18,7 +18,7 @@
 #define PELLUCID_WIDEST
 #endif
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 constexpr int radius = ssim_window / 2;
@@ -194,4 +194,4 @@ double mean_ssim(const Image& x, const Image& y) {
   return std::accumulate(sums.begin(), sums.end(), 0.0) / (double(pair.scores()) * pair.rows());
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

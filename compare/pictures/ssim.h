@@ -2,7 +2,7 @@
 
 #include "core/raster.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 constexpr int ssim_window = 11;  // pixels on a side
 
@@ -16,4 +16,4 @@ constexpr int ssim_window = 11;  // pixels on a side
 /// Both pictures have one size, at least 11×11, and finite values.
 double mean_ssim(const Image& x, const Image& y);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

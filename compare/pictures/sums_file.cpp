@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/files/output_file.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,9 +72,9 @@ ImageSpec deep_spec(int width, int height) {
   return spec;
 }
 
-void set_samples(OIIO::DeepData& data, int x, const RaySums& ray) {
+void set_samples(OIIO::DeepData& data, int x, const groundtruth::RaySums& ray) {
   for (int k = 0; k < int(ray.layers.size()); ++k) {
-    const RayLayer& layer = ray.layers[k];
+    const groundtruth::RayLayer& layer = ray.layers[k];
     for (int c = 0; c < 3; ++c)
       data.set_deep_value(x, red + c, k, float(layer.opacity * layer.color[c]));
     data.set_deep_value(x, alpha, k, float(layer.opacity));
@@ -87,8 +87,8 @@ void set_samples(OIIO::DeepData& data, int x, const RaySums& ray) {
 
 }  // namespace
 
-void write_sums(const fs::path& path, const Raster<PixelSums>& sums) {
-  static_assert(sizeof(PixelSums) == 7 * sizeof(float));
+void write_sums(const fs::path& path, const Raster<groundtruth::PixelSums>& sums) {
+  static_assert(sizeof(groundtruth::PixelSums) == 7 * sizeof(float));
   ImageSpec spec(sums.width, sums.height, 7, TypeDesc::FLOAT);
   spec.channelnames = {"layers", "coverage", "transmittance", "importance_sum", "optical_depth",
                        "near",   "far"};
@@ -99,11 +99,11 @@ void write_sums(const fs::path& path, const Raster<PixelSums>& sums) {
 }
 
 void write_deep(const fs::path& path, int width, int height,
-                const std::function<std::vector<RaySums>(int y)>& row) {
+                const std::function<std::vector<groundtruth::RaySums>(int y)>& row) {
   const ImageSpec spec = deep_spec(width, height);
   ExrFile file(path, spec);
   for (int y = 0; y < height; ++y) {
-    const std::vector<RaySums> rays = row(y);
+    const std::vector<groundtruth::RaySums> rays = row(y);
     OIIO::DeepData data;
     data.init(width, spec.nchannels, spec.channelformats, spec.channelnames);
     for (int x = 0; x < width; ++x) data.set_samples(x, int(rays[x].layers.size()));
@@ -113,4 +113,4 @@ void write_deep(const fs::path& path, int width, int height,
   file.commit();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -3,7 +3,7 @@
 
 #include "compare/report/tables.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 std::string milliseconds(double ms) {
@@ -113,4 +113,4 @@ std::string csv_costs(const Study& study, std::span<const ResultRow> rows) {
   return text;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// sums.at(x, y): the sum over all pixels above and left of (x, y).
@@ -39,4 +39,4 @@ Crop worst_crop(const Raster<double>& error) {
   return best;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -5,7 +5,7 @@
 #include "compare/study/study.h"
 #include "core/raster.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// The part of a given crop that lies in a picture of this size; at least one pixel.
 Crop fit_crop(const Crop& crop, int width, int height);
@@ -14,4 +14,4 @@ Crop fit_crop(const Crop& crop, int width, int height);
 /// sum of errors. `error` holds a pixel's error, added up over all the methods.
 Crop worst_crop(const Raster<double>& error);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

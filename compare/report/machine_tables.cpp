@@ -7,7 +7,7 @@
 #include "compare/report/tables.h"
 #include "compare/results/measure_columns.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// Shortest text that reads back as the same double; "inf" for the PSNR of equal pictures.
@@ -62,27 +62,28 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-std::string csv_header(std::span<const Measure> measures) {
+std::string csv_header(std::span<const scene::Measure> measures) {
   std::string line;
   for (const CsvColumn& column : identity_columns) line += fmt::format("{},", column.name);
   for (const CsvColumn& column : result_columns) line += fmt::format("{},", column.name);
-  for (const Measure& measure : measures) line += csv_field(measure.name) + ',';
+  for (const scene::Measure& measure : measures) line += csv_field(measure.name) + ',';
   return line + "error\n";
 }
 
-std::string csv_line(const ResultRow& row, std::span<const Measure> measures) {
+std::string csv_line(const ResultRow& row, std::span<const scene::Measure> measures) {
   std::string line;
   for (const CsvColumn& column : identity_columns) line += csv_field(column.text(row)) + ',';
   for (const CsvColumn& column : result_columns)
     line += (row.error.empty() ? csv_field(column.text(row)) : "") + ',';
-  for (const Measure& measure : measures) line += digits(measure_of(row, measure.name)) + ',';
+  for (const scene::Measure& measure : measures)
+    line += digits(measure_of(row, measure.name)) + ',';
   return line + csv_field(row.error) + '\n';
 }
 
 }  // namespace
 
 std::string csv_table(std::span<const ResultRow> rows) {
-  const std::vector<Measure> measures = measure_columns(rows);
+  const std::vector<scene::Measure> measures = measure_columns(rows);
   std::string text = csv_header(measures);
   for (const ResultRow& row : rows) text += csv_line(row, measures);
   return text;
@@ -99,4 +100,4 @@ std::string results_json(const Study& study, std::span<const ResultRow> rows) {
   return json.dump(1) + "\n";
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

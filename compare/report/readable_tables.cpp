@@ -8,7 +8,7 @@
 #include "compare/results/measure_columns.h"
 #include "compare/results/readable_columns.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 std::string cell_text(const ReadableColumn& column, const ResultRow& row) {
@@ -26,7 +26,7 @@ std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow
 /// The best value of a column among the methods; nothing where no way is better.
 std::optional<double> best_of(const ReadableColumn& column, std::span<const ResultRow> rows) {
   std::optional<double> best;
-  if (column.better == Measure::Better::neither) return best;
+  if (column.better == scene::Measure::Better::neither) return best;
   for (const ResultRow& row : rows) {
     if (row.reference || !row.error.empty()) continue;
     const std::optional<double> value = column.value(row);
@@ -78,7 +78,7 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
     rule += "---:|";
   }
   text += '\n' + rule + '\n';
-  for (const Measure& measure : measure_columns(measured)) {
+  for (const scene::Measure& measure : measure_columns(measured)) {
     text += fmt::format("| {} |", heading(measure));
     for (const ResultRow& row : measured)
       text += fmt::format(" {} |", measure_text(measure_of(row, measure.name)));
@@ -120,7 +120,7 @@ std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
   for (const ReadableColumn& column : readable_columns()) {
     const std::string text = latex_number(cell_text(column, row));
     const bool best = !row.reference && best_of(column, rows) == column.value(row) &&
-                      column.better != Measure::Better::neither;
+                      column.better != scene::Measure::Better::neither;
     line += best ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text) : " & " + text;
   }
   return line + " \\\\\n";
@@ -140,7 +140,7 @@ std::string latex_measures(std::string_view scene, std::span<const ResultRow> ro
                                  std::string(measured.size(), 'r'), latex_escaped(scene));
   for (const ResultRow& row : measured) text += " & " + latex_escaped(row.call());
   text += " \\\\\n\\midrule\n";
-  for (const Measure& measure : measure_columns(measured)) {
+  for (const scene::Measure& measure : measure_columns(measured)) {
     text += latex_escaped(heading(measure));
     for (const ResultRow& row : measured)
       text += " & " + latex_number(measure_text(measure_of(row, measure.name)));
@@ -190,4 +190,4 @@ std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
   return text + latex_costs(study, rows);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -8,7 +8,7 @@
 #include "core/files/output_file.h"
 #include "report_files.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ void write_report(const fs::path& folder, const Study& study, std::span<const Re
   write_text(folder / "report.html", page);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

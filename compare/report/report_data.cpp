@@ -12,7 +12,7 @@
 #include "compare/report/crop.h"
 #include "core/files/output_file.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,7 +105,7 @@ json scene_json(const Study& study, const fs::path& folder, const SceneCells& sc
 json methods_json(const Study& study) {
   json methods = json::object();
   for (const Cell& cell : expand_cells(study)) {
-    const MethodRow& row = *cell.call.row;
+    const scene::MethodRow& row = *cell.call.row;
     methods[std::string(row.name)] = {{"title", row.title},
                                       {"citation", row.citation},
                                       {"equations", row.equations},
@@ -177,4 +177,4 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
           {"error_scale", error_scale_json()}};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -7,7 +7,7 @@
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 // The rows of a study as text. All tables have the same columns; a number that a row lacks is
 // empty.
@@ -39,4 +39,4 @@ std::string latex_escaped(std::string_view text);
 /// {"format": "pellucid-results", "version": 1, "study": …, "rows": […]}.
 std::string results_json(const Study& study, std::span<const ResultRow> rows);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

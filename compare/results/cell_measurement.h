@@ -4,7 +4,7 @@
 
 #include "compare/results/result_row.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// What measuring a method on a scene gives: the row without its metrics, and the pictures.
 struct CellMeasurement {
@@ -14,4 +14,4 @@ struct CellMeasurement {
   std::vector<Image> further;  // of row.pictures
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -7,15 +7,15 @@
 
 #include "compare/results/result_row.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Every measure that some row has, once, in the order of its first row; values are that row's.
-std::vector<Measure> measure_columns(std::span<const ResultRow> rows);
+std::vector<scene::Measure> measure_columns(std::span<const ResultRow> rows);
 
 /// Nothing where the row has no such measure.
 std::optional<double> measure_of(const ResultRow& row, std::string_view name);
 
 /// "Integration [s]".
-std::string heading(const Measure& measure);
+std::string heading(const scene::Measure& measure);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 std::string scientific(double x) { return x == 0 ? "0" : fmt::format("{:.2e}", x); }
@@ -12,7 +12,7 @@ std::string four_decimals(double x) { return fmt::format("{:.4f}", x); }
 std::string one_decimal(double x) { return std::isinf(x) ? "∞" : fmt::format("{:.1f}", x); }
 std::string whole(double x) { return fmt::format("{:.0f}", x); }
 
-using Better = Measure::Better;
+using Better = scene::Measure::Better;
 
 constexpr ReadableColumn table[] = {
     {"rmse", "RMSE", [](const ResultRow& r) { return std::optional(r.metrics.linear.rmse); },
@@ -41,4 +41,4 @@ bool is_better(const ReadableColumn& column, double a, double b) {
   return column.better == Better::lower ? a < b : a > b;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -7,7 +7,7 @@
 
 #include "compare/results/result_row.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// A column for people: its number, how it is written, and which way is better.
 struct ReadableColumn {
@@ -15,7 +15,7 @@ struct ReadableColumn {
   std::string_view title;  // unit included
   std::optional<double> (*value)(const ResultRow&);
   std::string (*text)(double);
-  Measure::Better better;
+  scene::Measure::Better better;
 };
 
 std::span<const ReadableColumn> readable_columns();
@@ -23,4 +23,4 @@ std::span<const ReadableColumn> readable_columns();
 /// Whether `a` is the better number. False where no way is better.
 bool is_better(const ReadableColumn& column, double a, double b);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

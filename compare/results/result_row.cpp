@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using nlohmann::json;
@@ -59,7 +59,7 @@ void seconds_from(const json& j, ResultRow& row) {
 
 json bytes_json(const ResultRow& row) {
   json parts = json::array();
-  for (const NamedBytes& part : row.bytes)
+  for (const scene::NamedBytes& part : row.bytes)
     parts.push_back({{"name", part.name}, {"bytes", part.bytes}});
   return {{"total", row.total_bytes()}, {"parts", parts}};
 }
@@ -80,7 +80,7 @@ constexpr std::string_view better_names[] = {"lower", "higher", "neither"};
 
 json measures_json(const ResultRow& row) {
   json list = json::array();
-  for (const Measure& m : row.measures)
+  for (const scene::Measure& m : row.measures)
     list.push_back({{"name", m.name},
                     {"title", m.title},
                     {"unit", m.unit},
@@ -89,11 +89,11 @@ json measures_json(const ResultRow& row) {
   return list;
 }
 
-Measure measure_from(const json& j) {
+scene::Measure measure_from(const json& j) {
   const auto better = std::find(std::begin(better_names), std::end(better_names),
                                 j.at("better").get<std::string_view>());
   return {j.at("name"), j.at("title"), j.at("unit"), j.at("value"),
-          Measure::Better(better - std::begin(better_names))};
+          scene::Measure::Better(better - std::begin(better_names))};
 }
 
 json pictures_json(const ResultRow& row) {
@@ -158,7 +158,7 @@ void results_from(const json& j, ResultRow& row) {
 
 std::uint64_t ResultRow::total_bytes() const {
   std::uint64_t sum = 0;
-  for (const NamedBytes& part : bytes) sum += part.bytes;
+  for (const scene::NamedBytes& part : bytes) sum += part.bytes;
   return sum;
 }
 
@@ -195,4 +195,4 @@ ResultRow row_from_json(const json& j) {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -11,7 +11,7 @@
 #include "compare/pictures/metrics.h"
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// Wall-clock seconds over the repeats.
 struct Spread {
@@ -56,12 +56,12 @@ struct ResultRow {
   Spread seconds;
   std::vector<std::pair<std::string, Spread>> steps;
   double setup_seconds = 0;  // geometry uploaded, hierarchies built
-  std::vector<NamedBytes> bytes;
+  std::vector<scene::NamedBytes> bytes;
   std::uint64_t fragments = 0;
   std::uint64_t stored = 0, dropped = 0, truncated = 0;  // see RenderStats
   std::uint32_t max_layers = 0;
   std::optional<CoverageCheck> coverage;
-  std::vector<Measure> measures;  // that only some methods have
+  std::vector<scene::Measure> measures;  // that only some methods have
   std::vector<RowPicture> pictures;
   std::vector<RowCurve> curves;
   std::vector<std::string> explanation;                 // what the method modelled, and why
@@ -80,4 +80,4 @@ ResultRow row_from_json(const nlohmann::json& json);
 
 nlohmann::json to_json(const Comparison& comparison);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -7,10 +7,10 @@
 #include "scene/elements/frame_memory.h"
 #include "scene/halo.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
-std::optional<Change> change_of(const FrameMemory& memory) {
+std::optional<Change> change_of(const scene::FrameMemory& memory) {
   if (memory.last.empty() || memory.last.size() != memory.now.size()) return std::nullopt;
   Change change;
   for (std::size_t i = 0; i < memory.now.size(); ++i) {
@@ -23,17 +23,18 @@ std::optional<Change> change_of(const FrameMemory& memory) {
 
 }  // namespace
 
-void render_sequence(Scene& scene, const MethodRow& row, const Parameters& parameters,
-                     RenderContext context, const std::function<void(const SequenceFrame&)>& done) {
-  FrameMemory memory;
+void render_sequence(scene::Scene& scene, const scene::MethodRow& row, const Parameters& parameters,
+                     scene::RenderContext context,
+                     const std::function<void(const SequenceFrame&)>& done) {
+  scene::FrameMemory memory;
   context.memory = &memory;
   Image last;
-  Camera before = scene.camera;
+  scene::Camera before = scene.camera;
   for (std::size_t i = 0; i < scene.camera_path.size(); ++i) {
     scene.camera = scene.camera_path[i];
-    place_halos(scene);
+    scene::place_halos(scene);
     SequenceFrame frame{int(i), scene.camera, {}, {}, {}, {}};
-    if (i > 0) frame.motion = motion(before, scene.camera);
+    if (i > 0) frame.motion = scene::motion(before, scene.camera);
     frame.rendering = row.make(scene, parameters, context)->render({});
     frame.opacity = change_of(memory);
     if (i > 0) frame.picture = rmse(last, frame.rendering.image);
@@ -44,4 +45,4 @@ void render_sequence(Scene& scene, const MethodRow& row, const Parameters& param
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -6,7 +6,7 @@
 #include "scene/renderer.h"
 #include "scene/view/camera_path.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// How a number per element changed from the frame before, over all elements.
 struct Change {
@@ -16,9 +16,9 @@ struct Change {
 /// A frame of a camera path, and what changed since the one before; nothing did before the first.
 struct SequenceFrame {
   int index = 0;
-  Camera camera;
-  CameraMotion motion;
-  Rendering rendering;
+  scene::Camera camera;
+  scene::CameraMotion motion;
+  scene::Rendering rendering;
   std::optional<Change> opacity;  // of the elements; none where the method optimizes none
   std::optional<double> picture;  // root mean square over RGB
 };
@@ -26,7 +26,8 @@ struct SequenceFrame {
 /// Renders the scene from each camera of its path in turn and calls `done` with each frame. Shapes
 /// that face the eye are made anew for each; what the method remembers (FrameMemory) goes on from
 /// frame to frame. Leaves the scene with the last camera.
-void render_sequence(Scene& scene, const MethodRow& row, const Parameters& parameters,
-                     RenderContext context, const std::function<void(const SequenceFrame&)>& done);
+void render_sequence(scene::Scene& scene, const scene::MethodRow& row, const Parameters& parameters,
+                     scene::RenderContext context,
+                     const std::function<void(const SequenceFrame&)>& done);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -18,7 +18,7 @@
 #include "core/options/names.h"
 #include "scene/files/scene_file.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,8 +79,8 @@ class SceneAtHand {
  public:
   explicit SceneAtHand(fs::path file) : file_(std::move(file)) {}
 
-  const Scene& scene() {
-    if (!scene_) scene_ = std::make_unique<Scene>(load_scene(file_));
+  const scene::Scene& scene() {
+    if (!scene_) scene_ = std::make_unique<scene::Scene>(scene::load_scene(file_));
     return *scene_;
   }
   /// Read back as it was stored, so that every run of a cell compares with the same bits.
@@ -97,7 +97,7 @@ class SceneAtHand {
 
  private:
   fs::path file_;
-  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<scene::Scene> scene_;
   std::optional<CellFiles> reference_files_;
   Image reference_;
   CountImage layers_;
@@ -119,7 +119,7 @@ void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHa
   measured.row.metrics = compare_images(reference, measured.image);
   if (job.cell.reference) return;
   write_image(job.files.error_map(), error_map(reference, measured.image));
-  const Promises& promises = job.cell.call.row->promises;
+  const scene::Promises& promises = job.cell.call.row->promises;
   const bool comparable = (promises.exact || promises.own_layers) &&
                           !measured.layers.pixels.empty() && at_hand.has_reference_layers();
   if (comparable)
@@ -142,7 +142,7 @@ void add_layer_picture(CellMeasurement& measured) {
 bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
 
 ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
-                  const RenderContext& context) {
+                  const scene::RenderContext& context) {
   CellMeasurement measured = measure_cell(job.cell, at_hand.scene(), study.repeats, context);
   const bool beside_layers =
       job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
@@ -167,7 +167,7 @@ ResultRow failed(const Job& job, const std::string& why) {
 
 /// An adverse cell must not take the others with it: any exception becomes its row's error.
 ResultRow compute_or_fail(const Job& job, SceneAtHand& at_hand, const Study& study,
-                          const RenderContext& context) {
+                          const scene::RenderContext& context) {
   try {
     return compute(job, at_hand, study, context);
   } catch (const std::exception& error) {
@@ -260,4 +260,4 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   return StudyRun(study, options).run();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -8,13 +8,13 @@
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 struct StudyOptions {
   std::filesystem::path folder;  // where results go
   bool resume = false;           // keep cells that were finished for the same scenes and parameters
   std::string only;              // shell pattern; empty: every cell
-  RenderContext context;
+  scene::RenderContext context;
   Progress progress;
   std::function<void(const ResultRow&)> on_row;  // called when a cell is done or has failed
 };
@@ -39,4 +39,4 @@ struct StudyOutcome {
 /// when the folder cannot be written or nothing fits `only`.
 StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "scene/files/scene_file.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 void check(const ErrorBound& bound) {
@@ -29,7 +29,7 @@ bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
 class Tuning {
  public:
   explicit Tuning(const TuneRequest& request)
-      : request_(request), scene_(load_scene(request.scene, request.progress)) {}
+      : request_(request), scene_(scene::load_scene(request.scene, request.progress)) {}
 
   TuneOutcome run() {
     progress(0, request_.reference);
@@ -75,7 +75,7 @@ class Tuning {
   }
 
   const TuneRequest& request_;
-  Scene scene_;
+  scene::Scene scene_;
 };
 
 }  // namespace
@@ -97,4 +97,4 @@ TuneOutcome tune(const TuneRequest& request) {
   return Tuning(request).run();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

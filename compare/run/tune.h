@@ -9,7 +9,7 @@
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// What a picture has to reach; at least one of the first two.
 struct ErrorBound {
@@ -29,7 +29,7 @@ struct TuneRequest {
   ErrorBound bound;
   Cost cost = Cost::seconds;  // median time, or bytes beyond the scene and the picture
   int repeats = 3;
-  RenderContext context;
+  scene::RenderContext context;
   Progress progress;
   std::function<void(const ResultRow&)> on_row;  // called when a candidate is measured
 };
@@ -45,4 +45,4 @@ struct TuneOutcome {
 /// bounds no error or is not positive, WorkError when the reference fails.
 TuneOutcome tune(const TuneRequest& request);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

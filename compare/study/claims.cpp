@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 std::optional<double> value_of(const ReadableColumn& column, std::string_view scene,
@@ -61,4 +61,4 @@ std::vector<ClaimCheck> check_claim(const Claim& claim, std::span<const std::str
   return checks;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

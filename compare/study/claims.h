@@ -7,7 +7,7 @@
 
 #include "compare/results/readable_columns.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// What a study's source found: an order of its pictures by one number, to be held against what is
 /// measured here.
@@ -32,4 +32,4 @@ struct ClaimCheck {
 std::vector<ClaimCheck> check_claim(const Claim& claim, std::span<const std::string> scenes,
                                     std::span<const ResultRow> rows);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -6,7 +6,7 @@
 
 #include "compare/study/study.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 /// The place of a step's name, which is added if it is new.
@@ -100,4 +100,4 @@ std::vector<CostRatio> cost_ratios(const Study& study, std::span<const ResultRow
   return ratios;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -9,7 +9,7 @@
 
 #include "compare/results/result_row.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 struct Study;
 
@@ -58,4 +58,4 @@ std::vector<CostTable> cost_tables(const Study& study, std::span<const ResultRow
 /// Of every method on every scene where the reference was measured, too.
 std::vector<CostRatio> cost_ratios(const Study& study, std::span<const ResultRow> rows);
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -12,7 +12,7 @@
 #include "core/files/json_node.h"
 #include "core/options/names.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,13 +41,13 @@ std::vector<std::string> option_values(const JsonNode& node) {
 /// What an entry of a list of calls can name, and the key of its name in an object.
 struct Catalogue {
   std::string_view kind;
-  std::span<const MethodRow> rows;
+  std::span<const scene::MethodRow> rows;
 };
 
 MethodCall make_call(const JsonNode& node, std::string_view name, const RawOptions& options,
                      const Catalogue& catalogue) {
   try {
-    const MethodRow& row = find_row(catalogue.kind, name, catalogue.rows);
+    const scene::MethodRow& row = find_row(catalogue.kind, name, catalogue.rows);
     return {&row, Parameters(row.name, row.parameters, options)};
   } catch (const InputError& error) {
     node.fail(error.what());
@@ -204,7 +204,7 @@ Claim read_claim(const JsonNode& node, const Study& study) {
   claim.by = &at_place(node["by"], [&]() -> const ReadableColumn& {
     return find_row("number", node["by"].string(), readable_columns());
   });
-  if (claim.by->better == Measure::Better::neither)
+  if (claim.by->better == scene::Measure::Better::neither)
     node["by"].fail(fmt::format("'{}': no way is better", claim.by->name));
   for (const JsonNode& element : node["order"].elements())
     claim.order.push_back(read_group(element, study));
@@ -282,11 +282,11 @@ std::vector<std::string> scene_names(const Study& study) {
   return names;
 }
 
-Study load_study(const fs::path& file, std::span<const MethodRow> methods,
-                 std::span<const MethodRow> integrators) {
+Study load_study(const fs::path& file, std::span<const scene::MethodRow> methods,
+                 std::span<const scene::MethodRow> integrators) {
   const nlohmann::json json = read_json(file);
   return read_study(JsonNode(file.string(), json), file, {"method", methods},
                     {"integrator", integrators});
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -14,7 +14,7 @@
 #include "compare/study/costs.h"
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 
 /// In its column and row, from the top left.
 struct Pixel {
@@ -51,8 +51,8 @@ struct Study {
 /// the settings of its row. The entries of "integrators" are written alike, of the other table, and
 /// come before the methods. Scenes are relative to the file. Throws InputError that names file, key
 /// and accepted values, also for scenes that are not there.
-Study load_study(const std::filesystem::path& file, std::span<const MethodRow> methods,
-                 std::span<const MethodRow> integrators = surface_methods());
+Study load_study(const std::filesystem::path& file, std::span<const scene::MethodRow> methods,
+                 std::span<const scene::MethodRow> integrators = surface_methods());
 
 /// A scene's name in cells, tables and paths: its file's stem.
 std::string scene_name(const std::filesystem::path& scene);
@@ -72,4 +72,4 @@ struct StudySummary {
 /// The studies that come with the program, by name.
 std::vector<StudySummary> list_studies();
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

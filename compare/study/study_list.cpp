@@ -8,7 +8,7 @@
 #include "core/files/json_node.h"
 #include "core/options/names.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ fs::path find_study(std::string_view name_or_file) {
   throw InputError(unknown_name("study", name_or_file, known) + ", or the path of a study file");
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -9,7 +9,7 @@
 #include "fields/field.h"
 #include "fields/finite.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Three numbers of a flow's scalar type: a position or a velocity.
 template <class T>
@@ -82,10 +82,10 @@ class AnalyticField final : public VectorField {
   std::string description_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields
 
 /// Flows live in a namespace where the elementary functions of double and of Dual go by one name.
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 using std::abs;
 using std::cos;
@@ -96,4 +96,4 @@ using std::sqrt;
 using std::tanh;
 using std::numbers::pi;
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -19,7 +19,7 @@
 #include "fields/analytic/flows/tornado.h"
 #include "fields/analytic/flows/trefoil.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 template <class Flow>
@@ -56,4 +56,4 @@ constexpr FieldRow rows[] = {
 
 std::span<const FieldRow> analytic_fields() { return rows; }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -7,7 +7,7 @@
 #include "core/options/parameters.h"
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// What is known of an analytic flow; a property test holds every flow to it.
 struct FlowFacts {
@@ -30,4 +30,4 @@ struct FieldRow : FlowFacts {
 
 std::span<const FieldRow> analytic_fields();
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "fields/finite.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 constexpr std::array<std::string_view, 3> component_names = {"u", "v", "w"};
@@ -154,4 +154,4 @@ std::unique_ptr<VectorField> make_formula_field(const RawOptions& components) {
   return std::make_unique<FormulaField>(std::move(formulas));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

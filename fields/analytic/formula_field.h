@@ -5,7 +5,7 @@
 #include "core/options/parameters.h"
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// A field whose components are formulas over x, y, z and t ("u=-y,v=x,w=0.2"), read by muParser:
 /// + - * / ^, comparisons, && || ?:, sin cos tan asin acos atan atan2 sinh cosh tanh exp ln log2
@@ -13,4 +13,4 @@ namespace pellucid {
 /// component, the column (from 1) and the reason. Its Jacobian is differenced to fourth order.
 std::unique_ptr<VectorField> make_formula_field(const RawOptions& components);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "fields/files/vdb_precheck.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Opens a file whose claims have been checked. Throws InputError or openvdb::Exception.
 inline std::unique_ptr<openvdb::io::File> open_vdb(const std::filesystem::path& path) {
@@ -31,4 +31,4 @@ bool fills_a_box(const Grid& grid, const openvdb::CoordBBox& box) {
          double(grid.activeVoxelCount()) == size.x() * size.y() * size.z();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

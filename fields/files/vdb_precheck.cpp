@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 constexpr std::uint32_t oldest_version = 222;  // of the file format: selective compression
@@ -119,4 +119,4 @@ void precheck_vdb(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -20,7 +20,7 @@
 #include "core/error.h"
 #include "fields/files/vtk_messages.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view why) {
@@ -139,4 +139,4 @@ vtkDataArray* pick_vectors(vtkDataSet* data, const std::string& name,
   return vectors;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -8,7 +8,7 @@
 class vtkDataArray;
 class vtkDataSet;
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Reads .vti, .vtr, .vts, .vtu and legacy .vtk with VTK's readers. Whatever VTK would
 /// print becomes the InputError that is thrown instead.
@@ -19,4 +19,4 @@ vtkSmartPointer<vtkDataSet> read_vtk_data_set(const std::filesystem::path& path)
 vtkDataArray* pick_vectors(vtkDataSet* data, const std::string& name,
                            const std::filesystem::path& path);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

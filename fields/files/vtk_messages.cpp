@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 std::mutex& output_mutex() {
@@ -54,4 +54,4 @@ std::string VtkMessages::first_line() const {
   return text;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

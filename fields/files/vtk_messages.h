@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// While it lives, VTK's warnings and errors are kept here instead of printed. VTK has one output
 /// for the whole process, so these objects wait for each other.
@@ -28,4 +28,4 @@ class VtkMessages {
   vtkSmartPointer<vtkOutputWindow> capture_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -11,7 +11,7 @@
 #include "core/options/names.h"
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 template <class Compute>
@@ -71,4 +71,4 @@ std::vector<ScalarLevel> scalars_of(std::span<const VectorLevel> levels, std::st
   return scalars;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

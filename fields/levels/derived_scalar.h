@@ -5,7 +5,7 @@
 
 #include "fields/levels/level.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// A scalar of a velocity field, computed at the samples of one level: a row of the table.
 struct DerivedScalarRow {
@@ -23,4 +23,4 @@ const DerivedScalarRow& find_derived_scalar(std::string_view name);
 /// The scalar of that name of every level.
 std::vector<ScalarLevel> scalars_of(std::span<const VectorLevel> levels, std::string_view name);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "fields/finite.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 bool finite_sample(float sample) { return std::isfinite(sample); }
@@ -40,4 +40,4 @@ void check(const std::string& name, const Level<T>& level) {
 void check_level(const std::string& name, const ScalarLevel& level) { check(name, level); }
 void check_level(const std::string& name, const VectorLevel& level) { check(name, level); }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

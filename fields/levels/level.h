@@ -7,7 +7,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// One resolution of a multi-resolution field: samples at the centres of the cubic cells of a box,
 /// axis-aligned. Lattice coordinates count cell widths from the first sample, so that samples lie
@@ -44,4 +44,4 @@ constexpr int fewest_samples = 3;
 void check_level(const std::string& name, const ScalarLevel& level);
 void check_level(const std::string& name, const VectorLevel& level);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -8,7 +8,7 @@
 #include "core/options/names.h"
 #include "fields/dual.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 std::vector<ScalarLevel> checked(std::vector<ScalarLevel> levels) {
@@ -130,4 +130,4 @@ std::uint64_t LevelField::bytes() const {
   return bytes;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -11,7 +11,7 @@
 #include "fields/levels/level.h"
 #include "fields/levels/region_tree.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// How values at samples of several levels become one function of space.
 enum class Reconstruction { trilinear, hat, blend };
@@ -108,6 +108,6 @@ class LevelField {
   RegionTree tree_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields
 
 #include "fields/levels/level_field.inl"

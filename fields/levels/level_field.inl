@@ -1,6 +1,6 @@
 #pragma once
 
-namespace pellucid {
+namespace pellucid::fields {
 
 template <class T>
 T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double value) const {
@@ -66,4 +66,4 @@ LevelSum<T> LevelField::sum(std::span<const LatticeCell> cells, const std::array
   return out;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 struct Split {
@@ -106,4 +106,4 @@ std::size_t RegionTree::most_levels() const {
   return most;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -7,7 +7,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Where a level takes part in a reconstruction, and where no coarser one does beside it.
 struct LevelRegion {
@@ -59,4 +59,4 @@ class RegionTree {
   std::vector<std::uint32_t> levels_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 bool inside(const Box3& part, const Box3& whole) {
@@ -86,4 +86,4 @@ std::vector<LatticeCell> surface_cells(const LevelField& field, double value) {
   return cells;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -2,7 +2,7 @@
 
 #include "fields/levels/level_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// The part of a level's lattice cell where it is the finest: the whole cell but for the half cells
 /// beyond the level's domain. It may reach under a finer level.
@@ -13,4 +13,4 @@ Box3 cell_box(const LevelField& field, const LatticeCell& cell);
 /// level, then in the order of the samples.
 std::vector<LatticeCell> surface_cells(const LevelField& field, double value);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -16,7 +16,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 constexpr double most_samples = 0x1p28;
@@ -133,4 +133,4 @@ ExtractedSurface extract_surface(const LevelField& field, double value) {
   return out;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

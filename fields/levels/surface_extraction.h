@@ -6,7 +6,7 @@
 
 #include "fields/levels/level_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Triangles on an isosurface of a field on levels.
 struct ExtractedSurface {
@@ -23,4 +23,4 @@ struct ExtractedSurface {
 /// Throws InputError when the field's bounds hold more than 2^28 such samples.
 ExtractedSurface extract_surface(const LevelField& field, double value);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -13,7 +13,7 @@
 #include "fields/files/vdb_open.h"
 #include "fields/levels/derived_scalar.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 namespace fs = std::filesystem;
@@ -171,4 +171,4 @@ std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view 
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -7,7 +7,7 @@
 
 #include "fields/levels/level.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Every grid of an OpenVDB file that has the scalar, as a level: scalar grids of that name (float
 /// or double), or, for a derived scalar, all velocity grids (whatever their names). Throws
@@ -24,4 +24,4 @@ void write_vdb_levels(const std::filesystem::path& path, const std::string& name
 void write_vdb_levels(const std::filesystem::path& path, const std::string& name,
                       std::span<const VectorLevel> levels);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -12,7 +12,7 @@
 #include "fields/readers/vdb_field.h"
 #include "fields/readers/vtk_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 constexpr FileFormatRow formats[] = {
@@ -108,4 +108,4 @@ std::unique_ptr<VectorField> read_file_field(std::string_view text,
   return read_file(base / parts.path, *parts.format, parse_options(parts));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -11,7 +11,7 @@
 #include "fields/field.h"
 #include "fields/sampled/dense_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// What may be asked of a sampled field: "FILE:array=NAME,sampler=c1".
 struct FileOptions {
@@ -44,4 +44,4 @@ std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
 std::unique_ptr<VectorField> read_file_field(std::string_view text,
                                              const std::filesystem::path& base);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -13,7 +13,7 @@
 #include "fields/readers/file_field.h"
 #include "fields/sampled/dense_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
@@ -154,4 +154,4 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
              : make_field<float>(layout, std::move(bytes), options.interpolation, description);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -12,7 +12,7 @@
 #include "fields/lazy.h"
 #include "fields/readers/file_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
@@ -203,4 +203,4 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
   return std::make_unique<SeriesField>(std::move(frames), std::move(text));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -13,7 +13,7 @@
 #include "fields/readers/vdb_sampler.h"
 #include "fields/sampled/dense_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
@@ -162,4 +162,4 @@ std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions&
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -5,7 +5,7 @@
 
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 struct FileOptions;
 
@@ -15,4 +15,4 @@ struct FileOptions;
 std::unique_ptr<VectorField> read_vdb_field(const std::filesystem::path& path,
                                             const FileOptions& options);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -9,7 +9,7 @@
 #include "fields/finite.h"
 #include "fields/sampled/dense_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Trilinear between the 8 voxels around a point.
 template <class Grid>
@@ -85,4 +85,4 @@ class VdbSampler final : public FieldSampler {
   Vec3 s_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -17,7 +17,7 @@
 #include "fields/sampled/cell_field.h"
 #include "fields/sampled/dense_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
@@ -148,4 +148,4 @@ std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions&
   return make_cell_field(data, pick_vectors(data, options.array, path), path);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-namespace pellucid {
+namespace pellucid::fields {
 
 Axis::Axis(std::vector<double> positions) : positions_(std::move(positions)) {
   assert(positions_.size() >= 2);
@@ -59,4 +59,4 @@ Stencil<4> CubicInterpolation::stencil(const Axis& axis, double p) const {
   return result;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

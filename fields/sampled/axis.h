@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// How the samples of a grid weigh in, along one axis, at one place: `value` gives the
 /// interpolant, `slope` its derivative, for the N samples from `first` on.
@@ -89,4 +89,4 @@ class CubicInterpolation {
   std::vector<Slope> slopes_;  // one per sample
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -15,7 +15,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
@@ -131,4 +131,4 @@ vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const Path& path) {
   return data;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

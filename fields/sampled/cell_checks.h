@@ -5,11 +5,11 @@
 
 #include <filesystem>
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// The volume cells of a structured or unstructured grid, without those of lower dimension, once it
 /// is sure that VTK can follow their connectivity. Throws InputError, naming `path`, where a cell
 /// is of another kind, has a wrong number of points or points beyond the file's.
 vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const std::filesystem::path& path);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -13,7 +13,7 @@
 #include "fields/lazy.h"
 #include "fields/sampled/cell_grid.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 /// FindCell is safe on several threads as long as each brings its own vtkGenericCell; the grid and
@@ -113,4 +113,4 @@ std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, vtkDataArray* vec
   return std::make_unique<CellField>(std::move(grid), std::move(description));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

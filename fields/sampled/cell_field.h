@@ -8,7 +8,7 @@
 class vtkDataArray;
 class vtkDataSet;
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// A field over the volume cells of a curvilinear or unstructured grid; cells of lower dimension
 /// are left out. Throws InputError, naming `path`, for connectivity that points nowhere, for cells
@@ -16,4 +16,4 @@ namespace pellucid {
 std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, vtkDataArray* vectors,
                                              const std::filesystem::path& path);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

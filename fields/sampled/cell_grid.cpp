@@ -12,7 +12,7 @@
 #include "fields/finite.h"
 #include "fields/sampled/cell_checks.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
@@ -141,4 +141,4 @@ CellGrid make_cell_grid(vtkDataSet* data, vtkDataArray* vectors, const Path& pat
   return grid;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -11,7 +11,7 @@
 class vtkDataArray;
 class vtkGenericCell;
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Volume cells with a velocity at each point: checked, so that VTK can search them safely.
 struct CellGrid {
@@ -49,4 +49,4 @@ struct CellGrid {
 /// searched and points that are not finite.
 CellGrid make_cell_grid(vtkDataSet* data, vtkDataArray* vectors, const std::filesystem::path& path);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

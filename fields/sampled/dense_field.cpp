@@ -11,7 +11,7 @@
 #include "fields/lazy.h"
 #include "fields/sampled/sampling_error.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 Box3 grid_box(const std::array<Axis, 3>& axes) {
@@ -205,4 +205,4 @@ template std::unique_ptr<VectorField> make_dense_field(DenseGrid<glm::vec3>, Int
                                                        std::string);
 template std::unique_ptr<VectorField> make_dense_field(DenseGrid<Vec3>, Interpolation, std::string);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -9,7 +9,7 @@
 #include "fields/field.h"
 #include "fields/sampled/axis.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 enum class Interpolation { linear, c1 };
 
@@ -40,4 +40,4 @@ template <class Sample>
 std::unique_ptr<VectorField> make_dense_field(DenseGrid<Sample> grid, Interpolation interpolation,
                                               std::string description);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 template <class Sample>
@@ -77,4 +77,4 @@ double estimate_sampling_error(const DenseGrid<Sample>& grid, int support) {
 template double estimate_sampling_error(const DenseGrid<glm::vec3>&, int);
 template double estimate_sampling_error(const DenseGrid<Vec3>&, int);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

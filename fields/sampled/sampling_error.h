@@ -2,7 +2,7 @@
 
 #include "fields/sampled/dense_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// Largest estimated difference between the interpolant and the smooth field that was sampled, in
 /// the samples' unit. `support` is the interpolation's: 2 (linear) or 4 (c1). Samples that are not
@@ -18,4 +18,4 @@ namespace pellucid {
 template <class Sample>
 double estimate_sampling_error(const DenseGrid<Sample>& grid, int support);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -15,7 +15,7 @@
 #include "core/files/output_file.h"
 #include "geometry/files/mesh_formats.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are read as they lie");
@@ -104,4 +104,4 @@ LineSet read_binlines(const std::filesystem::path& path) {
   return lines;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -12,7 +12,7 @@
 #include "core/options/parameters.h"
 #include "geometry/files/mesh_formats.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -105,4 +105,4 @@ class CsvReader {
 
 PointSet read_csv_points(const std::filesystem::path& path) { return CsvReader(path).read(); }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -9,7 +9,7 @@
 #include "core/files/output_file.h"
 #include "geometry/files/mesh_formats.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ void write_lines(const fs::path& path, const LineSet& lines) {
   unknown_ending(path, "line", written_endings);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -6,7 +6,7 @@
 #include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 /// Reads triangles from .ply, .obj, .vtp, .vtu or legacy .vtk by the file's ending. Polygons become
 /// triangle fans; of cells with a volume the faces on their boundary are taken.
@@ -33,4 +33,4 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 /// Writes .vtp, .ply (vertices with their line's number) or .obj polylines.
 void write_lines(const std::filesystem::path& path, const LineSet& lines);
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -9,7 +9,7 @@
 #include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 
 TriangleMesh read_ply(const std::filesystem::path& path);
 TriangleMesh read_obj(const std::filesystem::path& path);
@@ -41,4 +41,4 @@ void take_attributes(VertexAttributes attributes, Vertices& vertices);
 void check_vertices(const std::string& file, const Vertices& vertices);
 void check_mesh(const std::string& file, const TriangleMesh& mesh);
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -11,7 +11,7 @@
 #include "core/options/parameters.h"
 #include "geometry/files/mesh_formats.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 /// Words of one line, split at blanks.
@@ -173,4 +173,4 @@ std::string encode_obj(const LineSet& lines) {
   return out;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -8,7 +8,7 @@
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/ply_format.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "encode_ply writes in memory order");
@@ -197,4 +197,4 @@ std::string encode_ply(const LineSet& lines) {
   return out;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

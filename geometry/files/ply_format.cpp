@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "core/options/parameters.h"
 
-namespace pellucid::ply {
+namespace pellucid::geometry::ply {
 namespace {
 
 std::optional<Type> parse_type(std::string_view name) {
@@ -185,4 +185,4 @@ double Reader::next_binary(Type type) {
   return 0;
 }
 
-}  // namespace pellucid::ply
+}  // namespace pellucid::geometry::ply

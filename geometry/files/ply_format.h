@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pellucid::ply {
+namespace pellucid::geometry::ply {
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 enum class Encoding { ascii, little_endian, big_endian };
@@ -63,4 +63,4 @@ class Reader {
   Encoding encoding_ = Encoding::ascii;
 };
 
-}  // namespace pellucid::ply
+}  // namespace pellucid::geometry::ply

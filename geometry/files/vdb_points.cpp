@@ -7,7 +7,7 @@
 #include "fields/files/vdb_open.h"
 #include "geometry/files/mesh_formats.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 using openvdb::points::PointDataGrid;
@@ -72,7 +72,7 @@ Points points_of(openvdb::io::File& file) {
 
 PointSet read_vdb_points(const std::filesystem::path& path) {
   try {
-    const auto file = open_vdb(path);
+    const auto file = fields::open_vdb(path);
     Points points = points_of(*file);
     PointSet set;
     set.positions = std::move(points.positions);
@@ -85,4 +85,4 @@ PointSet read_vdb_points(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -23,11 +23,11 @@
 #include "fields/files/vtk_messages.h"
 #include "geometry/files/mesh_formats.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 vtkSmartPointer<vtkDataSet> load_vtp(const std::filesystem::path& path) {
-  const VtkMessages messages;
+  const fields::VtkMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
@@ -39,14 +39,14 @@ vtkSmartPointer<vtkDataSet> load_vtp(const std::filesystem::path& path) {
 
 vtkSmartPointer<vtkDataSet> load(const std::filesystem::path& path) {
   read_text(path);  // a missing or unreadable file: the message of every other format
-  return path.extension() == ".vtp" ? load_vtp(path) : read_vtk_data_set(path);
+  return path.extension() == ".vtp" ? load_vtp(path) : fields::read_vtk_data_set(path);
 }
 
 /// Polygons and lines as they are; of other data the lines, and the faces that bound its cells.
 vtkSmartPointer<vtkPolyData> load_cells(const std::filesystem::path& path) {
   const auto data = load(path);
   if (const auto polygons = vtkPolyData::SafeDownCast(data)) return polygons;
-  const VtkMessages messages;
+  const fields::VtkMessages messages;
   vtkNew<vtkGeometryFilter> filter;
   filter->SetInputData(data);
   filter->Update();
@@ -179,7 +179,7 @@ void add_scalars(const std::string& name, const std::vector<Value>& values, vtkP
 
 void save(const std::filesystem::path& path, vtkPolyData& data) {
   OutputFile out(path);
-  const VtkMessages messages;
+  const fields::VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(out.temporary().c_str());
   writer->SetInputData(&data);
@@ -252,4 +252,4 @@ void write_vtp(const std::filesystem::path& path, const LineSet& lines) {
   save(path, *data);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::geometry

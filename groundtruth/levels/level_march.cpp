@@ -5,7 +5,7 @@
 
 #include "fields/levels/surface_cells.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -39,17 +39,17 @@ bool differ(const std::optional<double>& a, const std::optional<double>& b) {
 
 }  // namespace
 
-LevelMarch::LevelMarch(const LevelField& field, double value, const MarchOptions& options)
+LevelMarch::LevelMarch(const fields::LevelField& field, double value, const MarchOptions& options)
     : field_(field), value_(value), options_(options) {
   if (!options.skip_empty) return;
-  for (const ScalarLevel& level : field.levels()) {
+  for (const fields::ScalarLevel& level : field.levels()) {
     Blocks blocks{block_of(level.size), {}};
     for (int& n : blocks.size) ++n;
     blocks.occupied.resize(std::size_t(blocks.size[0]) * std::size_t(blocks.size[1]) *
                            std::size_t(blocks.size[2]));
     blocks_.push_back(std::move(blocks));
   }
-  for (const LatticeCell& cell : surface_cells(field, value))
+  for (const fields::LatticeCell& cell : fields::surface_cells(field, value))
     blocks_[cell.level].occupied[block_index(cell.level, block_of(cell.low))] = 1;
 }
 
@@ -62,12 +62,12 @@ std::size_t LevelMarch::block_index(std::uint32_t level, const std::array<int, 3
 
 std::optional<double> LevelMarch::height_at(const Vec3& x,
                                             std::span<const std::uint32_t> levels) const {
-  LevelField::Cells cells;
+  fields::LevelField::Cells cells;
   bool owned = false;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     cells[i] = field_.cell_at(levels[i], x);
-    owned |=
-        field_.reconstruction().kind != Reconstruction::hat || field_.domain(levels[i]).contains(x);
+    owned |= field_.reconstruction().kind != fields::Reconstruction::hat ||
+             field_.domain(levels[i]).contains(x);
   }
   if (!owned) return std::nullopt;
   const auto [sum, weight] =
@@ -92,7 +92,7 @@ LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
                                            std::span<const std::uint32_t> levels, double t) const {
   Stretch stretch{true, infinity};
   for (const std::uint32_t level : levels) {
-    const ScalarLevel& l = field_.levels()[level];
+    const fields::ScalarLevel& l = field_.levels()[level];
     const auto block = block_of(field_.cell_at(level, ray.at(t)).low);
     if (blocks_[level].occupied[block_index(level, block)]) stretch.empty = false;
     for (int axis = 0; axis < 3; ++axis) {
@@ -108,11 +108,11 @@ LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
 void LevelMarch::visit_crossings(const WorldRay& ray,
                                  const std::function<bool(double)>& visit) const {
   const auto [begin, end] = within(field_.bounds(), ray);
-  thread_local std::vector<RegionTree::Part> parts;
+  thread_local std::vector<fields::RegionTree::Part> parts;
   parts.clear();
   field_.tree().append_parts(ray.start, ray.direction, begin, end, parts);
   Sample last;
-  for (const RegionTree::Part& part : parts) {
+  for (const fields::RegionTree::Part& part : parts) {
     const double width = field_.levels()[part.levels.front()].width;
     const double step = width / options_.steps_per_cell / glm::length(ray.direction);
     Sample at{part.begin, height_at(ray.at(part.begin), part.levels)};
@@ -141,4 +141,4 @@ std::uint64_t LevelMarch::bytes() const {
   return bytes;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

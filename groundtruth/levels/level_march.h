@@ -8,7 +8,7 @@
 #include "fields/levels/level_field.h"
 #include "groundtruth/levels/level_ray.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 enum class HitRefinement { linear, bisection };
 
@@ -37,7 +37,7 @@ struct MarchOptions {
 class LevelMarch {
  public:
   /// The field has to outlive it.
-  LevelMarch(const LevelField& field, double value, const MarchOptions& options);
+  LevelMarch(const fields::LevelField& field, double value, const MarchOptions& options);
 
   /// Calls `visit` with the ray's parameter at every crossing that the march finds from t = 0 on,
   /// ascending, until it returns false.
@@ -68,10 +68,10 @@ class LevelMarch {
     std::vector<std::uint8_t> occupied;  // the surface may pass through
   };
 
-  const LevelField& field_;
+  const fields::LevelField& field_;
   double value_;
   MarchOptions options_;
   std::vector<Blocks> blocks_;  // by level; none where empty space is not skipped
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -6,7 +6,7 @@
 #include "fields/levels/surface_cells.h"
 #include "groundtruth/levels/ray_polynomial.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -25,8 +25,8 @@ constexpr double rounding = 1e-10;
 class CellRay {
  public:
   /// `scratch` saves an allocation per cell.
-  CellRay(const LevelField& field, double value, const LatticeCell& cell, const WorldRay& ray,
-          std::vector<double>& at, std::array<std::vector<double>, 2>& scratch)
+  CellRay(const fields::LevelField& field, double value, const fields::LatticeCell& cell,
+          const WorldRay& ray, std::vector<double>& at, std::array<std::vector<double>, 2>& scratch)
       : field_(field),
         value_(value),
         cell_(cell),
@@ -53,7 +53,7 @@ class CellRay {
     return (position - ray_.start[axis]) / ray_.direction[axis];
   }
   double lattice_plane(std::uint32_t level, int axis, int index) const {
-    const ScalarLevel& l = field_.levels()[level];
+    const fields::ScalarLevel& l = field_.levels()[level];
     return plane(axis, l.origin[axis] + l.width * index);
   }
 
@@ -72,7 +72,7 @@ class CellRay {
 
   /// The part of the ray within a lattice cell and its level's domain.
   Interval within(std::uint32_t level, const std::array<int, 3>& low) const {
-    const ScalarLevel& l = field_.levels()[level];
+    const fields::ScalarLevel& l = field_.levels()[level];
     Interval t;
     clip(field_.domain(level), t);
     for (int axis = 0; axis < 3; ++axis)
@@ -115,14 +115,14 @@ class CellRay {
   /// The numerator at one point of the ray, by the cells that the point alone decides.
   std::optional<double> numerator_at(double t) const {
     const Vec3 x = ray_.at(t);
-    LevelField::Cells cells;
+    fields::LevelField::Cells cells;
     const std::size_t count = field_.cells_at(x, cells);
     if (count == 0) return std::nullopt;
     return field_.sum<double>(std::span(cells).first(count), {x.x, x.y, x.z}, value_).sum;
   }
 
   void solve(const Interval& part) {
-    LevelField::Cells cells;
+    fields::LevelField::Cells cells;
     const std::size_t count = field_.cells_at(ray_.at(0.5 * (part.begin + part.end)), cells);
     if (count == 0) return;  // a part of rounding's length beyond the outermost face
     const Vec3 a = ray_.at(part.begin), b = ray_.at(part.end);
@@ -142,9 +142,9 @@ class CellRay {
     if ((end < 0) != (p.end() < 0)) at_.push_back(part.end);
   }
 
-  const LevelField& field_;
+  const fields::LevelField& field_;
   double value_;
-  const LatticeCell& cell_;
+  const fields::LatticeCell& cell_;
   const WorldRay& ray_;
   std::vector<double>& at_;
   std::vector<double>& cuts_;
@@ -153,10 +153,11 @@ class CellRay {
 
 }  // namespace
 
-void append_level_crossings(const LevelField& field, double value, const LatticeCell& cell,
-                            const WorldRay& ray, std::vector<double>& at) {
+void append_level_crossings(const fields::LevelField& field, double value,
+                            const fields::LatticeCell& cell, const WorldRay& ray,
+                            std::vector<double>& at) {
   thread_local std::array<std::vector<double>, 2> scratch;
   CellRay(field, value, cell, ray, at, scratch).append();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

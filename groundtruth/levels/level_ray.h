@@ -4,7 +4,7 @@
 
 #include "fields/levels/level_field.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// A ray over a field of levels: x(t) = start + t direction, in world coordinates.
 struct WorldRay {
@@ -14,7 +14,8 @@ struct WorldRay {
 
 /// Appends every t, ascending, at which the ray crosses the surface of `value` in the cell, where
 /// the cell's level is the finest; only t ≥ 0.
-void append_level_crossings(const LevelField& field, double value, const LatticeCell& cell,
-                            const WorldRay& ray, std::vector<double>& at);
+void append_level_crossings(const fields::LevelField& field, double value,
+                            const fields::LatticeCell& cell, const WorldRay& ray,
+                            std::vector<double>& at);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

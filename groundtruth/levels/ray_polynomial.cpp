@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr int most_halvings = 48;
@@ -106,4 +106,4 @@ void append_sign_changes(const RayPolynomial& p, std::vector<double>& at) {
   isolate(p, 0, 1, most_halvings, at);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Σ c_i t^i (1 - t)^(degree - i): Bernstein's form with the binomials drawn into the coefficients,
 /// so that a product is a convolution and no sum cancels digits that its terms have. On [0, 1] it
@@ -53,4 +53,4 @@ class RayPolynomial {
 /// bits. Two that no half of 2^-48 separates are none: the polynomial keeps its sign beyond them.
 void append_sign_changes(const RayPolynomial& p, std::vector<double>& at);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -11,7 +11,7 @@
 #include "groundtruth/sums/ray_sums.h"
 #include "scene/opacity_energy.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr ParameterSpec bands_parameter = {
@@ -22,7 +22,7 @@ constexpr ParameterSpec bands_parameter = {
     .max = 64,
     .unit = "bands",
     .help = "of the Fourier series that gives G(d); 0: the exact sums"};
-constexpr auto parameters = concatenate(energy_parameters, std::array{bands_parameter});
+constexpr auto parameters = concatenate(scene::energy_parameters, std::array{bands_parameter});
 
 /// G before and behind each fragment of a ray.
 class ImportanceSums {
@@ -47,16 +47,16 @@ class ImportanceSums {
   std::optional<FourierSum> series_;  // G(1) is exact in the series, too (Eq. 7)
 };
 
-class Decoupled final : public Renderer {
+class Decoupled final : public scene::Renderer {
  public:
-  Decoupled(const Scene& scene, const Parameters& values)
+  Decoupled(const scene::Scene& scene, const Parameters& values)
       : scene_(scene),
-        weights_(energy_weights(values, scene.energy)),
+        weights_(scene::energy_weights(values, scene.energy)),
         bands_(values.integer("bands")),
         probe_(scene) {}
 
-  Rendering render(const RenderRequest& request) override {
-    Rendering result;
+  scene::Rendering render(const scene::RenderRequest& request) override {
+    scene::Rendering result;
     result.image = Image(scene_.width, scene_.height);
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     const Stopwatch watch;
@@ -76,7 +76,7 @@ class Decoupled final : public Renderer {
   }
 
  private:
-  std::uint64_t draw_row(int y, Rendering& result) const {
+  std::uint64_t draw_row(int y, scene::Rendering& result) const {
     const std::vector<RaySums> rays = row_sums(scene_, probe_, y);
     return parallel_sum(
         tbb::blocked_range<int>(0, scene_.width), std::uint64_t(0),
@@ -88,7 +88,7 @@ class Decoupled final : public Renderer {
         std::plus<>());
   }
 
-  std::uint64_t draw_pixel(const RaySums& ray, int x, int y, Rendering& result) const {
+  std::uint64_t draw_pixel(const RaySums& ray, int x, int y, scene::Rendering& result) const {
     const ImportanceSums sums(ray, bands_);
     Vec3 color(0);
     double transmittance = 1;
@@ -105,24 +105,25 @@ class Decoupled final : public Renderer {
 
   double opacity(const RayLayer& layer, const ImportanceSums& sums) const {
     if (scene_.objects[layer.object].opaque) return layer.opacity;
-    return layer.opacity *
-           optimal_opacity(weights_, layer.importance, sums.before(layer), sums.behind(layer));
+    return layer.opacity * scene::optimal_opacity(weights_, layer.importance, sums.before(layer),
+                                                  sums.behind(layer));
   }
 
-  const Scene& scene_;
-  EnergyWeights weights_;
+  const scene::Scene& scene_;
+  scene::EnergyWeights weights_;
   int bands_;
   RayProbe probe_;
 };
 
-std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
+std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
+                                      const scene::RenderContext&) {
   return std::make_unique<Decoupled>(scene, values);
 }
 
 }  // namespace
 
-const MethodRow& decoupled_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& decoupled_method() {
+  static constexpr scene::MethodRow row{
       .name = "decoupled",
       .title = "Decoupled opacity optimization (ray tracing)",
       .citation =
@@ -137,4 +138,4 @@ const MethodRow& decoupled_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled opacity optimization
 /// for points, lines and surfaces", CGF 36(2); equation numbers of Baeza Rojo, Gross and Günther
@@ -20,6 +20,6 @@ namespace pellucid {
 ///
 /// Accuracy: exact up to double rounding; with `bands`, a series converges at a fragment to the
 /// middle of its own step, while Eq. 10 wants the value behind it.
-const MethodRow& decoupled_method();
+const scene::MethodRow& decoupled_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -17,7 +17,7 @@
 #include "core/error.h"
 #include "groundtruth/methods/raytracer.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr ParameterSpec parameters[] = {
@@ -56,7 +56,8 @@ std::optional<double> dilation(const std::string& filter) {
   return by;
 }
 
-std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
+std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
+                                      const scene::RenderContext&) {
   TraceOptions options;
   options.stop_below = values.real("stop-below");
   options.march = {
@@ -66,7 +67,7 @@ std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, con
   return make_raytracer(scene, options);
 }
 
-constexpr MethodRow row{
+constexpr scene::MethodRow row{
     .name = "march",
     .title = "Ray marching of isosurfaces",
     .citation = "Li, Chen, Multi-Resolution Isosurface Rendering, 2023",
@@ -79,6 +80,6 @@ constexpr MethodRow row{
 
 }  // namespace
 
-const MethodRow& march_method() { return row; }
+const scene::MethodRow& march_method() { return row; }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -2,9 +2,9 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Isosurfaces by ray marching, as published; everything else as in `raytrace`.
-const MethodRow& march_method();
+const scene::MethodRow& march_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

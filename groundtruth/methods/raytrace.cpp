@@ -5,7 +5,7 @@
 
 #include "groundtruth/methods/raytracer.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr ParameterSpec parameters[] = {
@@ -36,14 +36,15 @@ Precision precision_named(std::string_view name) {
   return name == "double" ? Precision::rounded : Precision::exact;
 }
 
-std::unique_ptr<Renderer> make(const Scene& scene, const Parameters& values, const RenderContext&) {
+std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
+                                      const scene::RenderContext&) {
   return make_raytracer(scene, {.precision = precision_named(values.text("precision")),
                                 .stop_below = values.real("stop-below"),
                                 .adaptive = int(values.integer("adaptive")),
                                 .contrast = values.real("contrast")});
 }
 
-constexpr MethodRow row{
+constexpr scene::MethodRow row{
     .name = "raytrace",
     .title = "Exact composite (ray tracing)",
     .citation =
@@ -57,6 +58,6 @@ constexpr MethodRow row{
 
 }  // namespace
 
-const MethodRow& raytrace_method() { return row; }
+const scene::MethodRow& raytrace_method() { return row; }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

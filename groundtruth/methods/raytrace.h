@@ -2,9 +2,9 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// The exact composite by Embree's all-hit traversal.
-const MethodRow& raytrace_method();
+const scene::MethodRow& raytrace_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -20,23 +20,23 @@
 #include "scene/view/pixel_samples.h"
 #include "scene/view_depth.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr int packet_columns = 4, packet_rows = 2;  // pixels whose rays are traced together
 constexpr int tile = 16;  // pixels; neighbours share the path through the hierarchy
 
-class Raytracer : public Renderer {
+class Raytracer : public scene::Renderer {
  public:
-  Raytracer(const Scene& scene, const TraceOptions& options)
+  Raytracer(const scene::Scene& scene, const TraceOptions& options)
       : scene_(scene),
         finder_(scene, options.precision, options.march),
         options_(options),
-        samples_(pixel_samples(scene.samples)),
-        more_samples_(pixel_samples(options.adaptive)) {}
+        samples_(scene::pixel_samples(scene.samples)),
+        more_samples_(scene::pixel_samples(options.adaptive)) {}
 
-  Rendering render(const RenderRequest& request) override {
-    Rendering result;
+  scene::Rendering render(const scene::RenderRequest& request) override {
+    scene::Rendering result;
     result.image = Image(scene_.width, scene_.height);
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     std::atomic<std::uint64_t> fragments = 0;
@@ -65,7 +65,7 @@ class Raytracer : public Renderer {
 
   std::vector<std::string> explain() const override {
     std::vector<std::string> lines{
-        fmt::format("hierarchy over {}; no GL context", describe_primitives(scene_)),
+        fmt::format("hierarchy over {}; no GL context", scene::describe_primitives(scene_)),
         scene_.samples == 1
             ? "one sample at each pixel's centre"
             : fmt::format("{0} x {0} samples per pixel, their mean", scene_.samples)};
@@ -76,8 +76,9 @@ class Raytracer : public Renderer {
     if (options_.stop_below > 0)
       lines.push_back(fmt::format("rays end where less than {} shows: no pixel errs by more",
                                   options_.stop_below));
-    lines.push_back(scene_.lighting == Lighting::none ? "no normals: the scene is not lit"
-                                                      : "normals: the scene is lit from the eye");
+    lines.push_back(scene_.lighting == scene::Lighting::none
+                        ? "no normals: the scene is not lit"
+                        : "normals: the scene is lit from the eye");
     return lines;
   }
 
@@ -96,7 +97,7 @@ class Raytracer : public Renderer {
 
   /// Traces the pixels of a tile; returns the number of crossings.
   std::uint64_t trace(const tbb::blocked_range2d<int>& range, Buffers& crossings,
-                      Rendering& result) const {
+                      scene::Rendering& result) const {
     std::uint64_t count = 0;
     for (int y = range.rows().begin(); y < range.rows().end(); y += packet_rows)
       for (int x = range.cols().begin(); x < range.cols().end(); x += packet_columns)
@@ -112,7 +113,7 @@ class Raytracer : public Renderer {
 
   /// Traces the rays of a few pixels together, sample by sample.
   std::uint64_t trace_packet(const Interval& x, const Interval& y, Buffers& crossings,
-                             Rendering& result) const {
+                             scene::Rendering& result) const {
     const int columns = x.end - x.begin, rows = y.end - y.begin;
     std::array<PixelSum, RayPacket::width> sums;
     std::vector<PictureRay> rays(static_cast<std::size_t>(columns) * rows);
@@ -134,7 +135,8 @@ class Raytracer : public Renderer {
 
   /// Traces again the pixels that differ from a neighbour, those that then differ, and so on.
   /// Returns the number of crossings.
-  std::uint64_t refine(tbb::enumerable_thread_specific<Buffers>& crossings, Rendering& result) {
+  std::uint64_t refine(tbb::enumerable_thread_specific<Buffers>& crossings,
+                       scene::Rendering& result) {
     std::atomic<std::uint64_t> count = 0;
     refined_ = 0;
     std::vector<bool> marked(result.image.pixels.size());
@@ -148,7 +150,7 @@ class Raytracer : public Renderer {
   }
 
   /// Traces the rays of one pixel's many samples together, some at a time.
-  std::uint64_t retrace(std::size_t pixel, Buffers& crossings, Rendering& result) const {
+  std::uint64_t retrace(std::size_t pixel, Buffers& crossings, scene::Rendering& result) const {
     const Vec2 corner(double(pixel % scene_.width), double(pixel / scene_.width));
     PixelSum sum;
     std::vector<PictureRay> rays;
@@ -167,7 +169,7 @@ class Raytracer : public Renderer {
 
   /// Returns the number of crossings.
   static std::uint64_t store(const PixelSum& sum, std::size_t samples, std::size_t pixel,
-                             Rendering& result) {
+                             scene::Rendering& result) {
     result.image.pixels[pixel] = Rgba(sum.rgba / double(samples));
     if (!result.layers.pixels.empty()) result.layers.pixels[pixel] = sum.layers;
     return sum.crossings;
@@ -181,7 +183,7 @@ class Raytracer : public Renderer {
     sum.layers = std::max(sum.layers, sample.layers);
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   CrossingFinder finder_;
   TraceOptions options_;
   std::vector<Vec2> samples_, more_samples_;
@@ -190,8 +192,9 @@ class Raytracer : public Renderer {
 
 }  // namespace
 
-std::unique_ptr<Renderer> make_raytracer(const Scene& scene, const TraceOptions& options) {
-  depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
+std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
+                                                const TraceOptions& options) {
+  scene::depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
   if (options.adaptive > 1 && options.adaptive <= scene.samples)
     throw InputError(fmt::format(
         "adaptive={0}: the scene takes {1} x {1} samples everywhere; accepted: more than {1}",
@@ -199,4 +202,4 @@ std::unique_ptr<Renderer> make_raytracer(const Scene& scene, const TraceOptions&
   return std::make_unique<Raytracer>(scene, options);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

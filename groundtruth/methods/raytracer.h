@@ -6,7 +6,7 @@
 #include "groundtruth/rays/exact_sign.h"
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 inline constexpr ParameterSpec stop_below_parameter = {
     .name = "stop-below",
@@ -29,6 +29,7 @@ struct TraceOptions {
 
 /// Throws InputError for a scene that lies behind the camera, and for fewer adaptive samples than
 /// the scene's own. The scene has to outlive it.
-std::unique_ptr<Renderer> make_raytracer(const Scene& scene, const TraceOptions& options);
+std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
+                                                const TraceOptions& options);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

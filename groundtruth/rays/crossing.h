@@ -5,7 +5,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Where a ray crosses a primitive in front of the eye.
 struct Crossing {
@@ -30,4 +30,4 @@ struct Fragment {
   double opacity;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// A binary floating-point number of unbounded mantissa: sums and products of doubles without
@@ -20,7 +20,7 @@ struct Plane2 {
 /// a' of EdgeFunctions.
 template <class Number>
 Plane2<Number> shear(const PictureRay& ray, const Vec3& a) {
-  if (ray.projection == Projection::perspective)
+  if (ray.projection == scene::Projection::perspective)
     return {Number(a.x) - Number(ray.x) * Number(a.z), Number(a.y) - Number(ray.y) * Number(a.z)};
   return {Number(a.x) - Number(ray.x), Number(a.y) - Number(ray.y)};
 }
@@ -38,7 +38,7 @@ Number cross(const Plane2<Number>& p, const Plane2<Number>& q) {
 /// it from underflowing.
 double rounding_bound(const PictureRay& ray, double largest) {
   const double offset = std::max(std::abs(ray.x), std::abs(ray.y));
-  const bool perspective = ray.projection == Projection::perspective;
+  const bool perspective = ray.projection == scene::Projection::perspective;
   const double m = perspective ? largest * (1 + offset) : largest + offset;
   return std::max(16 * 0x1p-53 * m * m, 1e-290);
 }
@@ -60,7 +60,7 @@ int minor_sign(double a, double b, double c, double d) {
 ///   ∂/∂x = a.y - b.y,  -∂/∂y = a.x - b.x                                        (orthographic).
 /// 0 only when the edge is seen as a point.
 int perturbed_sign(const PictureRay& ray, const Vec3& a, const Vec3& b) {
-  if (ray.projection == Projection::orthographic)
+  if (ray.projection == scene::Projection::orthographic)
     return a.y != b.y ? sign_of(a.y - b.y) : sign_of(a.x - b.x);
   const int sign = minor_sign(a.y, b.z, a.z, b.y);
   return sign != 0 ? sign : minor_sign(a.x, b.z, a.z, b.x);
@@ -85,10 +85,10 @@ SignedValue decide(const PictureRay& ray, const Vec3& a, const Vec3& b, double r
 
 }  // namespace
 
-CrossingTest::CrossingTest(const PictureRay& ray, double largest, Precision precision)
+RayPredicate::RayPredicate(const PictureRay& ray, double largest, Precision precision)
     : ray_(ray), precision_(precision), bound_(rounding_bound(ray, largest)) {}
 
-bool CrossingTest::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
+bool RayPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
                            EdgeFunctions& edges) const {
   const Plane2 p = shear<double>(ray_, a), q = shear<double>(ray_, b), r = shear<double>(ray_, c);
   double(&e)[3] = edges.e;
@@ -101,7 +101,7 @@ bool CrossingTest::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
   return crosses_uncertain(a, b, c, edges);
 }
 
-bool CrossingTest::crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c,
+bool RayPredicate::crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c,
                                      EdgeFunctions& edges) const {
   const auto sign = [&](const Vec3& from, const Vec3& to, double value) -> SignedValue {
     if (std::abs(value) > bound_) return {value, sign_of(value)};
@@ -113,7 +113,7 @@ bool CrossingTest::crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c
   return s0.sign != 0 && s0.sign == s1.sign && s1.sign == s2.sign;
 }
 
-bool CrossingTest::crosses_disc(const Vec3& center, double radius, double& squared_distance) const {
+bool RayPredicate::crosses_disc(const Vec3& center, double radius, double& squared_distance) const {
   const Plane2 p = shear<double>(ray_, center);
   squared_distance = p.x * p.x + p.y * p.y;
   const double e = squared_distance - radius * radius;
@@ -130,4 +130,4 @@ bool CrossingTest::crosses_disc(const Vec3& center, double radius, double& squar
   return sign != 0 ? sign < 0 : p.x > 0;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

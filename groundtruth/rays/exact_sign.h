@@ -4,7 +4,7 @@
 #include "core/vec.h"
 #include "groundtruth/rays/view_frame.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// The edge functions of a triangle (a, b, c) for a ray. In view coordinates, sheared so that the
 /// ray becomes the z-axis, a vertex lies at
@@ -24,9 +24,9 @@ enum class Precision {
 };
 
 /// Decides crossings of one ray with triangles whose coordinates are at most `largest` in size.
-class CrossingTest {
+class RayPredicate {
  public:
-  CrossingTest(const PictureRay& ray, double largest, Precision precision);
+  RayPredicate(const PictureRay& ray, double largest, Precision precision);
 
   /// True when the ray's line crosses the triangle; then `edges` holds e, all of one sign. Where
   /// the ray meets an edge or a vertex, its picture point is taken to lie (ε, ε²) pixels to the
@@ -53,4 +53,4 @@ class CrossingTest {
   double bound_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

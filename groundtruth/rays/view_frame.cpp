@@ -2,16 +2,16 @@
 
 #include "scene/view/unit_scale.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
-ViewFrame::ViewFrame(const Scene& scene)
-    : camera_(camera_frame(scene.camera)),
+ViewFrame::ViewFrame(const scene::Scene& scene)
+    : camera_(scene::camera_frame(scene.camera)),
       projection_(scene.camera.projection),
-      scale_(unit_scale(scene.bounds())),
-      pixel_(2 * half_height(scene.camera) / scene.height),
+      scale_(scene::unit_scale(scene.bounds())),
+      pixel_(2 * scene::half_height(scene.camera) / scene.height),
       center_x_(0.5 * scene.width),
       center_y_(0.5 * scene.height) {
-  if (projection_ == Projection::orthographic) pixel_ *= scale_;
+  if (projection_ == scene::Projection::orthographic) pixel_ *= scale_;
 }
 
 Vec3 ViewFrame::from_world(const Vec3& x) const { return vector_from_world(x - camera_.eye); }
@@ -26,8 +26,8 @@ PictureRay ViewFrame::ray(double px, double py) const {
 }
 
 Vec3 ViewFrame::world_direction(const PictureRay& ray) const {
-  if (ray.projection == Projection::orthographic) return camera_.forward;
+  if (ray.projection == scene::Projection::orthographic) return camera_.forward;
   return camera_.forward + ray.x * camera_.right + ray.y * camera_.up;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

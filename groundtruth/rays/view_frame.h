@@ -2,13 +2,13 @@
 
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// A ray through a point of the picture, in view coordinates. Perspective: from the eye (the
 /// origin) through (x, y, 1). Orthographic: from (x, y, 0) along +z.
 struct PictureRay {
   double x, y;
-  Projection projection;
+  scene::Projection projection;
 };
 
 /// View coordinates in which crossings are decided: x right, y up, z the view depth, the eye at the
@@ -16,7 +16,7 @@ struct PictureRay {
 /// them once, so that triangles that share a vertex still share it.
 class ViewFrame {
  public:
-  explicit ViewFrame(const Scene& scene);
+  explicit ViewFrame(const scene::Scene& scene);
 
   Vec3 from_world(const Vec3& x) const;
   /// Of a difference of positions.
@@ -30,11 +30,11 @@ class ViewFrame {
   Vec3 world_direction(const PictureRay& ray) const;
 
  private:
-  CameraFrame camera_;
-  Projection projection_;
+  scene::CameraFrame camera_;
+  scene::Projection projection_;
   double scale_;                // units per world length
   double pixel_;                // side of a pixel, as PictureRay counts
   double center_x_, center_y_;  // of the picture, pixels
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

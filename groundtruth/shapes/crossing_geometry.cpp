@@ -13,7 +13,7 @@
 #include "groundtruth/shapes/triangle_geometry.h"
 #include "groundtruth/shapes/tube_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 struct Maker {
@@ -21,20 +21,20 @@ struct Maker {
   std::uint32_t index;
   const GeometryContext& context;
 
-  std::unique_ptr<CrossingGeometry> operator()(const TriangleMesh& mesh) const {
+  std::unique_ptr<CrossingGeometry> operator()(const geometry::TriangleMesh& mesh) const {
     return std::make_unique<TriangleGeometry>(mesh, index, context);
   }
-  std::unique_ptr<CrossingGeometry> operator()(const LineObject& lines) const {
-    if (lines.profile == LineObject::Profile::tube)
+  std::unique_ptr<CrossingGeometry> operator()(const scene::LineObject& lines) const {
+    if (lines.profile == scene::LineObject::Profile::tube)
       return std::make_unique<TubeGeometry>(lines, index, context);
     return std::make_unique<RibbonGeometry>(lines, index, context);
   }
-  std::unique_ptr<CrossingGeometry> operator()(const PointObject& points) const {
-    if (points.profile == PointObject::Profile::sphere)
+  std::unique_ptr<CrossingGeometry> operator()(const scene::PointObject& points) const {
+    if (points.profile == scene::PointObject::Profile::sphere)
       return std::make_unique<SphereGeometry>(points, index, context);
     return std::make_unique<DiscGeometry>(points, index, context);
   }
-  std::unique_ptr<CrossingGeometry> operator()(const Isosurface& surface) const {
+  std::unique_ptr<CrossingGeometry> operator()(const scene::Isosurface& surface) const {
     if (context.march)
       return std::make_unique<MarchedIsosurface>(surface, opaque, index, context, *context.march);
     return std::make_unique<ExactIsosurface>(surface, index, context);
@@ -54,9 +54,10 @@ void RayByRayGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
   }
 }
 
-std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,
+std::unique_ptr<CrossingGeometry> make_geometry(const scene::SceneObject& object,
+                                                std::uint32_t index,
                                                 const GeometryContext& context) {
   return std::visit(Maker{object.opaque, index, context}, object.shape);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

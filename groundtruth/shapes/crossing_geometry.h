@@ -10,26 +10,26 @@
 
 #include "groundtruth/levels/level_march.h"
 #include "groundtruth/rays/crossing.h"
-#include "groundtruth/rays/packet_test.h"
+#include "groundtruth/rays/packet_predicate.h"
 #include "groundtruth/rays/view_frame.h"
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// A ray as geometry meets it, in view coordinates.
 struct SceneRay {
   PictureRay picture;
-  CrossingTest test;  // decides crossings with flat triangles
-  Vec3 start;         // the eye, or the picture's point at depth 0
-  Vec3 direction;     // unit length; its z turns lengths along the ray into depths
+  RayPredicate predicate;  // decides crossings with flat triangles
+  Vec3 start;              // the eye, or the picture's point at depth 0
+  Vec3 direction;          // unit length; its z turns lengths along the ray into depths
 };
 
 /// Up to `width` neighbouring rays that walk the hierarchy together.
 struct RayPacket {
-  static constexpr std::size_t width = PacketTest::width;
+  static constexpr std::size_t width = PacketPredicate::width;
 
   std::vector<SceneRay> rays;
-  PacketTest test;                                      // of all rays
+  PacketPredicate predicate;                            // of all rays
   std::array<std::vector<Crossing>*, width> crossings;  // of each ray
 };
 
@@ -61,7 +61,7 @@ class CrossingGeometry {
   /// g at the crossing; 0 where the object has no importance.
   virtual double importance(const Crossing& crossing) const = 0;
 
-  /// Size of the largest coordinate of a vertex that CrossingTest is asked about.
+  /// Size of the largest coordinate of a vertex that RayPredicate is asked about.
   virtual double largest_coordinate() const = 0;
   virtual std::uint64_t bytes() const = 0;
 };
@@ -78,17 +78,18 @@ class RayByRayGeometry : public CrossingGeometry {
 /// What the geometries of a scene have in common. Has to outlive them.
 struct GeometryContext {
   const ViewFrame& frame;
-  const Camera& camera;
-  Lighting lighting;
-  std::optional<MarchOptions> march = {};    // isosurfaces are marched; else crossed exactly
-  std::vector<Isosurface::Ball> stops = {};  // where marches end: see MarchOptions::dilate
+  const scene::Camera& camera;
+  scene::Lighting lighting;
+  std::optional<MarchOptions> march = {};           // isosurfaces are marched; else crossed exactly
+  std::vector<scene::Isosurface::Ball> stops = {};  // where marches end: see MarchOptions::dilate
 };
 
 /// Throws InputError when Crossing cannot count so many `what`: 2^32 or more.
 void check_count(std::size_t count, const char* what);
 
 /// `index`: of the object in Scene::objects. The object has to outlive the geometry.
-std::unique_ptr<CrossingGeometry> make_geometry(const SceneObject& object, std::uint32_t index,
+std::unique_ptr<CrossingGeometry> make_geometry(const scene::SceneObject& object,
+                                                std::uint32_t index,
                                                 const GeometryContext& context);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

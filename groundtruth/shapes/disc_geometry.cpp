@@ -5,9 +5,9 @@
 #include "groundtruth/shapes/triangle_geometry.h"
 #include "groundtruth/shapes/vertex_blend.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
-DiscGeometry::DiscGeometry(const PointObject& points, std::uint32_t index,
+DiscGeometry::DiscGeometry(const scene::PointObject& points, std::uint32_t index,
                            const GeometryContext& context)
     : set_(points.set),
       index_(index),
@@ -32,14 +32,14 @@ void DiscGeometry::cross(std::uint32_t point, const SceneRay& ray,
                          std::vector<Crossing>& crossings) const {
   const Vec3 c = center(point);
   double squared = 0;
-  if (c.z <= 0 || !ray.test.crosses_disc(c, radius_, squared)) return;
+  if (c.z <= 0 || !ray.predicate.crosses_disc(c, radius_, squared)) return;
   const double facing = std::sqrt(std::max(0.0, 1 - squared / (radius_ * radius_)));
   crossings.push_back({c.z, 0, facing, index_, point});
 }
 
 Fragment DiscGeometry::shade(const Crossing& crossing, const Vec3&) const {
   Fragment fragment = point_blend(crossing).fragment(set_);
-  fragment.color = lit(lighting_, fragment.color, crossing.v);
+  fragment.color = scene::lit(lighting_, fragment.color, crossing.v);
   return fragment;
 }
 
@@ -47,4 +47,4 @@ double DiscGeometry::importance(const Crossing& crossing) const {
   return point_blend(crossing).importance(set_);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

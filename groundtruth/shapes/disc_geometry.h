@@ -2,13 +2,14 @@
 
 #include "groundtruth/shapes/crossing_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Points as discs parallel to the picture, crossed at their centre's depth. Crossing::v is |n · v|
 /// of the sphere that a disc stands for: √(1 - c²) at the fraction c of its radius.
 class DiscGeometry final : public RayByRayGeometry {
  public:
-  DiscGeometry(const PointObject& points, std::uint32_t index, const GeometryContext& context);
+  DiscGeometry(const scene::PointObject& points, std::uint32_t index,
+               const GeometryContext& context);
 
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t point) const override;
@@ -22,12 +23,12 @@ class DiscGeometry final : public RayByRayGeometry {
  private:
   Vec3 center(std::uint32_t point) const { return frame_.from_world(set_.positions[point]); }
 
-  const PointSet& set_;
+  const geometry::PointSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   double radius_;  // units
   double largest_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

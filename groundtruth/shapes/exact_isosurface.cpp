@@ -2,16 +2,18 @@
 
 #include "fields/levels/surface_cells.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
-ExactIsosurface::ExactIsosurface(const Isosurface& surface, std::uint32_t index,
+ExactIsosurface::ExactIsosurface(const scene::Isosurface& surface, std::uint32_t index,
                                  const GeometryContext& context)
     : IsosurfaceGeometry(surface, index, context),
-      cells_(surface_cells(*surface.field, surface.value)) {
+      cells_(fields::surface_cells(*surface.field, surface.value)) {
   check_count(cells_.size(), "cells of an isosurface");
 }
 
-Box3 ExactIsosurface::box(std::uint32_t k) const { return view_box(cell_box(field(), cells_[k])); }
+Box3 ExactIsosurface::box(std::uint32_t k) const {
+  return view_box(fields::cell_box(field(), cells_[k]));
+}
 
 void ExactIsosurface::cross(std::uint32_t k, const SceneRay& ray,
                             std::vector<Crossing>& crossings) const {
@@ -22,4 +24,4 @@ void ExactIsosurface::cross(std::uint32_t k, const SceneRay& ray,
   for (const double t : at) append(ray, world, t, k, crossings);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -2,7 +2,7 @@
 
 #include "groundtruth/shapes/isosurface_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// The surface where a reconstruction over levels of samples takes a value, crossed exactly. A box
 /// is a lattice cell of the finest level there, of those whose samples lie on both sides of the
@@ -16,15 +16,16 @@ namespace pellucid {
 /// reconstruction jumps across the value, the ray crosses on the face.
 class ExactIsosurface final : public IsosurfaceGeometry {
  public:
-  ExactIsosurface(const Isosurface& surface, std::uint32_t index, const GeometryContext& context);
+  ExactIsosurface(const scene::Isosurface& surface, std::uint32_t index,
+                  const GeometryContext& context);
 
   std::uint32_t box_count() const override { return static_cast<std::uint32_t>(cells_.size()); }
   Box3 box(std::uint32_t k) const override;
   void cross(std::uint32_t k, const SceneRay& ray, std::vector<Crossing>& crossings) const override;
-  std::uint64_t bytes() const override { return cells_.size() * sizeof(LatticeCell); }
+  std::uint64_t bytes() const override { return cells_.size() * sizeof(fields::LatticeCell); }
 
  private:
-  std::vector<LatticeCell> cells_;
+  std::vector<fields::LatticeCell> cells_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// In a Crossing. In this order the double is a number: an opacity's exponent is no NaN's.
@@ -14,7 +14,7 @@ struct Look {
 
 }  // namespace
 
-IsosurfaceGeometry::IsosurfaceGeometry(const Isosurface& surface, std::uint32_t index,
+IsosurfaceGeometry::IsosurfaceGeometry(const scene::Isosurface& surface, std::uint32_t index,
                                        const GeometryContext& context)
     : surface_(surface),
       index_(index),
@@ -31,7 +31,8 @@ IsosurfaceGeometry::IsosurfaceGeometry(const Isosurface& surface, std::uint32_t 
 
 Box3 IsosurfaceGeometry::view_box(const Box3& world) const {
   Box3 view;
-  for (const Vec3& corner : corners_of(world).positions) view.extend(frame_.from_world(corner));
+  for (const Vec3& corner : scene::corners_of(world).positions)
+    view.extend(frame_.from_world(corner));
   return view;
 }
 
@@ -45,7 +46,7 @@ std::optional<float> IsosurfaceGeometry::append(const SceneRay& ray, const World
   const Vec3 x = world.at(t);
   if (surface_.cuts_away(x)) return std::nullopt;
   double cosine = 1;
-  if (lighting_ != Lighting::none) {
+  if (lighting_ != scene::Lighting::none) {
     const Vec3 gradient = field().gradient(x).value_or(Vec3(0));
     const double size = glm::length(gradient) * glm::length(world.direction);
     cosine = size > 0 ? glm::dot(gradient, world.direction) / size : 1;
@@ -62,7 +63,7 @@ Fragment IsosurfaceGeometry::shade(const Crossing& crossing, const Vec3&) const 
   const auto look = std::bit_cast<Look>(crossing.u);
   const Vec3 color = surface_.coloring ? surface_.coloring->color(look.color_fraction)
                                        : Vec3(surface_.corners.colors.front());
-  return {lit(lighting_, color, std::abs(crossing.v)), look.opacity};
+  return {scene::lit(lighting_, color, std::abs(crossing.v)), look.opacity};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,14 +4,14 @@
 #include "groundtruth/levels/level_ray.h"
 #include "groundtruth/shapes/crossing_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// What all ways of crossing an isosurface have in common: its place in the view and its light.
 /// Crossing::v is n · v, n the unit gradient and v the ray's direction; Crossing::u has the bits of
 /// two floats: the place on the colour map, where there is one, and the opacity.
 class IsosurfaceGeometry : public RayByRayGeometry {
  public:
-  IsosurfaceGeometry(const Isosurface& surface, std::uint32_t index,
+  IsosurfaceGeometry(const scene::Isosurface& surface, std::uint32_t index,
                      const GeometryContext& context);
 
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
@@ -19,8 +19,8 @@ class IsosurfaceGeometry : public RayByRayGeometry {
   double largest_coordinate() const override { return 0; }
 
  protected:
-  const Isosurface& surface() const { return surface_; }
-  const LevelField& field() const { return *surface_.field; }
+  const scene::Isosurface& surface() const { return surface_; }
+  const fields::LevelField& field() const { return *surface_.field; }
   /// The view coordinates' box around one in the world.
   Box3 view_box(const Box3& world) const;
   /// The same ray parameter, in world coordinates.
@@ -31,12 +31,12 @@ class IsosurfaceGeometry : public RayByRayGeometry {
                               std::uint32_t primitive, std::vector<Crossing>& crossings) const;
 
  private:
-  const Isosurface& surface_;
+  const scene::Isosurface& surface_;
   std::uint32_t index_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   const ViewFrame& frame_;
   Mat3 world_from_view_;  // of vectors
   Vec3 view_origin_;      // of the world's origin
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

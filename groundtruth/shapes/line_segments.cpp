@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "scene/view/ribbon.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 Vec3 unit(const Vec3& x) {
@@ -18,7 +18,7 @@ Vec3 unit(const Vec3& x) {
 
 }  // namespace
 
-LineSegments::LineSegments(const LineSet& set) : set_(set) {
+LineSegments::LineSegments(const geometry::LineSet& set) : set_(set) {
   const std::size_t count = set.segment_count();
   if (count >= std::size_t(1) << 31 || set.positions.size() >= std::size_t(1) << 32)
     throw InputError(fmt::format("{} segments of lines; accepted: fewer than 2^31", count));
@@ -40,8 +40,8 @@ Vec3 LineSegments::direction(std::uint32_t segment, double along) const {
   const bool after = segment + 1 < count() && first_points_[segment + 1] == i + 1;
   // Directions depend on the next points alone.
   const std::span<const Vec3> points(&set_.positions[i - before], 2u + before + after);
-  return (1 - along) * unit(line_direction(points, before)) +
-         along * unit(line_direction(points, before + 1u));
+  return (1 - along) * unit(scene::line_direction(points, before)) +
+         along * unit(scene::line_direction(points, before + 1u));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -7,12 +7,12 @@
 #include "geometry/line_set.h"
 #include "groundtruth/shapes/vertex_blend.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 class LineSegments {
  public:
   /// The set has to outlive it. Throws InputError for 2^31 segments or more.
-  explicit LineSegments(const LineSet& set);
+  explicit LineSegments(const geometry::LineSet& set);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(first_points_.size()); }
   /// The segment joins this point and the next.
@@ -29,8 +29,8 @@ class LineSegments {
   std::uint64_t bytes() const { return first_points_.size() * sizeof(std::uint32_t); }
 
  private:
-  const LineSet& set_;
+  const geometry::LineSet& set_;
   std::vector<std::uint32_t> first_points_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The ray's parameter where it enters the ball: 0 where it starts within, `never` if it does not.
-double entry(const Isosurface::Ball& ball, const WorldRay& ray) {
+double entry(const scene::Isosurface::Ball& ball, const WorldRay& ray) {
   const Vec3 to_start = ray.start - ball.center;
   const double a = glm::dot(ray.direction, ray.direction), b = glm::dot(to_start, ray.direction),
                c = glm::dot(to_start, to_start) - ball.radius * ball.radius;
@@ -21,8 +21,9 @@ double entry(const Isosurface::Ball& ball, const WorldRay& ray) {
 
 }  // namespace
 
-MarchedIsosurface::MarchedIsosurface(const Isosurface& surface, bool opaque, std::uint32_t index,
-                                     const GeometryContext& context, const MarchOptions& options)
+MarchedIsosurface::MarchedIsosurface(const scene::Isosurface& surface, bool opaque,
+                                     std::uint32_t index, const GeometryContext& context,
+                                     const MarchOptions& options)
     : IsosurfaceGeometry(surface, index, context),
       march_(*surface.field, surface.value, options),
       opaque_(opaque),
@@ -33,7 +34,7 @@ void MarchedIsosurface::cross(std::uint32_t k, const SceneRay& ray,
                               std::vector<Crossing>& crossings) const {
   const WorldRay world = to_world(ray);
   double shows = 1, end = never;
-  for (const Isosurface::Ball& ball : stops_) end = std::min(end, entry(ball, world));
+  for (const scene::Isosurface::Ball& ball : stops_) end = std::min(end, entry(ball, world));
   march_.visit_crossings(world, [&](double t) {
     if (t >= end) return false;
     if (const auto opacity = append(ray, world, t, k, crossings))
@@ -42,4 +43,4 @@ void MarchedIsosurface::cross(std::uint32_t k, const SceneRay& ray,
   });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -3,14 +3,14 @@
 #include "groundtruth/levels/level_march.h"
 #include "groundtruth/shapes/isosurface_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// An isosurface as a ray march finds it (see LevelMarch): one box, the field's bounds. A march
 /// ends where less than `stop_below` of what lies behind shows through the surface alone, and at
 /// the first crossing with an opaque one, or where the ray enters one of `context.stops`.
 class MarchedIsosurface final : public IsosurfaceGeometry {
  public:
-  MarchedIsosurface(const Isosurface& surface, bool opaque, std::uint32_t index,
+  MarchedIsosurface(const scene::Isosurface& surface, bool opaque, std::uint32_t index,
                     const GeometryContext& context, const MarchOptions& options);
 
   std::uint32_t box_count() const override { return 1; }
@@ -22,7 +22,7 @@ class MarchedIsosurface final : public IsosurfaceGeometry {
   LevelMarch march_;
   bool opaque_;
   double stop_below_;
-  std::vector<Isosurface::Ball> stops_;
+  std::vector<scene::Isosurface::Ball> stops_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

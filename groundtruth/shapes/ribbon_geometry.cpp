@@ -8,7 +8,7 @@
 #include "groundtruth/shapes/vertex_blend.h"
 #include "scene/view/ribbon.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// Where on its segment a crossing lies.
@@ -32,7 +32,7 @@ double sine_between(const Vec3& p, const Vec3& q) {
 
 }  // namespace
 
-RibbonGeometry::RibbonGeometry(const LineObject& lines, std::uint32_t index,
+RibbonGeometry::RibbonGeometry(const scene::LineObject& lines, std::uint32_t index,
                                const GeometryContext& context)
     : set_(lines.set),
       index_(index),
@@ -40,12 +40,12 @@ RibbonGeometry::RibbonGeometry(const LineObject& lines, std::uint32_t index,
       lighting_(context.lighting),
       segments_(lines.set) {
   const std::span<const Vec3> points(set_.positions);
-  const CameraFrame camera = camera_frame(context.camera);
+  const scene::CameraFrame camera = scene::camera_frame(context.camera);
   half_widths_.reserve(points.size());
   std::vector<Vec3> of_line;
   for (std::size_t k = 0; k < set_.line_count(); ++k) {
     const auto line = points.subspan(set_.offsets[k], set_.offsets[k + 1] - set_.offsets[k]);
-    ribbon_half_widths(line, lines.radius, camera, context.camera.projection, of_line);
+    scene::ribbon_half_widths(line, lines.radius, camera, context.camera.projection, of_line);
     for (const Vec3& w : of_line) half_widths_.push_back(frame_.vector_from_world(w));
   }
   for (std::uint32_t s = 0; s < box_count(); ++s)
@@ -71,7 +71,7 @@ Box3 RibbonGeometry::box(std::uint32_t segment) const {
 void RibbonGeometry::cross(std::uint32_t segment, const SceneRay& ray,
                            std::vector<Crossing>& crossings) const {
   const std::array<Vec3, 4> corner = corners(segment);
-  const auto triangles = ribbon_triangles(0);
+  const auto triangles = scene::ribbon_triangles(0);
   for (std::uint32_t j = 0; j < 2; ++j) {
     const auto& [a, b, c] = triangles[j];
     cross_triangle(corner[a], corner[b], corner[c], index_, 2 * segment + j, ray, crossings);
@@ -82,11 +82,11 @@ Fragment RibbonGeometry::shade(const Crossing& crossing, const Vec3& world_direc
   const std::uint32_t segment = crossing.primitive / 2;
   const auto [along, across] = ribbon_point(crossing);
   Fragment fragment = segments_.blend(segment, along).fragment(set_);
-  if (lighting_ == Lighting::none) return fragment;
+  if (lighting_ == scene::Lighting::none) return fragment;
   // |m · v| is the sine of the angle between v and the line.
   const double c = std::sqrt(std::max(0.0, 1 - across * across)) *
                    sine_between(segments_.direction(segment, along), world_direction);
-  fragment.color = lit(lighting_, fragment.color, c);
+  fragment.color = scene::lit(lighting_, fragment.color, c);
   return fragment;
 }
 
@@ -98,4 +98,4 @@ std::uint64_t RibbonGeometry::bytes() const {
   return half_widths_.size() * sizeof(Vec3) + segments_.bytes();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -3,7 +3,7 @@
 #include "groundtruth/shapes/crossing_geometry.h"
 #include "groundtruth/shapes/line_segments.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Lines as strips that face the eye (see scene/view/ribbon.h): exact triangles over corners that
 /// neighbouring segments share. Crossing::u and v are the weights of a triangle's second and third
@@ -11,7 +11,8 @@ namespace pellucid {
 /// needed.
 class RibbonGeometry final : public RayByRayGeometry {
  public:
-  RibbonGeometry(const LineObject& lines, std::uint32_t index, const GeometryContext& context);
+  RibbonGeometry(const scene::LineObject& lines, std::uint32_t index,
+                 const GeometryContext& context);
 
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t segment) const override;
@@ -25,13 +26,13 @@ class RibbonGeometry final : public RayByRayGeometry {
  private:
   std::array<Vec3, 4> corners(std::uint32_t segment) const;
 
-  const LineSet& set_;
+  const geometry::LineSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   double largest_ = 0;
   LineSegments segments_;
   std::vector<Vec3> half_widths_;  // of each point
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -77,4 +77,4 @@ std::optional<Chord> capsule_chord(const LocalRay& ray, const Vec3& half, double
   return chord;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -6,7 +6,7 @@
 
 #include "groundtruth/shapes/crossing_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// A ray seen from a local origin: x(t) = offset + t direction, t = 0 at the point nearest to it. A
 /// small solid far away loses no digits but those that its own coordinates have lost.
@@ -31,4 +31,4 @@ std::optional<Chord> ball_chord(const LocalRay& ray, const Vec3& center, double 
 /// Of all within `radius` of the segment from -half to +half: a cylinder and the balls at its ends.
 std::optional<Chord> capsule_chord(const LocalRay& ray, const Vec3& half, double radius);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -5,9 +5,9 @@
 #include "groundtruth/shapes/round_solids.h"
 #include "groundtruth/shapes/vertex_blend.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
-SphereGeometry::SphereGeometry(const PointObject& points, std::uint32_t index,
+SphereGeometry::SphereGeometry(const scene::PointObject& points, std::uint32_t index,
                                const GeometryContext& context)
     : set_(points.set),
       index_(index),
@@ -39,7 +39,7 @@ void SphereGeometry::cross(std::uint32_t point, const SceneRay& ray,
 
 Fragment SphereGeometry::shade(const Crossing& crossing, const Vec3&) const {
   Fragment fragment = point_blend(crossing).fragment(set_);
-  fragment.color = lit(lighting_, fragment.color, std::abs(crossing.v));
+  fragment.color = scene::lit(lighting_, fragment.color, std::abs(crossing.v));
   return fragment;
 }
 
@@ -47,4 +47,4 @@ double SphereGeometry::importance(const Crossing& crossing) const {
   return point_blend(crossing).importance(set_);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

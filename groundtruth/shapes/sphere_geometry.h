@@ -2,14 +2,15 @@
 
 #include "groundtruth/shapes/crossing_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Points as spheres, each a solid of its own: the ray crosses where it enters (Crossing::v < 0)
 /// and where it leaves (v > 0), or not at all. Crossing::v is n · v, n the sphere's outer normal
 /// and v the ray's direction.
 class SphereGeometry final : public RayByRayGeometry {
  public:
-  SphereGeometry(const PointObject& points, std::uint32_t index, const GeometryContext& context);
+  SphereGeometry(const scene::PointObject& points, std::uint32_t index,
+                 const GeometryContext& context);
 
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t point) const override;
@@ -23,11 +24,11 @@ class SphereGeometry final : public RayByRayGeometry {
  private:
   Vec3 center(std::uint32_t point) const { return frame_.from_world(set_.positions[point]); }
 
-  const PointSet& set_;
+  const geometry::PointSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   double radius_;  // units
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

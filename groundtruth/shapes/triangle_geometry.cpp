@@ -6,7 +6,7 @@
 
 #include "groundtruth/shapes/vertex_blend.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// A slab as wide as a packet of rays is worth a box of its own: four pixels of a picture of 1000
@@ -36,7 +36,7 @@ void extend_by_clipped(Box3& box, Vec3 p, Vec3 q, int axis, double low, double h
   box.extend(q);
 }
 
-VertexBlend<3> blend_at(const TriangleMesh& mesh, const Crossing& crossing) {
+VertexBlend<3> blend_at(const geometry::TriangleMesh& mesh, const Crossing& crossing) {
   // Rounding may leave the first weight an ulp below 0, and the colour outside its hull.
   return {mesh.triangles[crossing.primitive],
           {std::max(0.0, 1 - crossing.u - crossing.v), crossing.u, crossing.v}};
@@ -44,7 +44,8 @@ VertexBlend<3> blend_at(const TriangleMesh& mesh, const Crossing& crossing) {
 
 /// |n · v| for a two-sided surface, n the normalized interpolation of the vertex normals; a normal
 /// without length gives 0.
-double facing(const TriangleMesh& mesh, const VertexBlend<3>& at, const Vec3& world_direction) {
+double facing(const geometry::TriangleMesh& mesh, const VertexBlend<3>& at,
+              const Vec3& world_direction) {
   Vec3 n(0);
   for (int i = 0; i < 3; ++i) n += at.weight[i] * mesh.normals[at.vertex[i]];
   const double length = glm::length(n) * glm::length(world_direction);
@@ -66,13 +67,13 @@ void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t o
                     std::uint32_t primitive, const SceneRay& ray,
                     std::vector<Crossing>& crossings) {
   EdgeFunctions edges;
-  if (ray.test.crosses(a, b, c, edges))
+  if (ray.predicate.crosses(a, b, c, edges))
     crossings.push_back(to_crossing(edges, a, b, c, object, primitive));
 }
 
 double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
 
-TriangleGeometry::TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index,
+TriangleGeometry::TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint32_t index,
                                    const GeometryContext& context)
     : mesh_(mesh), index_(index), lighting_(context.lighting) {
   check_count(mesh.triangles.size(), "triangles");
@@ -159,7 +160,7 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
   for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t) {
     const auto& [ia, ib, ic] = mesh_.triangles[t];
     const Vec3 &a = positions_[ia], &b = positions_[ib], &c = positions_[ic];
-    for (std::uint32_t crossed = packet.test.crosses(a, b, c, lanes, edges); crossed != 0;
+    for (std::uint32_t crossed = packet.predicate.crosses(a, b, c, lanes, edges); crossed != 0;
          crossed &= crossed - 1) {
       const int i = std::countr_zero(crossed);
       packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
@@ -170,8 +171,8 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
 Fragment TriangleGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {
   const VertexBlend<3> at = blend_at(mesh_, crossing);
   Fragment fragment = at.fragment(mesh_);
-  if (lighting_ != Lighting::none)
-    fragment.color = lit(lighting_, fragment.color, facing(mesh_, at, world_direction));
+  if (lighting_ != scene::Lighting::none)
+    fragment.color = scene::lit(lighting_, fragment.color, facing(mesh_, at, world_direction));
   return fragment;
 }
 
@@ -183,4 +184,4 @@ std::uint64_t TriangleGeometry::bytes() const {
   return positions_.size() * sizeof(Vec3) + pieces_.size() * sizeof(Piece);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,7 +4,7 @@
 
 #include "groundtruth/shapes/crossing_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Where the ray crosses the flat triangle (a, b, c): appends the crossing, u and v the weights of
 /// b and c.
@@ -18,7 +18,8 @@ double size_of(const Vec3& x);
 /// vertices in view coordinates, where triangles that share one share its rounding.
 class TriangleGeometry final : public CrossingGeometry {
  public:
-  TriangleGeometry(const TriangleMesh& mesh, std::uint32_t index, const GeometryContext& context);
+  TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint32_t index,
+                   const GeometryContext& context);
 
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t k) const override;
@@ -47,13 +48,13 @@ class TriangleGeometry final : public CrossingGeometry {
   void add_pieces(std::uint32_t first, std::uint8_t count);
   void group_triangles();
 
-  const TriangleMesh& mesh_;
+  const geometry::TriangleMesh& mesh_;
   std::uint32_t index_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   double largest_ = 0;
   std::vector<Vec3> positions_;
   std::vector<Piece> pieces_;
   bool any_slabs_ = false;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

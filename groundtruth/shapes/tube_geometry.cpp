@@ -5,7 +5,7 @@
 
 #include "groundtruth/shapes/round_solids.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// Where on the segment from -half to +half lies the point nearest to x: -1 … 1.
@@ -16,7 +16,7 @@ double nearest_on_axis(const Vec3& x, const Vec3& half) {
 
 }  // namespace
 
-TubeGeometry::TubeGeometry(const LineObject& lines, std::uint32_t index,
+TubeGeometry::TubeGeometry(const scene::LineObject& lines, std::uint32_t index,
                            const GeometryContext& context)
     : set_(lines.set),
       index_(index),
@@ -55,7 +55,7 @@ void TubeGeometry::cross(std::uint32_t segment, const SceneRay& ray,
 
 Fragment TubeGeometry::shade(const Crossing& crossing, const Vec3&) const {
   Fragment fragment = segments_.blend(crossing.primitive, crossing.u).fragment(set_);
-  fragment.color = lit(lighting_, fragment.color, std::min(1.0, std::abs(crossing.v)));
+  fragment.color = scene::lit(lighting_, fragment.color, std::min(1.0, std::abs(crossing.v)));
   return fragment;
 }
 
@@ -63,4 +63,4 @@ double TubeGeometry::importance(const Crossing& crossing) const {
   return segments_.blend(crossing.primitive, crossing.u).importance(set_);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -3,7 +3,7 @@
 #include "groundtruth/shapes/crossing_geometry.h"
 #include "groundtruth/shapes/line_segments.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Lines as round tubes. The tube of a line is one closed solid, all within the radius of the line:
 /// cylinders with balls at joints and ends. A ray enters it (Crossing::v < 0) and leaves it (v > 0)
@@ -13,7 +13,7 @@ namespace pellucid {
 /// direction.
 class TubeGeometry final : public RayByRayGeometry {
  public:
-  TubeGeometry(const LineObject& lines, std::uint32_t index, const GeometryContext& context);
+  TubeGeometry(const scene::LineObject& lines, std::uint32_t index, const GeometryContext& context);
 
   std::uint32_t box_count() const override { return segments_.count(); }
   Box3 box(std::uint32_t segment) const override;
@@ -31,12 +31,12 @@ class TubeGeometry final : public RayByRayGeometry {
  private:
   std::array<Vec3, 2> ends(std::uint32_t segment) const;
 
-  const LineSet& set_;
+  const geometry::LineSet& set_;
   std::uint32_t index_;
   const ViewFrame& frame_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   double radius_;  // units
   LineSegments segments_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

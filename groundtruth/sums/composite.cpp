@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 Composite composite(const CrossingFinder& finder, std::span<const Crossing> crossings,
                     const Vec3& background, const Vec3& world_direction, double stop_below) {
@@ -19,4 +19,4 @@ Composite composite(const CrossingFinder& finder, std::span<const Crossing> cros
   return sum;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

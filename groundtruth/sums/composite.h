@@ -4,7 +4,7 @@
 
 #include "groundtruth/traversal/crossing_finder.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Colour, the background's share and the number of crossings composited.
 struct Composite {
@@ -21,4 +21,4 @@ struct Composite {
 Composite composite(const CrossingFinder& finder, std::span<const Crossing> crossings,
                     const Vec3& background, const Vec3& world_direction, double stop_below = 0);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Σ f_i up to a depth d in [0, 1], from a Fourier series of impulses f_i at d_i, in double
 /// (equation numbers: Baeza Rojo et al. 2019). Periodic: an impulse at 0 is one at 1 too.
@@ -39,4 +39,4 @@ class FourierSum {
   std::vector<double> a_, b_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,10 +4,10 @@
 
 #include "scene/view/pixel_samples.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
-std::vector<RaySums> row_sums(const Scene& scene, const RayProbe& probe, int y,
+std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y,
                               const Vec2& sample) {
   std::vector<Vec2> places;
   for (int x = 0; x < scene.width; ++x) places.emplace_back(x + sample.x, y + sample.y);
@@ -43,9 +43,9 @@ struct PixelMean {
 
 }  // namespace
 
-Raster<PixelSums> picture_sums(const Scene& scene, const RayProbe& probe,
+Raster<PixelSums> picture_sums(const scene::Scene& scene, const RayProbe& probe,
                                const Progress& progress) {
-  const std::vector<Vec2> samples = pixel_samples(scene.samples);
+  const std::vector<Vec2> samples = scene::pixel_samples(scene.samples);
   Raster<PixelSums> picture(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y) {
     report(progress, double(y) / scene.height, "exact sums");
@@ -59,8 +59,8 @@ Raster<PixelSums> picture_sums(const Scene& scene, const RayProbe& probe,
   return picture;
 }
 
-std::vector<RaySums> row_sums(const Scene& scene, const RayProbe& probe, int y) {
+std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y) {
   return row_sums(scene, probe, y, Vec2(0.5));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

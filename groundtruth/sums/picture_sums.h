@@ -7,7 +7,7 @@
 #include "core/raster.h"
 #include "groundtruth/sums/ray_sums.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// What the rays of a pixel's samples cross (see RaySums), at their ends.
 struct PixelSums {
@@ -21,9 +21,10 @@ struct PixelSums {
 };
 
 /// Of every pixel, computed in double; scene.samples² rays each.
-Raster<PixelSums> picture_sums(const Scene& scene, const RayProbe& probe, const Progress& progress);
+Raster<PixelSums> picture_sums(const scene::Scene& scene, const RayProbe& probe,
+                               const Progress& progress);
 
 /// Of the rays through the centres of a row's pixels, from the left.
-std::vector<RaySums> row_sums(const Scene& scene, const RayProbe& probe, int y);
+std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

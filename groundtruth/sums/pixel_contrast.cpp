@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 double largest_difference(const Rgba& a, const Rgba& b) {
@@ -35,4 +35,4 @@ std::vector<std::size_t> mark_contrasts(const Image& image, double contrast,
   return found;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -7,7 +7,7 @@
 #include "core/parallel.h"
 #include "groundtruth/shapes/crossing_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// The last layer at a depth up to and with d; null when there is none.
@@ -29,8 +29,8 @@ double RaySums::optical_depth(double d) const {
   return layer ? layer->optical_depth : 0;
 }
 
-RayProbe::RayProbe(const Scene& scene, Precision precision)
-    : scene_(scene), depths_(depth_range(scene)), finder_(scene, precision) {}
+RayProbe::RayProbe(const scene::Scene& scene, Precision precision)
+    : scene_(scene), depths_(scene::depth_range(scene)), finder_(scene, precision) {}
 
 RaySums RayProbe::at(double x, double y) const {
   const PictureRay ray = finder_.frame().ray(x, y);
@@ -76,4 +76,4 @@ RaySums RayProbe::sums(const PictureRay& ray, std::span<const Crossing> crossing
   return sums;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -7,7 +7,7 @@
 #include "groundtruth/traversal/crossing_finder.h"
 #include "scene/view_depth.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// A crossing, and the sums from the eye to it. i counts crossings front to back, from 1.
 struct RayLayer {
@@ -37,7 +37,7 @@ struct RaySums {
 class RayProbe {
  public:
   /// The scene has to outlive it. Throws InputError when nothing of it is in front of the camera.
-  explicit RayProbe(const Scene& scene, Precision precision = Precision::exact);
+  explicit RayProbe(const scene::Scene& scene, Precision precision = Precision::exact);
 
   /// x runs right, y down, in pixels from the picture's top left corner: a pixel's centre is at
   /// +0.5.
@@ -45,15 +45,15 @@ class RayProbe {
   /// The same at several places, best neighbours; in parallel.
   std::vector<RaySums> at(std::span<const Vec2> places) const;
 
-  const DepthRange& depths() const { return depths_; }
+  const scene::DepthRange& depths() const { return depths_; }
   std::uint64_t bytes() const { return finder_.bytes(); }  // of the hierarchy and what it needs
 
  private:
   RaySums sums(const PictureRay& ray, std::span<const Crossing> crossings) const;
 
-  const Scene& scene_;
-  DepthRange depths_;
+  const scene::Scene& scene_;
+  scene::DepthRange depths_;
   CrossingFinder finder_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

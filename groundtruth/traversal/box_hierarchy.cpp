@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// Embree asks for boxes from threads of its own, in libraries that the thread sanitizer does not
@@ -100,4 +100,4 @@ std::uint64_t BoxHierarchy::bytes() const {
   return sum;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -8,7 +8,7 @@
 
 #include "groundtruth/shapes/triangle_geometry.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Embree's hierarchy over the boxes of a scene's geometries. Its origin is the scene's centre, so
 /// that its floats are as fine as can be, and its boxes are widened by more than the rounding of
@@ -56,4 +56,4 @@ class BoxHierarchy {
   RTCScene scene_ = nullptr;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -8,7 +8,7 @@
 #include "groundtruth/traversal/crossing_order.h"
 #include "groundtruth/traversal/solid_union.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// The scene lies within √3 of its centre: a ray is traversed within this distance of its point
@@ -94,17 +94,18 @@ BoxHierarchy::Callbacks callbacks(Precision precision) {
   return {decide, decide_and_close, precision == Precision::fast ? take : nullptr};
 }
 
-std::vector<Isosurface::Ball> dilated_spheres(const Scene& scene, double by) {
-  std::vector<Isosurface::Ball> balls;
-  for (const SceneObject& object : scene.objects) {
-    const auto* points = std::get_if<PointObject>(&object.shape);
-    if (!points || !object.opaque || points->profile != PointObject::Profile::sphere) continue;
+std::vector<scene::Isosurface::Ball> dilated_spheres(const scene::Scene& scene, double by) {
+  std::vector<scene::Isosurface::Ball> balls;
+  for (const scene::SceneObject& object : scene.objects) {
+    const auto* points = std::get_if<scene::PointObject>(&object.shape);
+    if (!points || !object.opaque || points->profile != scene::PointObject::Profile::sphere)
+      continue;
     for (const Vec3& center : points->set.positions) balls.push_back({center, points->radius + by});
   }
   return balls;
 }
 
-std::vector<BoxHierarchy::Object> make_objects(const Scene& scene, const ViewFrame& frame,
+std::vector<BoxHierarchy::Object> make_objects(const scene::Scene& scene, const ViewFrame& frame,
                                                const std::optional<MarchOptions>& march) {
   GeometryContext context{frame, scene.camera, scene.lighting, march};
   if (march && march->dilate) context.stops = dilated_spheres(scene, *march->dilate);
@@ -124,7 +125,7 @@ struct CrossingFinder::State {
   bool any_union = false, any_opaque = false, any_repeats = false;
   bool may_close = false;  // an opaque object may shorten rays
 
-  State(const Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
+  State(const scene::Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
       : frame(scene),
         precision(precision_),
         hierarchy(make_objects(scene, frame, march), frame.from_world(scene.bounds().center()),
@@ -157,7 +158,7 @@ void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
   append_union(parts, crossings);
 }
 
-CrossingFinder::CrossingFinder(const Scene& scene, Precision precision,
+CrossingFinder::CrossingFinder(const scene::Scene& scene, Precision precision,
                                const std::optional<MarchOptions>& march)
     : state_(std::make_unique<State>(scene, precision, march)) {}
 
@@ -169,7 +170,7 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
                                     std::size_t lane, PacketContext& context,
                                     RTCRayHit8& embree) const {
   crossings.clear();
-  const bool perspective = ray.projection == Projection::perspective;
+  const bool perspective = ray.projection == scene::Projection::perspective;
   const Vec3 direction = perspective ? glm::normalize(Vec3(ray.x, ray.y, 1)) : Vec3(0, 0, 1);
   const Vec3 eye_point = perspective ? Vec3(0) : Vec3(ray.x, ray.y, 0);
   const Vec3 start = eye_point - hierarchy.center();
@@ -177,7 +178,7 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   const double begin = std::max(nearest - reach, -behind_eye), end = nearest + reach;
   const Vec3 origin = start + begin * direction;
   context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction});
-  context.rays.test.set(lane, context.rays.rays.back().test);
+  context.rays.predicate.set(lane, context.rays.rays.back().predicate);
   context.rays.crossings[lane] = &crossings;
   context.begins[lane] = begin;
   RTCRay8& traversal = embree.ray;
@@ -244,4 +245,4 @@ double CrossingFinder::importance(const Crossing& crossing) const {
 
 std::uint64_t CrossingFinder::bytes() const { return state_->hierarchy.bytes(); }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -11,7 +11,7 @@
 #include "groundtruth/rays/exact_sign.h"
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// Finds every crossing of a ray with a scene. Embree's traversal brings the candidates:
 /// its primitives are the boxes of a CrossingGeometry, widened by more than the rounding of rays
@@ -19,7 +19,7 @@ namespace pellucid {
 class CrossingFinder {
  public:
   /// The scene has to outlive it. With `march` isosurfaces are marched, not crossed exactly.
-  CrossingFinder(const Scene& scene, Precision precision,
+  CrossingFinder(const scene::Scene& scene, Precision precision,
                  const std::optional<MarchOptions>& march = {});
   ~CrossingFinder();
 
@@ -43,4 +43,4 @@ class CrossingFinder {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// Fewer are sorted faster by themselves, and more do not leave the nearest cache.
@@ -44,4 +44,4 @@ void order_crossings(std::span<Crossing> crossings) {
   std::copy_n(dealt.begin(), n, crossings.begin());
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 /// Solid by solid, front to back; entries first, so that touching parts overlap.
@@ -28,4 +28,4 @@ void append_union(std::vector<PartCrossing>& parts, std::vector<Crossing>& cross
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -4,7 +4,7 @@
 
 #include "groundtruth/rays/crossing.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
 /// A crossing with the solid that its part belongs to.
 struct PartCrossing {
@@ -17,4 +17,4 @@ struct PartCrossing {
 /// and from its last part out. Touching parts are one. Sorts `parts`.
 void append_union(std::vector<PartCrossing>& parts, std::vector<Crossing>& crossings);
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

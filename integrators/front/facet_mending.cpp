@@ -7,7 +7,7 @@
 
 #include "integrators/mesh/triangle_links.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 using Corners = TriangleLinks::Triangle;
@@ -263,4 +263,4 @@ std::size_t mend_facets(SurfaceBuilder& builder, const FacetBound& bound,
   return off.empty() ? 0 : FacetMender(builder, bound, point_at).mend(std::move(off));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -5,7 +5,7 @@
 
 #include "integrators/front/surface_builder.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// What a facet may be like.
 struct FacetBound {
@@ -31,4 +31,4 @@ using SurfacePoint = std::function<std::optional<FrontPoint>(double s, double t)
 std::size_t mend_facets(SurfaceBuilder& builder, const FacetBound& bound,
                         const SurfacePoint& point_at);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

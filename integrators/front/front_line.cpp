@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 /// Between seeds closer than this (in s) a front line is never refined: doubles end at 1e-16, and
@@ -146,4 +146,4 @@ std::optional<Vec3> FrontLine::surface_between(int left, double t) {
   return shadow->position_at(t);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -7,7 +7,7 @@
 #include "integrators/front/refinement.h"
 #include "integrators/front/surface_run.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// The line of particles that sweeps a surface, and how it is kept fine enough: what the
 /// integrators that refine have in common.
@@ -65,4 +65,4 @@ class FrontLine {
   std::vector<Edge> edges_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 // Each vector is normalized by itself: velocities of 1e±200 would leave the range of a product.
@@ -43,4 +43,4 @@ bool are_parting(const FrontPoint& a, const FrontPoint& b) {
   return along > 0 && along > 0.5 * (a.speed + b.speed) * glm::length(joining);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

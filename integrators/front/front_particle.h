@@ -8,7 +8,7 @@
 
 #include "integrators/paths/trajectory.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Where a particle's trajectory meets the mesh.
 struct FrontPoint {
@@ -54,4 +54,4 @@ Separation separation(const FrontPoint& a, const FrontPoint& b);
 /// either side of a separatrix.
 bool are_parting(const FrontPoint& a, const FrontPoint& b);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

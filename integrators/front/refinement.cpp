@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "integrators/paths/trajectory_options.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 // Vertex normals across an edge differ by at most so much, unless the edge is very short. Between
@@ -195,7 +195,8 @@ struct AllowedStep {
 };
 
 AllowedStep step_of(const Refinement& refinement, Trajectory& path, const FrontPoint& head,
-                    const FrontPoint* left, const FrontPoint* right, FieldSampler& sampler) {
+                    const FrontPoint* left, const FrontPoint* right,
+                    fields::FieldSampler& sampler) {
   constexpr int most_attempts = 12;
   AllowedStep step{planned_step(refinement, path, head, left, right), {}};
   for (int attempt = 0;; ++attempt) {
@@ -211,7 +212,7 @@ AllowedStep step_of(const Refinement& refinement, Trajectory& path, const FrontP
 
 std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
                                       const FrontPoint& head, const FrontPoint* left,
-                                      const FrontPoint* right, FieldSampler& sampler) {
+                                      const FrontPoint* right, fields::FieldSampler& sampler) {
   const auto [dt, next] = step_of(refinement, path, head, left, right, sampler);
   // Half a step further tells whether a sliver would be left at the end.
   if (path.reach(head.t + 1.5 * dt, sampler)) return next;
@@ -221,4 +222,4 @@ std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& 
   return next;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -5,7 +5,7 @@
 #include "integrators/front/front_particle.h"
 #include "integrators/front/surface_particles.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// When a front is fine enough: by the distance of neighbours, as the papers have it, or by the
 /// distance of mesh and surface.
@@ -63,9 +63,9 @@ double allowed_step(const Refinement& refinement, const Trajectory& path, const 
 /// end of a trajectory is shared out, so that no sliver remains.
 std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
                                       const FrontPoint& head, const FrontPoint* left,
-                                      const FrontPoint* right, FieldSampler& sampler);
+                                      const FrontPoint* right, fields::FieldSampler& sampler);
 
 /// Distance of x from the segment between a and b, world units.
 double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 // Memory that is reserved and not written to has no pages: ample arrays cost nothing, where arrays
@@ -105,9 +105,9 @@ void SurfaceBuilder::fill_missing_normals() {
   }
 }
 
-TriangleMesh SurfaceBuilder::finish() {
+geometry::TriangleMesh SurfaceBuilder::finish() {
   if (with_normals_) fill_missing_normals();
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   auto& time = mesh.scalars["time"] = t_;
   for (double& t : time) t += start_time_;
   mesh.positions = std::move(positions_);
@@ -119,4 +119,4 @@ TriangleMesh SurfaceBuilder::finish() {
   return mesh;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -6,7 +6,7 @@
 #include "integrators/front/front_particle.h"
 #include "integrators/paths/seed_curve.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Collects what the integrators emit. Flat arrays, because a half-edge structure would cost more
 /// than the integration itself (docs/integrators.md).
@@ -35,7 +35,7 @@ class SurfaceBuilder {
   /// Drops triangles whose first corner is `removed`, and vertices that no triangle has.
   void drop_unused(std::uint32_t removed);
   /// Hands the mesh over and leaves the builder empty.
-  TriangleMesh finish();
+  geometry::TriangleMesh finish();
 
  private:
   double s_step(std::uint32_t a, std::uint32_t b) const;
@@ -50,4 +50,4 @@ class SurfaceBuilder {
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

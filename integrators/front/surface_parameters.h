@@ -6,7 +6,7 @@
 #include "core/options/parameters.h"
 #include "integrators/paths/stepping_parameters.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// What every surface integrator takes beside its own parameters and those of stepping.
 inline constexpr auto surface_own_parameters = std::to_array<ParameterSpec>(
@@ -76,4 +76,4 @@ constexpr auto with_surface_parameters(const ParameterSpec (&own)[n]) {
 
 inline constexpr auto surface_parameters = concatenate(surface_own_parameters, stepping_parameters);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "integrators/paths/trajectory_options.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 double extent_of(const SeedCurve& seed) {
@@ -66,4 +66,4 @@ std::uint64_t ParticleSource::evaluations() const {
   return count;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -6,7 +6,7 @@
 #include "integrators/paths/trajectory.h"
 #include "integrators/surface_integrator.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// What every surface integrator takes beside its own parameters.
 struct SurfaceOptions {
@@ -29,7 +29,7 @@ class ParticleSource {
 
   /// s may run past 1 on a closed curve.
   Trajectory start(double s);
-  FieldSampler& sampler() { return samplers_.local(); }
+  fields::FieldSampler& sampler() { return samplers_.local(); }
   std::uint64_t evaluations() const;
 
  private:
@@ -38,4 +38,4 @@ class ParticleSource {
   tbb::enumerable_thread_specific<CountingSampler> samplers_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -5,7 +5,7 @@
 #include "core/machine/stopwatch.h"
 #include "integrators/front/facet_mending.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 /// A stretch of the seed curve; it may run past s = 1 on a closed one.
@@ -161,4 +161,4 @@ IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOption
   return surface;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -10,7 +10,7 @@
 #include "integrators/front/surface_builder.h"
 #include "integrators/front/surface_particles.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// What the fronts of one surface share: where particles and triangles go, and the budgets.
 class SurfaceRun {
@@ -19,7 +19,7 @@ class SurfaceRun {
 
   /// A trajectory from the seed at s, integrated to time t; nothing when it ends before.
   std::unique_ptr<Trajectory> spawn(double s, double t);
-  FieldSampler& sampler() { return source_.sampler(); }
+  fields::FieldSampler& sampler() { return source_.sampler(); }
 
   std::uint32_t add_vertex(const FrontParticle& particle);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
@@ -65,4 +65,4 @@ using Sweep = std::function<void(SurfaceRun& run, std::span<const double> seeds,
 IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOptions& options,
                               int particles, const Sweep& sweep);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

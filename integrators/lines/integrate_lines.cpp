@@ -15,7 +15,7 @@
 #include "integrators/paths/stepping_parameters.h"
 #include "integrators/paths/trajectory_options.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 /// One particle's line before the lines are joined.
@@ -48,7 +48,7 @@ Line::Point line_point(const FlowPoint& flow, double t, double time) {
 }
 
 Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& spacing,
-            FieldSampler& sampler) {
+            fields::FieldSampler& sampler) {
   Line line;
   Trajectory path(options, seed, Vec3(0), sampler);
   const auto add = [&](double t) {
@@ -71,11 +71,12 @@ Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& s
 
 /// A streak line at the end of the journey: of the particles let go at the seed one after another,
 /// the youngest first.
-Line streak(TrajectoryOptions options, const Vec3& seed, int releases, FieldSampler& sampler) {
+Line streak(TrajectoryOptions options, const Vec3& seed, int releases,
+            fields::FieldSampler& sampler) {
   const double duration = options.duration, begin = options.start_time;
   Line line;
   Vec3 v;
-  if (sampler.velocity(seed, begin + duration, v) == SampleStatus::ok)
+  if (sampler.velocity(seed, begin + duration, v) == fields::SampleStatus::ok)
     line.points.push_back({seed, 0, begin + duration, glm::length(v)});
   for (int i = 1; i <= releases; ++i) {
     options.duration = duration * i / releases;
@@ -91,8 +92,8 @@ Line streak(TrajectoryOptions options, const Vec3& seed, int releases, FieldSamp
   return line;
 }
 
-LineSet joined(std::span<const Line> lines, LineStats& stats) {
-  LineSet set;
+geometry::LineSet joined(std::span<const Line> lines, LineStats& stats) {
+  geometry::LineSet set;
   auto &t = set.scalars["t"], &time = set.scalars["time"], &speed = set.scalars["speed"];
   for (const Line& line : lines) {
     for (const Line::Point& point : line.points) {
@@ -114,7 +115,8 @@ double extent_of(const LineRequest& request) {
   if (box.diagonal() > 0) return box.diagonal();
   Vec3 v(0);
   const auto sampler = request.field->sampler();
-  const bool known = sampler->velocity(request.seeds[0], request.start_time, v) == SampleStatus::ok;
+  const bool known =
+      sampler->velocity(request.seeds[0], request.start_time, v) == fields::SampleStatus::ok;
   const double extent = glm::length(v) * request.duration;
   return known && extent > 0 && std::isfinite(extent) ? extent : 1;
 }
@@ -159,18 +161,20 @@ Spacing spacing_of(const LineRequest& request, const Parameters& parameters) {
 template <bool path>
 IntegratedLines run_following(const LineRequest& request, const Parameters& parameters) {
   const Spacing spacing = spacing_of(request, parameters);
-  return run_all(request, parameters, path,
-                 [&](const TrajectoryOptions& options, const Vec3& seed, FieldSampler& sampler) {
-                   return follow(options, seed, spacing, sampler);
-                 });
+  return run_all(
+      request, parameters, path,
+      [&](const TrajectoryOptions& options, const Vec3& seed, fields::FieldSampler& sampler) {
+        return follow(options, seed, spacing, sampler);
+      });
 }
 
 IntegratedLines run_streaks(const LineRequest& request, const Parameters& parameters) {
   const int releases = parameters.integer("releases");
-  return run_all(request, parameters, true,
-                 [&](const TrajectoryOptions& options, const Vec3& seed, FieldSampler& sampler) {
-                   return streak(options, seed, releases, sampler);
-                 });
+  return run_all(
+      request, parameters, true,
+      [&](const TrajectoryOptions& options, const Vec3& seed, fields::FieldSampler& sampler) {
+        return streak(options, seed, releases, sampler);
+      });
 }
 
 constexpr ParameterSpec particles_parameter = {.name = "particles",
@@ -268,4 +272,4 @@ std::vector<Vec3> seeds_in(const Box3& box, int nx, int ny, int nz) {
   return seeds;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -11,11 +11,11 @@
 #include "integrators/paths/end_reason.h"
 #include "integrators/paths/seed_curve.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Lines that particles draw from these points.
 struct LineRequest {
-  const VectorField* field = nullptr;
+  const fields::VectorField* field = nullptr;
   std::vector<Vec3> seeds;
   double duration = 0;  // > 0
   double start_time = 0;
@@ -33,7 +33,7 @@ struct LineStats {
 /// One line per seed, in their order; empty where the seed has no velocity. The scalars are "t"
 /// (since the particle was let go), "time" (the field's) and "speed".
 struct IntegratedLines {
-  LineSet lines;
+  geometry::LineSet lines;
   LineStats stats;
 };
 
@@ -62,4 +62,4 @@ std::vector<Vec3> seeds_on(const SeedCurve& curve, int count);
 /// middle.
 std::vector<Vec3> seeds_in(const Box3& box, int nx, int ny, int nz);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

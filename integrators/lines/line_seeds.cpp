@@ -7,7 +7,7 @@
 
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr int first_intervals = 64, rounds = 6;
@@ -73,4 +73,4 @@ LineSeeds::Seed LineSeeds::seed(std::uint64_t line) const {
   return {s_[after - 1] + length * (u - fraction_[after - 1]) / part, part / length};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Where the lines of a surface start on its seed curve, s in [0, 1]: in the limit of many lines
 /// with a given density, and as evenly as it allows after any number of them.
@@ -34,4 +34,4 @@ class LineSeeds {
   std::vector<double> fraction_;  // of the lines that start before s_[i]
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

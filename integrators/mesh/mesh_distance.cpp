@@ -16,7 +16,7 @@
 #include "core/error.h"
 #include "integrators/mesh/mesh_samples.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 // Double is enough: a distance is wanted, not the sign of a predicate.
@@ -28,7 +28,7 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 Kernel::Point_3 cgal(const Vec3& x) { return {x.x, x.y, x.z}; }
 
 /// Those with a plane; the others are edges of their neighbours.
-Triangles triangles_of(const TriangleMesh& mesh) {
+Triangles triangles_of(const geometry::TriangleMesh& mesh) {
   Triangles triangles;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Kernel::Triangle_3 triangle(cgal(mesh.positions[a]), cgal(mesh.positions[b]),
@@ -39,7 +39,7 @@ Triangles triangles_of(const TriangleMesh& mesh) {
   return triangles;
 }
 
-OneSidedDistance distance_from(const Tree& target, const TriangleMesh& mesh,
+OneSidedDistance distance_from(const Tree& target, const geometry::TriangleMesh& mesh,
                                std::uint64_t samples) {
   OneSidedDistance distance;
   for (const MeshSample& sample : sample_mesh(mesh, samples)) {
@@ -54,12 +54,12 @@ OneSidedDistance distance_from(const Tree& target, const TriangleMesh& mesh,
 
 }  // namespace
 
-MeshDistance mesh_distance(const TriangleMesh& first, const TriangleMesh& second,
-                           std::uint64_t samples) {
+MeshDistance mesh_distance(const geometry::TriangleMesh& first,
+                           const geometry::TriangleMesh& second, std::uint64_t samples) {
   const Triangles first_triangles = triangles_of(first), second_triangles = triangles_of(second);
   const Tree first_tree(first_triangles.begin(), first_triangles.end());
   const Tree second_tree(second_triangles.begin(), second_triangles.end());
   return {distance_from(second_tree, first, samples), distance_from(first_tree, second, samples)};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

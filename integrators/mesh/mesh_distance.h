@@ -4,7 +4,7 @@
 
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Of points of one mesh from the other one, world units; mean and rms over the area.
 struct OneSidedDistance {
@@ -20,7 +20,7 @@ struct MeshDistance {
 
 /// At about `samples` points of each mesh (sample_mesh). The maximum is that of the samples: a
 /// lower bound of the Hausdorff distance. A mesh without a triangle of some area throws InputError.
-MeshDistance mesh_distance(const TriangleMesh& first, const TriangleMesh& second,
-                           std::uint64_t samples);
+MeshDistance mesh_distance(const geometry::TriangleMesh& first,
+                           const geometry::TriangleMesh& second, std::uint64_t samples);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

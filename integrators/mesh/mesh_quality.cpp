@@ -6,7 +6,7 @@
 
 #include "geometry/surface_mesh.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr double degrees = 57.295779513082320877;
@@ -17,7 +17,7 @@ struct DirectedEdge {
   std::uint32_t triangle;
 };
 
-std::vector<DirectedEdge> sorted_edges(const TriangleMesh& mesh) {
+std::vector<DirectedEdge> sorted_edges(const geometry::TriangleMesh& mesh) {
   std::vector<DirectedEdge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
@@ -47,7 +47,7 @@ class DisjointSets {
   std::vector<std::size_t> parents_;
 };
 
-void count_edges(const TriangleMesh& mesh, MeshQuality& quality) {
+void count_edges(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
   const auto edges = sorted_edges(mesh);
   DisjointSets sheets(mesh.triangles.size());
   for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
@@ -64,7 +64,7 @@ void count_edges(const TriangleMesh& mesh, MeshQuality& quality) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) quality.sheets += sheets.find(i) == i;
 }
 
-void count_vertices(const TriangleMesh& mesh, MeshQuality& quality) {
+void count_vertices(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
   std::vector<Vec3> sorted(mesh.positions);
   const auto before = [](const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -91,7 +91,7 @@ double angle(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-void measure_shapes(const TriangleMesh& mesh, MeshQuality& quality) {
+void measure_shapes(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
   std::vector<double> angles, aspects, normals;
   for (const auto& corners : mesh.triangles) {
     const Vec3 x[] = {mesh.positions[corners[0]], mesh.positions[corners[1]],
@@ -117,13 +117,13 @@ void measure_shapes(const TriangleMesh& mesh, MeshQuality& quality) {
 
 }  // namespace
 
-MeshQuality measure_quality(const TriangleMesh& mesh) {
+MeshQuality measure_quality(const geometry::TriangleMesh& mesh) {
   MeshQuality quality;
   count_edges(mesh, quality);
   count_vertices(mesh, quality);
   measure_shapes(mesh, quality);
-  quality.manifold = surface_mesh(mesh).has_value();
+  quality.manifold = geometry::surface_mesh(mesh).has_value();
   return quality;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

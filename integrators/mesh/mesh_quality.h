@@ -5,7 +5,7 @@
 
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Of a set of numbers.
 struct Percentiles {
@@ -27,6 +27,6 @@ struct MeshQuality {
   Percentiles normal_degrees;  // facet normal against its vertices' normals; 0 without normals
 };
 
-MeshQuality measure_quality(const TriangleMesh& mesh);
+MeshQuality measure_quality(const geometry::TriangleMesh& mesh);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr std::array<std::array<double, 3>, 4> places = {
     {{1. / 3, 1. / 3, 1. / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
 
-double twice_area(const TriangleMesh& mesh, std::size_t triangle) {
+double twice_area(const geometry::TriangleMesh& mesh, std::size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   const Vec3& x = mesh.positions[a];
   return glm::length(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
@@ -16,7 +16,7 @@ double twice_area(const TriangleMesh& mesh, std::size_t triangle) {
 
 }  // namespace
 
-std::vector<MeshSample> sample_mesh(const TriangleMesh& mesh, std::uint64_t samples) {
+std::vector<MeshSample> sample_mesh(const geometry::TriangleMesh& mesh, std::uint64_t samples) {
   std::vector<double> end_areas(mesh.triangles.size());
   double total = 0;
   for (std::size_t i = 0; i < end_areas.size(); ++i) end_areas[i] = total += twice_area(mesh, i);
@@ -37,11 +37,11 @@ std::vector<MeshSample> sample_mesh(const TriangleMesh& mesh, std::uint64_t samp
   return chosen;
 }
 
-Vec3 position_of(const TriangleMesh& mesh, const MeshSample& sample) {
+Vec3 position_of(const geometry::TriangleMesh& mesh, const MeshSample& sample) {
   Vec3 x(0);
   for (std::size_t k = 0; k < 3; ++k)
     x += sample.barycentric[k] * mesh.positions[mesh.triangles[sample.triangle][k]];
   return x;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -6,7 +6,7 @@
 
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// A point of a mesh, and the part of the mesh's area that it stands for: the parts add up to 1.
 struct MeshSample {
@@ -18,8 +18,8 @@ struct MeshSample {
 /// Samples evenly over the area, or every triangle at four places where that takes no more samples:
 /// its middle and those of its sides, where linear interpolation of a curved surface errs most.
 /// Ascending in the triangle.
-std::vector<MeshSample> sample_mesh(const TriangleMesh& mesh, std::uint64_t samples);
+std::vector<MeshSample> sample_mesh(const geometry::TriangleMesh& mesh, std::uint64_t samples);
 
-Vec3 position_of(const TriangleMesh& mesh, const MeshSample& sample);
+Vec3 position_of(const geometry::TriangleMesh& mesh, const MeshSample& sample);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

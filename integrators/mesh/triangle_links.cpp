@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 TriangleLinks::TriangleLinks(std::vector<Triangle>& triangles, std::size_t vertex_count)
     : triangles_(triangles), links_(triangles.size(), {none, none, none}) {
@@ -133,4 +133,4 @@ std::array<std::uint32_t, 4> TriangleLinks::split(const Edge& edge, std::uint32_
   return {t, t2, u, u2};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

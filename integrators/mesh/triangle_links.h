@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// The triangles of an oriented manifold with their neighbours, for edits that keep it one.
 class TriangleLinks {
@@ -56,4 +56,4 @@ class TriangleLinks {
   std::vector<Triangle> links_;  // by edge: the triangle on its other side
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -3,7 +3,7 @@
 // (6.12) in the form of the program DOPRI5 (weights d_i of CONTD5).
 #include "integrators/paths/butcher_tableau.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr ButcherTableau euler = {
@@ -53,4 +53,4 @@ constexpr ButcherTableau table[] = {euler, rk4, dopri5};
 
 std::span<const ButcherTableau> steppers() { return table; }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// An explicit Runge-Kutta scheme as data. k_i = f(t + c_i h, x + h Σ_j a_ij k_j) for the `stages`,
 /// x₁ = x + h Σ b_i k_i, and f(x₁) closes the step: it is the next step's first stage, bounds the
@@ -30,4 +30,4 @@ struct ButcherTableau {
 /// euler, rk4, dopri5.
 std::span<const ButcherTableau> steppers();
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -5,18 +5,19 @@
 
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// A sampler that counts how often it is asked.
-class CountingSampler final : public FieldSampler {
+class CountingSampler final : public fields::FieldSampler {
  public:
-  explicit CountingSampler(const VectorField& field) : sampler_(field.sampler()) {}
+  explicit CountingSampler(const fields::VectorField& field) : sampler_(field.sampler()) {}
 
-  SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
+  fields::SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
     ++evaluations_;
     return sampler_->velocity(x, t, v);
   }
-  SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
+  fields::SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v,
+                                             Mat3& jacobian) override {
     ++evaluations_;
     return sampler_->velocity_and_jacobian(x, t, v, jacobian);
   }
@@ -24,8 +25,8 @@ class CountingSampler final : public FieldSampler {
   std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  std::unique_ptr<FieldSampler> sampler_;
+  std::unique_ptr<fields::FieldSampler> sampler_;
   std::uint64_t evaluations_ = 0;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

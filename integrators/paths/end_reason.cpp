@@ -1,6 +1,6 @@
 #include "integrators/paths/end_reason.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 std::string_view name_of(EndReason reason) {
   switch (reason) {
@@ -30,4 +30,4 @@ std::string_view name_of(EndReason reason) {
   return "";
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

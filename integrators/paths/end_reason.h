@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Why a particle went no further.
 enum class EndReason {
@@ -26,4 +26,4 @@ std::string_view name_of(EndReason reason);
 
 using EndCounts = std::map<EndReason, std::uint64_t>;
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr double two_pi = 6.283185307179586476925286766559;
@@ -160,4 +160,4 @@ SeedCurve callable_seed(std::function<Vec3(double)> point, bool closed,
   return {closed, std::move(point), std::move(tangent), {}};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// Where particles start: a curve c(s), s in [0, 1], in world units. On a closed curve c(0) = c(1).
 /// A value; made by one of the functions below.
@@ -32,4 +32,4 @@ SeedCurve spline_seed(std::span<const Vec3> points, bool closed = false);
 SeedCurve callable_seed(std::function<Vec3(double)> point, bool closed = false,
                         std::function<Vec3(double)> tangent = {});
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

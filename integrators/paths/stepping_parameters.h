@@ -4,7 +4,7 @@
 
 #include "core/options/parameters.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// How particles move; trajectory_options() reads them.
 inline constexpr auto stepping_parameters = std::to_array<ParameterSpec>(
@@ -47,4 +47,4 @@ constexpr auto with_stepping_parameters(const ParameterSpec (&own)[n]) {
   return concatenate(std::to_array(own), stepping_parameters);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 Vec3 first(const std::array<double, 6>& y) { return {y[0], y[1], y[2]}; }
@@ -24,8 +24,8 @@ void add(State& y, double factor, const State& k) {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * k[i];
 }
 
-EndReason reason_of(SampleStatus status) {
-  return status == SampleStatus::outside ? EndReason::left_domain : EndReason::not_finite;
+EndReason reason_of(fields::SampleStatus status) {
+  return status == fields::SampleStatus::outside ? EndReason::left_domain : EndReason::not_finite;
 }
 
 bool is_ghost(Companion companion) {
@@ -38,7 +38,7 @@ constexpr double edge_tolerances = 1000;
 }  // namespace
 
 Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& tangent,
-                       FieldSampler& sampler)
+                       fields::FieldSampler& sampler)
     : options_(&options) {
   assert(options.stepper && options.duration > 0);
   Vec3 companion = tangent;
@@ -46,8 +46,8 @@ Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const
   if (is_ghost(options.companion))
     companion = seed + options.ghost_distance * glm::normalize(tangent);
   y_ = joined(seed, companion);
-  const SampleStatus status = slope(0, y_, f_, sampler);
-  if (status != SampleStatus::ok) {
+  const fields::SampleStatus status = slope(0, y_, f_, sampler);
+  if (status != fields::SampleStatus::ok) {
     end_ = reason_of(status);
     return;
   }
@@ -62,12 +62,12 @@ Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const
 
 /// II.4, "starting step size", with the acceleration from one Euler step: over h the error of order
 /// p + 1 is about |v| τ (h / τ)^(p + 1), τ the time in which the velocity turns.
-double Trajectory::first_step(FieldSampler& sampler) {
+double Trajectory::first_step(fields::FieldSampler& sampler) {
   if (!options_->stepper->adaptive) return largest_step();
   const double probe = std::min(largest_step(), 1e-3 * options_->duration);
   State y = y_, f;
   add(y, probe, f_);
-  if (slope(probe, y, f, sampler) != SampleStatus::ok) return probe;
+  if (slope(probe, y, f, sampler) != fields::SampleStatus::ok) return probe;
   const double turn = glm::length(first(f) - first(f_)) / probe;
   if (turn <= 1e-9 * speed() / options_->duration) return largest_step();
   const double tau = speed() / turn;
@@ -93,10 +93,11 @@ double Trajectory::kinkless_step() const {
   return std::min(options_->tolerance / (2 * options_->velocity_error), 0.5 * nearest / speed());
 }
 
-SampleStatus Trajectory::slope(double t, const State& y, State& f, FieldSampler& sampler) {
+fields::SampleStatus Trajectory::slope(double t, const State& y, State& f,
+                                       fields::FieldSampler& sampler) {
   const double time = options_->start_time + (options_->path ? t : 0);
   Vec3 v, w(0);
-  SampleStatus status;
+  fields::SampleStatus status;
   if (options_->companion == Companion::variation) {
     Mat3 jacobian;
     status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
@@ -104,20 +105,20 @@ SampleStatus Trajectory::slope(double t, const State& y, State& f, FieldSampler&
   } else {
     status = sampler.velocity(first(y), time, v);
   }
-  if (status == SampleStatus::ok && is_ghost(options_->companion)) {
+  if (status == fields::SampleStatus::ok && is_ghost(options_->companion)) {
     // Past the domain's edge the ghost keeps its distance.
-    if (sampler.velocity(second(y), time, w) != SampleStatus::ok) w = v;
+    if (sampler.velocity(second(y), time, w) != fields::SampleStatus::ok) w = v;
   }
   f = joined(v, w);
   return status;
 }
 
-bool Trajectory::reach(double t, FieldSampler& sampler) {
+bool Trajectory::reach(double t, fields::FieldSampler& sampler) {
   while (t_ < t && !end_) step(sampler);
   return t_ >= t;
 }
 
-bool Trajectory::skip_to(double t, FieldSampler& sampler) {
+bool Trajectory::skip_to(double t, fields::FieldSampler& sampler) {
   while (t_ < t && !end_) {
     step(sampler);
     release(t_);
@@ -125,16 +126,16 @@ bool Trajectory::skip_to(double t, FieldSampler& sampler) {
   return t_ >= t;
 }
 
-void Trajectory::step(FieldSampler& sampler) {
+void Trajectory::step(fields::FieldSampler& sampler) {
   const double left = options_->duration - t_;
   const double wanted = std::min(h_, largest_step());
   // The last two steps share what is left rather than leave a sliver to the last one.
   const double h = wanted >= left ? left : wanted > 0.5 * left ? 0.5 * left : wanted;
   std::array<State, 7> k;
   State y1;
-  const SampleStatus status = try_step(h, k, y1, sampler);
+  const fields::SampleStatus status = try_step(h, k, y1, sampler);
   if (++step_count_ >= options_->max_steps) end_ = EndReason::steps;
-  if (status != SampleStatus::ok) return shrink_after(status, h);
+  if (status != fields::SampleStatus::ok) return shrink_after(status, h);
 
   const double error = options_->stepper->adaptive ? error_of(h, k, y1) : 0;
   const double order = options_->stepper->order;
@@ -151,16 +152,16 @@ void Trajectory::step(FieldSampler& sampler) {
   h_ = std::max(h * factor, std::numeric_limits<double>::min());
 }
 
-SampleStatus Trajectory::try_step(double h, std::array<State, 7>& k, State& y1,
-                                  FieldSampler& sampler) {
+fields::SampleStatus Trajectory::try_step(double h, std::array<State, 7>& k, State& y1,
+                                          fields::FieldSampler& sampler) {
   const ButcherTableau& rk = *options_->stepper;
   k[0] = f_;
   for (int i = 1; i < rk.stages; ++i) {
     State y = y_;
     for (int j = 0; j < i; ++j)
       if (rk.a[i][j] != 0) add(y, h * rk.a[i][j], k[j]);
-    const SampleStatus status = slope(t_ + rk.c[i] * h, y, k[i], sampler);
-    if (status != SampleStatus::ok) return status;
+    const fields::SampleStatus status = slope(t_ + rk.c[i] * h, y, k[i], sampler);
+    if (status != fields::SampleStatus::ok) return status;
   }
   y1 = y_;
   for (int i = 0; i < rk.stages; ++i)
@@ -193,7 +194,7 @@ double Trajectory::companion_tolerance() const {
 }
 
 /// The way out of the domain, or into samples that are not numbers, is halved down to the edge.
-void Trajectory::shrink_after(SampleStatus status, double h) {
+void Trajectory::shrink_after(fields::SampleStatus status, double h) {
   near_edge_ = true;
   h_ = 0.5 * h;
   if (h_ * speed() > edge_tolerances * options_->tolerance && t_ + h_ > t_) return;
@@ -201,7 +202,7 @@ void Trajectory::shrink_after(SampleStatus status, double h) {
 }
 
 void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1,
-                        FieldSampler& sampler) {
+                        fields::FieldSampler& sampler) {
   const ButcherTableau& rk = *options_->stepper;
   State r5{};
   for (int i = 0; i <= rk.stages; ++i)
@@ -230,7 +231,7 @@ void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1
     end_ = EndReason::stagnated;
 }
 
-void Trajectory::restrain_ghost(FieldSampler& sampler) {
+void Trajectory::restrain_ghost(fields::FieldSampler& sampler) {
   const Vec3 apart = second(y_) - first(y_);
   const double distance = glm::length(apart);
   const bool far = distance > options_->ghost_distance;
@@ -288,4 +289,4 @@ void Trajectory::release(double t) {
   steps_.erase(steps_.begin(), keep);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -11,7 +11,7 @@
 #include "integrators/paths/butcher_tableau.h"
 #include "integrators/paths/end_reason.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// What travels with a particle to tell how the surface lies around it.
 enum class Companion {
@@ -52,13 +52,13 @@ class Trajectory {
  public:
   /// `options` must outlive it. `tangent` is dc/ds of the seed curve.
   Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& tangent,
-             FieldSampler& sampler);
+             fields::FieldSampler& sampler);
 
   /// Integrates until t is covered. False when the particle ends before t.
-  bool reach(double t, FieldSampler& sampler);
+  bool reach(double t, fields::FieldSampler& sampler);
 
   /// The same, and forgets the way there.
-  bool skip_to(double t, FieldSampler& sampler);
+  bool skip_to(double t, fields::FieldSampler& sampler);
 
   /// t between what was released and time().
   FlowPoint at(double t) const;
@@ -85,18 +85,20 @@ class Trajectory {
     std::array<State, 5> coefficients;
   };
 
-  SampleStatus slope(double t, const State& y, State& f, FieldSampler& sampler);
-  SampleStatus try_step(double h, std::array<State, 7>& k, State& y1, FieldSampler& sampler);
+  fields::SampleStatus slope(double t, const State& y, State& f, fields::FieldSampler& sampler);
+  fields::SampleStatus try_step(double h, std::array<State, 7>& k, State& y1,
+                                fields::FieldSampler& sampler);
   double error_of(double h, const std::array<State, 7>& k, const State& y1) const;
-  void step(FieldSampler& sampler);
-  void accept(double h, const std::array<State, 7>& k, const State& y1, FieldSampler& sampler);
-  void restrain_ghost(FieldSampler& sampler);
-  double first_step(FieldSampler& sampler);
+  void step(fields::FieldSampler& sampler);
+  void accept(double h, const std::array<State, 7>& k, const State& y1,
+              fields::FieldSampler& sampler);
+  void restrain_ghost(fields::FieldSampler& sampler);
+  double first_step(fields::FieldSampler& sampler);
   double companion_tolerance() const;
   double largest_step() const;
   double kinkless_step() const;
   double speed() const;
-  void shrink_after(SampleStatus status, double h);
+  void shrink_after(fields::SampleStatus status, double h);
   const Step& step_at(double t) const;
 
   const TrajectoryOptions* options_;
@@ -112,4 +114,4 @@ class Trajectory {
   std::uint64_t step_count_ = 0;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/options/names.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 double positive(const Parameters& parameters, std::string_view name, double otherwise) {
   if (!parameters.is_set(name)) return otherwise;
@@ -16,7 +16,7 @@ double positive(const Parameters& parameters, std::string_view name, double othe
   return value;
 }
 
-TrajectoryOptions trajectory_options(const VectorField& field, const Journey& journey,
+TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const Parameters& parameters) {
   if (!(journey.duration > 0) || !std::isfinite(journey.duration))
     throw InputError(fmt::format("duration: {}; accepted: a finite number > 0", journey.duration));
@@ -42,4 +42,4 @@ TrajectoryOptions trajectory_options(const VectorField& field, const Journey& jo
   return options;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

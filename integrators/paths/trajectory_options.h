@@ -6,7 +6,7 @@
 #include "fields/field.h"
 #include "integrators/paths/trajectory.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// When particles are on their way.
 struct Journey {
@@ -17,10 +17,10 @@ struct Journey {
 
 /// From the stepping parameters. `extent` is the unit of what is relative, in world units. Throws
 /// InputError.
-TrajectoryOptions trajectory_options(const VectorField& field, const Journey& journey,
+TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const Parameters& parameters);
 
 /// A number > 0, or what it is when it is not given. Throws InputError.
 double positive(const Parameters& parameters, std::string_view name, double otherwise);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -19,7 +19,7 @@
 #include "integrators/front/front_line.h"
 #include "integrators/front/surface_parameters.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 class RibbonFront {
@@ -209,4 +209,4 @@ constexpr IntegratorRow row = {
 
 const IntegratorRow& hultquist_integrator() { return row; }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

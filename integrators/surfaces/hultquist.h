@@ -2,8 +2,8 @@
 
 #include "integrators/surface_integrator.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 const IntegratorRow& hultquist_integrator();
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -7,7 +7,7 @@
 #include "integrators/surfaces/hultquist.h"
 #include "integrators/surfaces/synchronous_front.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 std::string listed(const EndCounts& ends) {
@@ -36,4 +36,4 @@ IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRe
   return surface;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

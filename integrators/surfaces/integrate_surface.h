@@ -5,7 +5,7 @@
 
 #include "integrators/surface_integrator.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// The surface integrators, one row each.
 std::span<const IntegratorRow> integrators();
@@ -14,4 +14,4 @@ std::span<const IntegratorRow> integrators();
 /// for a request that no surface can be made of.
 IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRequest& request);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -9,7 +9,7 @@
 #include "integrators/front/surface_particles.h"
 #include "integrators/mesh/mesh_samples.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr double degrees = 57.295779513082320877;
@@ -24,7 +24,7 @@ struct Deviation {
   double distance = 0, degrees = 0;
 };
 
-Sample sample_of(const TriangleMesh& mesh, const MeshSample& place, bool closed) {
+Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bool closed) {
   const auto& corners = mesh.triangles[place.triangle];
   const auto &s = mesh.scalars.at("s"), &t = mesh.scalars.at("t");
   const double first = s[corners[0]];
@@ -99,7 +99,7 @@ Deviation ExactSurface::deviation(Sample sample) {
           degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
 }
 
-std::vector<double> spread_to_vertices(const TriangleMesh& mesh,
+std::vector<double> spread_to_vertices(const geometry::TriangleMesh& mesh,
                                        std::span<const MeshSample> samples,
                                        const std::vector<Deviation>& deviations) {
   std::vector<double> values(mesh.positions.size());
@@ -132,7 +132,7 @@ SurfaceError summary(std::span<const MeshSample> samples,
 
 }  // namespace
 
-SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& request,
+SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples) {
   SurfaceOptions options = surface_options(request, Parameters("truth", surface_parameters, {}));
   options.trajectory.tolerance = 1e-13 * options.extent;
@@ -147,4 +147,4 @@ SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& reque
   return error;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

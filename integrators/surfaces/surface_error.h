@@ -4,7 +4,7 @@
 
 #include "integrators/surface_integrator.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 /// How far a mesh is from the surface it stands for.
 struct SurfaceError {
@@ -23,7 +23,7 @@ struct SurfaceError {
 /// corrected by Gauss-Newton with ∂x/∂s and ∂x/∂t until the distance is smallest. So the field
 /// itself is the truth, be it a formula or interpolated samples. The nearest point is the one
 /// reached from the mesh's own (s, t): an upper bound where another sheet is closer.
-SurfaceError measure_error(const TriangleMesh& mesh, const SurfaceRequest& request,
+SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples = 2000);
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

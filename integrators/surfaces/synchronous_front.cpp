@@ -14,7 +14,7 @@
 #include "integrators/front/front_line.h"
 #include "integrators/front/surface_parameters.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 class SynchronousFront {
@@ -106,7 +106,7 @@ void SynchronousFront::for_each_moving(const Function& function) {
   constexpr std::size_t grain = 64;  // a particle takes some 100 ns
   const tbb::blocked_range<std::size_t> all(0, moving_.size(), grain);
   parallel_ranges(all, [&](const tbb::blocked_range<std::size_t>& part) {
-    FieldSampler& sampler = run_.sampler();
+    fields::FieldSampler& sampler = run_.sampler();
     const auto head = [&](int p) { return p < 0 ? nullptr : &head_of(p); };
     for (std::size_t i = part.begin(); i < part.end(); ++i) {
       FrontParticle& particle = front_.at(moving_[i]);
@@ -151,8 +151,8 @@ void SynchronousFront::advance_as_refined() {
 double SynchronousFront::planned_step() {
   steps_.resize(moving_.size());
   for_each_moving([&](std::size_t i, FrontParticle& particle, const FrontPoint* left,
-                      const FrontPoint* right, FieldSampler&) {
-    steps_[i] = pellucid::planned_step(refinement_, particle.path, particle.head, left, right);
+                      const FrontPoint* right, fields::FieldSampler&) {
+    steps_[i] = integrators::planned_step(refinement_, particle.path, particle.head, left, right);
   });
   return *std::min_element(steps_.begin(), steps_.end());
 }
@@ -167,7 +167,7 @@ double SynchronousFront::row_after(double dt) const {
 double SynchronousFront::reach(double t) {
   steps_.resize(moving_.size());
   for_each_moving([&](std::size_t i, FrontParticle& particle, const FrontPoint* left,
-                      const FrontPoint* right, FieldSampler& sampler) {
+                      const FrontPoint* right, fields::FieldSampler& sampler) {
     particle.path.release(particle.head.t);
     particle.path.reach(t, sampler);
     particle.next = front_point(particle.path, std::min(t, particle.path.time()));
@@ -351,4 +351,4 @@ constexpr IntegratorRow adaptive_row = {
 const IntegratorRow& fixed_front_integrator() { return fixed_row; }
 const IntegratorRow& adaptive_front_integrator() { return adaptive_row; }
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

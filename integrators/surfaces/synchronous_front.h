@@ -2,9 +2,9 @@
 
 #include "integrators/surface_integrator.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 
 const IntegratorRow& fixed_front_integrator();
 const IntegratorRow& adaptive_front_integrator();
 
-}  // namespace pellucid
+}  // namespace pellucid::integrators

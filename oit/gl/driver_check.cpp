@@ -6,7 +6,7 @@
 #include "oit/gl/program.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 void require(bool good, const GlContext& context, std::string_view what) {
@@ -80,4 +80,4 @@ void check_driver(const GlContext& context) {
           context, "stores into buffer textures are lost");
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

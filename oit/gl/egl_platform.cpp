@@ -4,7 +4,7 @@
 #include "oit/gl/gl_platform.h"
 #include "oit/gl/shared_library.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 [[noreturn]] void fail(const char* what) {
@@ -67,4 +67,4 @@ class EglPlatform final : public GlPlatform {
 
 std::unique_ptr<GlPlatform> make_egl_platform() { return std::make_unique<EglPlatform>(); }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

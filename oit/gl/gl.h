@@ -49,7 +49,7 @@
   X(EndQuery, ENDQUERY) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)
 // clang-format on
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// gl.CreateTextures(…) is glCreateTextures(…).
 struct Gl {
@@ -58,4 +58,4 @@ struct Gl {
 #undef PELLUCID_GL_MEMBER
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 std::unique_ptr<GlPlatform> make_platform(std::string_view kind) {
@@ -58,4 +58,4 @@ void GlContext::check(std::string_view what) const {
                               message_->empty() ? "no message" : *message_, driver_));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -7,7 +7,7 @@
 #include "oit/gl/gl.h"
 #include "oit/gl/gl_platform.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// An OpenGL 4.5 core context without a window. It belongs to whoever made it; it is current on the
 /// thread that last called make_current().
@@ -35,4 +35,4 @@ class GlContext {
   std::unique_ptr<std::string> message_;  // the driver's last; its address is given to the driver
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 template <class Create>
@@ -203,4 +203,4 @@ std::uint64_t SampleQuery::end() const {
   return samples;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -11,7 +11,7 @@
 #include "core/vec.h"
 #include "oit/gl/gl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// An OpenGL name and its deleter, e.g. GlName<&Gl::DeleteTextures>.
 template <auto Delete>
@@ -189,4 +189,4 @@ class SampleQuery {
   GlName<&Gl::DeleteQueries> name_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string_view>
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// A way to get an OpenGL context without a window. Its library is loaded when it is made, so that
 /// a command that draws nothing by OpenGL never loads a driver.
@@ -23,4 +23,4 @@ std::unique_ptr<GlPlatform> make_osmesa_platform();
 /// WorkError.
 std::unique_ptr<GlPlatform> make_egl_platform();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

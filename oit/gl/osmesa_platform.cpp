@@ -3,7 +3,7 @@
 #include "oit/gl/gl_platform.h"
 #include "oit/gl/shared_library.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class OsmesaPlatform final : public GlPlatform {
@@ -52,4 +52,4 @@ class OsmesaPlatform final : public GlPlatform {
 
 std::unique_ptr<GlPlatform> make_osmesa_platform() { return std::make_unique<OsmesaPlatform>(); }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

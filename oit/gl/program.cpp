@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 std::string_view shared_file(std::string_view path) {
@@ -105,4 +105,4 @@ void Program::set(const char* name, std::uint32_t value) const {
   gl_->ProgramUniform1ui(id_, location(name), value);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -9,7 +9,7 @@
 #include "oit/gl/gl_context.h"
 #include "oit/gl/gl_objects.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// #define NAME VALUE lines that specialise a shader.
 using Defines = std::vector<std::pair<std::string, int>>;
@@ -58,4 +58,4 @@ class Program {
 /// begins with the room's name as in C++. Throws WorkError for an unknown one.
 std::string expand_includes(std::string_view source);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// A library loaded at run time. It stays loaded until the process ends: Mesa keeps threads that
 /// run its code.
@@ -29,4 +29,4 @@ class SharedLibrary {
   void* handle_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

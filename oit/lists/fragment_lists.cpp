@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // llvmpipe silently ends the loops of a shader after 65535 iterations in all.
@@ -103,4 +103,4 @@ void FragmentLists::finish_stores() const {
   stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

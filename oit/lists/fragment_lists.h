@@ -6,7 +6,7 @@
 #include "oit/lists/fragment_pool.h"
 #include "oit/stage/stage.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Every fragment of a pixel in a list, sorted: see oit/methods/lists/linked_list.h. What
 /// is done with the sorted ones, front to back, is list_consumer.glsl's.
@@ -63,4 +63,4 @@ class FragmentLists {
 /// Layers that are sorted in registers: RUN of list_sort.glsl.
 inline constexpr int most_layers_in_registers = 16;
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

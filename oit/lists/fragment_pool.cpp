@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 FragmentPool make_fragment_pool(const Gl& gl, std::string_view method, std::uint64_t nodes) {
   check_texel_count(gl, method, nodes, "fragments");
@@ -23,4 +23,4 @@ void check_texel_count(const Gl& gl, std::string_view method, std::uint64_t coun
                     method, count, what, most));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "oit/gl/gl_objects.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Places for the nodes of per-pixel lists (fragment_list.glsl), in texture buffers: a storage
 /// block ends at 128 MiB.
@@ -25,4 +25,4 @@ FragmentPool make_fragment_pool(const Gl& gl, std::string_view method, std::uint
 void check_texel_count(const Gl& gl, std::string_view method, std::uint64_t count,
                        std::string_view what);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // llvmpipe silently ends the loops of a shader after 65535 iterations, counted over all 8 pixels
@@ -138,4 +138,4 @@ LayerTrees::Counts LayerTrees::count() const {
   return counts;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/lists/fragment_pool.h"
 #include "oit/stage/stage.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// How fragments become layers.
 struct LayerRule {
@@ -52,4 +52,4 @@ class LayerTrees {
   std::uint64_t frame_fragments_ = 0, fragments_ = 0, layers_ = 0;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

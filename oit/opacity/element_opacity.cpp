@@ -7,13 +7,13 @@
 
 #include "scene/elements/frame_memory.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
-std::size_t count_points(const Scene& scene) {
+std::size_t count_points(const scene::Scene& scene) {
   std::size_t count = 0;
-  for (const SceneObject& object : scene.objects)
-    if (const auto* points = std::get_if<PointObject>(&object.shape))
+  for (const scene::SceneObject& object : scene.objects)
+    if (const auto* points = std::get_if<scene::PointObject>(&object.shape))
       count += points->set.positions.size();
   return count;
 }
@@ -24,20 +24,20 @@ BufferTexture numbers(const Gl& gl, std::vector<std::uint32_t> of_primitive, std
 }
 
 /// The memory's elements of a kind, cut where there are none yet.
-std::shared_ptr<const Elements> remembered(FrameMemory* memory,
-                                           std::shared_ptr<const Elements> FrameMemory::*kind,
-                                           Elements (*cut)(const Scene&, std::size_t),
-                                           const Scene& scene, int count) {
+std::shared_ptr<const scene::Elements> remembered(
+    scene::FrameMemory* memory, std::shared_ptr<const scene::Elements> scene::FrameMemory::*kind,
+    scene::Elements (*cut)(const scene::Scene&, std::size_t), const scene::Scene& scene,
+    int count) {
   if (memory && memory->*kind) return memory->*kind;
-  const auto elements = std::make_shared<const Elements>(cut(scene, std::size_t(count)));
+  const auto elements = std::make_shared<const scene::Elements>(cut(scene, std::size_t(count)));
   if (memory) memory->*kind = elements;
   return elements;
 }
 
 }  // namespace
 
-bool has_importance(const Scene& scene) {
-  return std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+bool has_importance(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.objects, [](const scene::SceneObject& object) {
     return !object.opaque &&
            std::ranges::any_of(object.vertices().importance, [](float g) { return g > 0; });
   });
@@ -47,10 +47,10 @@ ElementOpacity::ElementOpacity(Stage& stage, const Parameters& parameters)
     : stage_(stage),
       iterations_(parameters.integer("smooth")),
       keep_(float(parameters.real("keep"))),
-      patches_(remembered(stage.memory(), &FrameMemory::surfaces, surface_elements, stage.scene(),
-                          parameters.integer("patches"))),
-      segments_(remembered(stage.memory(), &FrameMemory::lines, line_elements, stage.scene(),
-                           parameters.integer("segments"))),
+      patches_(remembered(stage.memory(), &scene::FrameMemory::surfaces, scene::surface_elements,
+                          stage.scene(), parameters.integer("patches"))),
+      segments_(remembered(stage.memory(), &scene::FrameMemory::lines, scene::line_elements,
+                           stage.scene(), parameters.integer("segments"))),
       points_(count_points(stage.scene())) {
   const Gl& gl = stage.gl();
   const std::size_t first_point = patches_->count() + segments_->count();
@@ -78,16 +78,16 @@ void ElementOpacity::smooth_and_interpolate() {
 
 void ElementOpacity::smooth_found(std::vector<float>& opacities) const {
   auto at = opacities.begin();
-  for (const Elements* elements : {patches_.get(), segments_.get()}) {
+  for (const scene::Elements* elements : {patches_.get(), segments_.get()}) {
     const auto end = at + std::ptrdiff_t(elements->count());
     std::vector<float> of_kind(at, end);
-    smooth(*elements, iterations_, of_kind);
+    scene::smooth(*elements, iterations_, of_kind);
     at = std::ranges::copy(of_kind, at).out;
   }
 }
 
 void ElementOpacity::blend_with_last(std::vector<float>& opacities) {
-  FrameMemory& memory = *stage_.memory();
+  scene::FrameMemory& memory = *stage_.memory();
   if (keep_ > 0 && memory.last.size() == opacities.size()) {
     for (std::size_t i = 0; i < opacities.size(); ++i)
       opacities[i] = std::lerp(opacities[i], memory.last[i], keep_);
@@ -103,8 +103,8 @@ void ElementOpacity::interpolate(const std::vector<float>& opacities) const {
   const auto middle = opacities.begin() + std::ptrdiff_t(patches_->count());
   const std::vector<float> patches(opacities.begin(), middle),
       segments(middle, middle + std::ptrdiff_t(segments_->count()));
-  stage_.set_opacities(vertex_opacities(*patches_, patches),
-                       vertex_opacities(*segments_, segments));
+  stage_.set_opacities(scene::vertex_opacities(*patches_, patches),
+                       scene::vertex_opacities(*segments_, segments));
 }
 
 std::string ElementOpacity::describe() const {
@@ -114,4 +114,4 @@ std::string ElementOpacity::describe() const {
       patches_->count(), segments_->count(), points_, iterations_);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/stage/stage.h"
 #include "scene/elements/elements.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Opacities of the scene's elements, and of its vertices by them: the object-space half of opacity
 /// optimization (Baeza Rojo et al. 2019, section 4.2, end of step 2 and step 3). It takes the
@@ -35,13 +35,13 @@ class ElementOpacity {
   Stage& stage_;
   int iterations_;
   float keep_;
-  std::shared_ptr<const Elements> patches_, segments_;
+  std::shared_ptr<const scene::Elements> patches_, segments_;
   std::size_t points_;
   ElementTextures textures_;
 };
 
 /// Whether any transparent object of the scene has some: otherwise no opacity changes.
-bool has_importance(const Scene& scene);
+bool has_importance(const scene::Scene& scene);
 inline constexpr const char* nothing_is_important =
     "opacities: the scene's own, nothing in it is important";
 
@@ -74,4 +74,4 @@ inline constexpr auto element_parameters = std::to_array<ParameterSpec>(
       .max = 1,
       .help = "along a camera path, the share of the last frame's opacities that stays"}});
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/gl/gl_objects.h"
 #include "scene/opacity_energy.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The uniform block of energy.glsl.
 struct EnergyBlock {
@@ -12,10 +12,10 @@ struct EnergyBlock {
   float own_share = 1;
   glm::vec2 unused{0};
 
-  explicit EnergyBlock(const EnergyWeights& w) : weights(w.p, w.q, w.r, w.lambda) {}
+  explicit EnergyBlock(const scene::EnergyWeights& w) : weights(w.p, w.q, w.r, w.lambda) {}
   Buffer buffer(const Gl& gl) const { return {gl, std::vector<EnergyBlock>{*this}}; }
   static void bind(const Buffer& buffer) { buffer.bind_base(GL_UNIFORM_BUFFER, 1); }
 };
 static_assert(sizeof(EnergyBlock) == 32);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,13 +3,13 @@
 #include "oit/opacity/energy_block.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 constexpr GLuint coefficients_image = 6;  // of importance_series.glsl
 
 EnergyBlock energy(const Stage& stage, const Parameters& parameters) {
-  EnergyBlock block(energy_weights(parameters, stage.scene().energy));
+  EnergyBlock block(scene::energy_weights(parameters, stage.scene().energy));
   block.margin = float(parameters.real("margin"));
   block.own_share = parameters.text("at") == "middle" ? 0.5f : 1.0f;
   return block;
@@ -62,4 +62,4 @@ void ImportanceSeries::bind() const {
   coefficients_.bind_image(coefficients_image);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

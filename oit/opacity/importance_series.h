@@ -2,7 +2,7 @@
 
 #include "oit/optical_depth/fourier_projection.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The importance G(d) of every pixel as a Fourier series (Baeza Rojo et al. 2019, Eq. 11), for
 /// programs that include importance_series.glsl. It takes the parameters of scene/opacity_energy.h,
@@ -27,4 +27,4 @@ class ImportanceSeries {
   Defines defines_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // Two bands to a target, band 0 included.
@@ -57,4 +57,4 @@ GeometryProgram fourier_program(const Stage& stage, std::string_view fragment, D
   return program;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -5,11 +5,12 @@
 
 #include "oit/stage/stage.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The pass that projects what fragments carry onto Fourier series (Baeza Rojo et al. 2019, Eqs. 8,
 /// 11, 16, 17), a series a pixel, by adding: two bands in a target, up to 15 in one pass. It takes
-/// the parameters `at`, `margin`, `precision` and `subset` of oit/methods/fourier/fourier.h, and `clamp`.
+/// the parameters `at`, `margin`, `precision` and `subset` of oit/methods/fourier/fourier.h, and
+/// `clamp`.
 class FourierProjection {
  public:
   /// Of the optical depth; of the importance where PROJECT_IMPORTANCE is among the defines.
@@ -46,4 +47,4 @@ FourierTarget fourier_target(int bands, const Parameters& parameters);
 GeometryProgram fourier_program(const Stage& stage, std::string_view fragment, Defines defines,
                                 const Parameters& parameters, const FragmentOpacity& opacity = {});
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace pellucid {
+namespace pellucid::oit {
 
 OpticalDepthPasses::OpticalDepthPasses(Stage& stage, const std::vector<Target>& coefficients,
                                        GeometryProgram weight, Program composite)
@@ -44,4 +44,4 @@ GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fr
   return program;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

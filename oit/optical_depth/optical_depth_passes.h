@@ -5,7 +5,7 @@
 
 #include "oit/stage/oit_renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// What the methods share that hold the optical depth tau(d) of a pixel as a few coefficients
 /// (bins, bands, moments):
@@ -68,4 +68,4 @@ inline constexpr ParameterSpec clamp_parameter = {
     .unit = "1",
     .help = "largest opacity; Eq. 13 divides by 1 - alpha"};
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -4,14 +4,14 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // A draw call counts vertices in a signed 32-bit integer.
 constexpr std::uint64_t most_primitives = (std::uint64_t(1) << 31) / 3;
 
-void check_shape(const SceneObject& object) {
-  if (std::holds_alternative<Isosurface>(object.shape))
+void check_shape(const scene::SceneObject& object) {
+  if (std::holds_alternative<scene::Isosurface>(object.shape))
     throw InputError(fmt::format(
         "{}: an isosurface: raytrace and march draw it; accepted by this method: meshes, "
         "lines, points",
@@ -21,30 +21,30 @@ void check_shape(const SceneObject& object) {
         "{}: profile \"{}\": raytrace and march draw it; accepted by this method: \"{}\"",
         object.name, profile, accepted));
   };
-  if (const auto* lines = std::get_if<LineObject>(&object.shape))
-    if (lines->profile == LineObject::Profile::tube) refuse("tube", "ribbon");
-  if (const auto* points = std::get_if<PointObject>(&object.shape))
-    if (points->profile == PointObject::Profile::sphere) refuse("sphere", "disc");
+  if (const auto* lines = std::get_if<scene::LineObject>(&object.shape))
+    if (lines->profile == scene::LineObject::Profile::tube) refuse("tube", "ribbon");
+  if (const auto* points = std::get_if<scene::PointObject>(&object.shape))
+    if (points->profile == scene::PointObject::Profile::sphere) refuse("sphere", "disc");
 }
 
 struct CountPrimitives {
-  std::uint64_t operator()(const TriangleMesh& mesh) { return mesh.triangles.size(); }
-  std::uint64_t operator()(const LineObject& lines) { return 2 * lines.set.segment_count(); }
-  std::uint64_t operator()(const PointObject& points) { return points.set.positions.size(); }
-  std::uint64_t operator()(const Isosurface&) { return 0; }  // refused: see check_shape
+  std::uint64_t operator()(const geometry::TriangleMesh& mesh) { return mesh.triangles.size(); }
+  std::uint64_t operator()(const scene::LineObject& lines) { return 2 * lines.set.segment_count(); }
+  std::uint64_t operator()(const scene::PointObject& points) { return points.set.positions.size(); }
+  std::uint64_t operator()(const scene::Isosurface&) { return 0; }  // refused: see check_shape
 };
 
 }  // namespace
 
-std::uint64_t primitive_count(const SceneObject& object) {
+std::uint64_t primitive_count(const scene::SceneObject& object) {
   return std::visit(CountPrimitives(), object.shape);
 }
 
-std::vector<Batch> make_batches(const Scene& scene) {
+std::vector<Batch> make_batches(const scene::Scene& scene) {
   std::vector<Batch> batches;
   std::uint64_t total = 0;
   std::array<std::uint32_t, shape_kinds.size()> of_kind{};
-  for (const SceneObject& object : scene.objects) {
+  for (const scene::SceneObject& object : scene.objects) {
     check_shape(object);
     const std::uint64_t n = primitive_count(object), first = total;
     if ((total += n) >= most_primitives)
@@ -60,4 +60,4 @@ std::vector<Batch> make_batches(const Scene& scene) {
   return batches;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -6,17 +6,19 @@
 
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// How OpenGL draws a shape, in the order of SceneObject::shape.
 enum class ShapeKind { mesh, ribbon, disc };
 
 inline constexpr std::array shape_kinds = {ShapeKind::mesh, ShapeKind::ribbon, ShapeKind::disc};
 
-inline ShapeKind kind_of(const SceneObject& object) { return ShapeKind(object.shape.index()); }
+inline ShapeKind kind_of(const scene::SceneObject& object) {
+  return ShapeKind(object.shape.index());
+}
 
 /// Triangles of a mesh, triangles of ribbons, or points.
-std::uint64_t primitive_count(const SceneObject& object);
+std::uint64_t primitive_count(const scene::SceneObject& object);
 
 /// Primitives of one kind that follow each other in the scene.
 struct Batch {
@@ -29,6 +31,6 @@ struct Batch {
 
 /// All of a scene. Throws InputError for shapes that no method draws (tubes, spheres) and for
 /// 2^31 / 3 primitives or more.
-std::vector<Batch> make_batches(const Scene& scene);
+std::vector<Batch> make_batches(const scene::Scene& scene);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

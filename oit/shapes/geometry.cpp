@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // Units of disc.vert.glsl, out of the way of the methods' own.
@@ -40,9 +40,10 @@ class Thinning {
 
 }  // namespace
 
-Geometry::Geometry(const Gl& gl, const Scene& scene) : Geometry(gl, scene, depth_range(scene)) {}
+Geometry::Geometry(const Gl& gl, const scene::Scene& scene)
+    : Geometry(gl, scene, scene::depth_range(scene)) {}
 
-Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
+Geometry::Geometry(const Gl& gl, const scene::Scene& scene, const scene::DepthRange& range)
     : gl_(gl),
       view_(scene, range),
       lighting_(scene.lighting),
@@ -60,9 +61,10 @@ Geometry::Geometry(const Gl& gl, const Scene& scene, const DepthRange& range)
 
 Defines Geometry::defines() const {
   Defines defines;
-  if (lighting_ != Lighting::none) defines.emplace_back("LIT", 1);
-  if (lighting_ == Lighting::phong) defines.emplace_back("PHONG", 1);
-  if (view_.projection() == Projection::orthographic) defines.emplace_back("ORTHOGRAPHIC", 1);
+  if (lighting_ != scene::Lighting::none) defines.emplace_back("LIT", 1);
+  if (lighting_ == scene::Lighting::phong) defines.emplace_back("PHONG", 1);
+  if (view_.projection() == scene::Projection::orthographic)
+    defines.emplace_back("ORTHOGRAPHIC", 1);
   return defines;
 }
 
@@ -79,7 +81,7 @@ std::uint64_t Geometry::primitive_count() const {
   return batches_.empty() ? 0 : batches_.back().first_primitive + batches_.back().count;
 }
 
-void Geometry::upload_importance(const Scene& scene) {
+void Geometry::upload_importance(const scene::Scene& scene) {
   if (meshes_) upload_mesh_importance(gl_, scene, *meshes_);
   if (ribbons_) upload_ribbon_importance(gl_, scene, *ribbons_);
   if (points_) point_importance_ = upload_disc_importance(gl_, scene);
@@ -175,4 +177,4 @@ Subset Geometry::every(std::uint32_t n) const {
   return subset;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

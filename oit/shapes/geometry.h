@@ -5,7 +5,7 @@
 #include "oit/shapes/geometry_program.h"
 #include "oit/shapes/geometry_upload.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Every n-th of the scene's transparent triangles, segments and points.
 struct Subset {
@@ -14,8 +14,8 @@ struct Subset {
   Buffer mesh_indices, ribbon_indices;
 };
 
-/// The elements of a scene (see scene/elements/elements.h) for element.glsl: patches, then segments of
-/// lines, then every point.
+/// The elements of a scene (see scene/elements/elements.h) for element.glsl: patches, then segments
+/// of lines, then every point.
 struct ElementTextures {
   BufferTexture of_triangle, of_segment;  // which element
   std::uint32_t first_point = 0;          // of the elements
@@ -26,9 +26,9 @@ struct ElementTextures {
 class Geometry {
  public:
   /// Throws as make_batches does.
-  Geometry(const Gl& gl, const Scene& scene);
+  Geometry(const Gl& gl, const scene::Scene& scene);
   /// `range` is that of the whole picture, where `scene` is a part of it.
-  Geometry(const Gl& gl, const Scene& scene, const DepthRange& range);
+  Geometry(const Gl& gl, const scene::Scene& scene, const scene::DepthRange& range);
 
   /// Defines that the geometry shaders need: LIT, ORTHOGRAPHIC.
   Defines defines() const;
@@ -37,7 +37,7 @@ class Geometry {
   std::uint64_t primitive_count() const;
   /// Uploads the vertices' importance, of the scene that it was made from, for programs with the
   /// define IMPORTANCE.
-  void upload_importance(const Scene& scene);
+  void upload_importance(const scene::Scene& scene);
   /// From here on programs may find out elements and their opacities. They have to outlive it.
   void use_elements(const ElementTextures& elements) { elements_ = &elements; }
   /// Of the vertices of all meshes; of the points of all lines. Copied.
@@ -70,7 +70,7 @@ class Geometry {
 
   const Gl& gl_;
   ViewSpace view_;
-  Lighting lighting_;
+  scene::Lighting lighting_;
   std::vector<Batch> batches_;
   Buffer uniforms_;
   std::optional<IndexedVertices> meshes_, ribbons_;
@@ -79,4 +79,4 @@ class Geometry {
   VertexArray no_attributes_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

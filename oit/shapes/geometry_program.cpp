@@ -2,7 +2,7 @@
 
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 struct ShapeShader {
@@ -27,4 +27,4 @@ GeometryProgram::GeometryProgram(const GlContext& context, std::span<const Shape
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

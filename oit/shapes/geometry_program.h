@@ -8,7 +8,7 @@
 #include "oit/gl/program.h"
 #include "oit/shapes/batch.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// What changes the opacity of every fragment before a pass sees it, see fragment.glsl: nothing, or
 /// the defines and the text that say how.
@@ -35,4 +35,4 @@ class GeometryProgram {
   std::array<std::optional<Program>, shape_kinds.size()> programs_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

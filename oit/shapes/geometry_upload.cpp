@@ -3,7 +3,7 @@
 #include "oit/shapes/batch.h"
 #include "scene/view/ribbon.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 struct Vertex {
@@ -21,16 +21,16 @@ static_assert(sizeof(Point) == 32);
 
 /// The objects of one kind, in order.
 template <class Shape, class Call>
-void for_each(const Scene& scene, const Call& call) {
-  for (const SceneObject& object : scene.objects)
+void for_each(const scene::Scene& scene, const Call& call) {
+  for (const scene::SceneObject& object : scene.objects)
     if (const auto* shape = std::get_if<Shape>(&object.shape)) call(*shape);
 }
 
 /// call(set of lines, index of the line's first point, the line's points)
 template <class Call>
-void for_each_line(const Scene& scene, const Call& call) {
-  for_each<LineObject>(scene, [&](const LineObject& lines) {
-    const LineSet& set = lines.set;
+void for_each_line(const scene::Scene& scene, const Call& call) {
+  for_each<scene::LineObject>(scene, [&](const scene::LineObject& lines) {
+    const geometry::LineSet& set = lines.set;
     const std::span<const Vec3> points(set.positions);
     for (std::size_t k = 0; k < set.line_count(); ++k)
       call(lines, set.offsets[k],
@@ -42,9 +42,9 @@ struct Counts {
   std::uint64_t vertices = 0, primitives = 0;
 };
 
-Counts count(const Scene& scene, ShapeKind kind) {
+Counts count(const scene::Scene& scene, ShapeKind kind) {
   Counts counts;
-  for (const SceneObject& object : scene.objects)
+  for (const scene::SceneObject& object : scene.objects)
     if (kind_of(object) == kind) {
       counts.vertices += object.vertices().positions.size();
       counts.primitives += primitive_count(object);
@@ -69,12 +69,12 @@ void describe_importance(const IndexedVertices& v) {
 }
 
 /// Of every vertex of a kind, `copies` times.
-Buffer importance(const Gl& gl, const Scene& scene, ShapeKind kind, int copies) {
+Buffer importance(const Gl& gl, const scene::Scene& scene, ShapeKind kind, int copies) {
   const std::uint64_t n = count(scene, kind).vertices * std::uint64_t(copies);
   return Buffer::filled<float>(gl, n, [&](float* out) {
-    for (const SceneObject& object : scene.objects) {
+    for (const scene::SceneObject& object : scene.objects) {
       if (kind_of(object) != kind) continue;
-      const Vertices& vertices = object.vertices();
+      const geometry::Vertices& vertices = object.vertices();
       for (std::size_t i = 0; i < vertices.positions.size(); ++i)
         out = std::fill_n(out, copies, vertices.importance.empty() ? 0 : vertices.importance[i]);
     }
@@ -83,26 +83,26 @@ Buffer importance(const Gl& gl, const Scene& scene, ShapeKind kind, int copies) 
 
 }  // namespace
 
-IndexedVertices upload_meshes(const Gl& gl, const Scene& scene, const ViewSpace& view) {
+IndexedVertices upload_meshes(const Gl& gl, const scene::Scene& scene, const ViewSpace& view) {
   IndexedVertices result(gl);
   const Counts n = count(scene, ShapeKind::mesh);
   result.vertices = Buffer::filled<Vertex>(gl, n.vertices, [&](Vertex* out) {
-    for_each<TriangleMesh>(scene, [&](const TriangleMesh& mesh) {
+    for_each<geometry::TriangleMesh>(scene, [&](const geometry::TriangleMesh& mesh) {
       for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         *out++ = {view.position(mesh.positions[i]), mesh.colors[i]};
     });
   });
   result.indices = Buffer::filled<IndexTriangle>(gl, n.primitives, [&](IndexTriangle* out) {
     std::uint32_t base = 0;
-    for_each<TriangleMesh>(scene, [&](const TriangleMesh& mesh) {
+    for_each<geometry::TriangleMesh>(scene, [&](const geometry::TriangleMesh& mesh) {
       for (const auto& [a, b, c] : mesh.triangles) *out++ = {base + a, base + b, base + c};
       base += std::uint32_t(mesh.positions.size());
     });
   });
   describe_vertices(result);
-  if (scene.lighting == Lighting::none) return result;
+  if (scene.lighting == scene::Lighting::none) return result;
   result.directions = Buffer::filled<glm::vec3>(gl, n.vertices, [&](glm::vec3* out) {
-    for_each<TriangleMesh>(scene, [&](const TriangleMesh& mesh) {
+    for_each<geometry::TriangleMesh>(scene, [&](const geometry::TriangleMesh& mesh) {
       for (const Vec3& normal : mesh.normals) *out++ = view.direction(normal);
     });
   });
@@ -110,14 +110,14 @@ IndexedVertices upload_meshes(const Gl& gl, const Scene& scene, const ViewSpace&
   return result;
 }
 
-IndexedVertices upload_ribbons(const Gl& gl, const Scene& scene, const ViewSpace& view) {
+IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const ViewSpace& view) {
   using Line = std::span<const Vec3>;
   IndexedVertices result(gl);
   const Counts n = count(scene, ShapeKind::ribbon);
   result.vertices = Buffer::filled<Vertex>(gl, 2 * n.vertices, [&](Vertex* out) {
     std::vector<Vec3> half_widths;
-    for_each_line(scene, [&](const LineObject& lines, std::uint64_t first, Line line) {
-      ribbon_half_widths(line, lines.radius, view.frame(), view.projection(), half_widths);
+    for_each_line(scene, [&](const scene::LineObject& lines, std::uint64_t first, Line line) {
+      scene::ribbon_half_widths(line, lines.radius, view.frame(), view.projection(), half_widths);
       for (std::size_t i = 0; i < line.size(); ++i)
         for (const Vec3& corner : {line[i] - half_widths[i], line[i] + half_widths[i]})
           *out++ = {view.position(corner), lines.set.colors[first + i]};
@@ -125,18 +125,18 @@ IndexedVertices upload_ribbons(const Gl& gl, const Scene& scene, const ViewSpace
   });
   result.indices = Buffer::filled<IndexTriangle>(gl, n.primitives, [&](IndexTriangle* out) {
     std::uint32_t base = 0;
-    for_each_line(scene, [&](const LineObject&, std::uint64_t, Line line) {
+    for_each_line(scene, [&](const scene::LineObject&, std::uint64_t, Line line) {
       for (std::uint32_t i = 0; i + 1 < line.size(); ++i)
-        for (const IndexTriangle& triangle : ribbon_triangles(base + i)) *out++ = triangle;
+        for (const IndexTriangle& triangle : scene::ribbon_triangles(base + i)) *out++ = triangle;
       base += std::uint32_t(line.size());
     });
   });
   describe_vertices(result);
-  if (scene.lighting == Lighting::none) return result;
+  if (scene.lighting == scene::Lighting::none) return result;
   result.directions = Buffer::filled<glm::vec3>(gl, 2 * n.vertices, [&](glm::vec3* out) {
-    for_each_line(scene, [&](const LineObject&, std::uint64_t, Line line) {
+    for_each_line(scene, [&](const scene::LineObject&, std::uint64_t, Line line) {
       for (std::size_t i = 0; i < line.size(); ++i) {
-        const Vec3 t = line_direction(line, i);
+        const Vec3 t = scene::line_direction(line, i);
         const double length = glm::length(t);
         out = std::fill_n(out, 2, view.direction(length > 0 ? t / length : t));
       }
@@ -146,10 +146,10 @@ IndexedVertices upload_ribbons(const Gl& gl, const Scene& scene, const ViewSpace
   return result;
 }
 
-BufferTexture upload_discs(const Gl& gl, const Scene& scene, const ViewSpace& view) {
+BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSpace& view) {
   const std::uint64_t n = count(scene, ShapeKind::disc).vertices;
   return {gl, GL_RGBA32F, Buffer::filled<Point>(gl, n, [&](Point* out) {
-            for_each<PointObject>(scene, [&](const PointObject& points) {
+            for_each<scene::PointObject>(scene, [&](const scene::PointObject& points) {
               const float radius = view.length(points.radius);
               for (std::size_t i = 0; i < points.set.positions.size(); ++i)
                 *out++ = {view.position(points.set.positions[i]), radius, points.set.colors[i]};
@@ -157,12 +157,12 @@ BufferTexture upload_discs(const Gl& gl, const Scene& scene, const ViewSpace& vi
           })};
 }
 
-void upload_mesh_importance(const Gl& gl, const Scene& scene, IndexedVertices& meshes) {
+void upload_mesh_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& meshes) {
   meshes.importance = importance(gl, scene, ShapeKind::mesh, 1);
   describe_importance(meshes);
 }
 
-void upload_ribbon_importance(const Gl& gl, const Scene& scene, IndexedVertices& ribbons) {
+void upload_ribbon_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& ribbons) {
   ribbons.importance = importance(gl, scene, ShapeKind::ribbon, 2);
   describe_importance(ribbons);
 }
@@ -181,8 +181,8 @@ void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies
     });
 }
 
-BufferTexture upload_disc_importance(const Gl& gl, const Scene& scene) {
+BufferTexture upload_disc_importance(const Gl& gl, const scene::Scene& scene) {
   return {gl, GL_R32F, importance(gl, scene, ShapeKind::disc, 1)};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

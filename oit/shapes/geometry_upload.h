@@ -4,7 +4,7 @@
 #include "oit/gl/gl_objects.h"
 #include "oit/shapes/view_space.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 using IndexTriangle = std::array<std::uint32_t, 3>;
 
@@ -17,17 +17,17 @@ struct IndexedVertices {
   Buffer vertices, directions, importance, opacity, indices;
 };
 
-IndexedVertices upload_meshes(const Gl& gl, const Scene& scene, const ViewSpace& view);
-IndexedVertices upload_ribbons(const Gl& gl, const Scene& scene, const ViewSpace& view);
+IndexedVertices upload_meshes(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
+IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 /// 32 bytes a point: see disc.vert.glsl.
-BufferTexture upload_discs(const Gl& gl, const Scene& scene, const ViewSpace& view);
+BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 
-void upload_mesh_importance(const Gl& gl, const Scene& scene, IndexedVertices& meshes);
-void upload_ribbon_importance(const Gl& gl, const Scene& scene, IndexedVertices& ribbons);
+void upload_mesh_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& meshes);
+void upload_ribbon_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& ribbons);
 /// Opacities that a vertex has beside its colour's, `copies` times each; written again they replace
 /// the old ones. For programs with the define OPTIMIZED_VERTICES.
 void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies,
                       IndexedVertices& vertices);
-BufferTexture upload_disc_importance(const Gl& gl, const Scene& scene);
+BufferTexture upload_disc_importance(const Gl& gl, const scene::Scene& scene);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

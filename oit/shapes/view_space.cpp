@@ -1,6 +1,6 @@
 #include "oit/shapes/view_space.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // Perspective: what lies nearer to the eye than this, in units of the farthest depth, is clipped.
@@ -9,24 +9,24 @@ constexpr double nearest = 1e-6;
 
 }  // namespace
 
-ViewSpace::ViewSpace(const Scene& scene, const DepthRange& range)
-    : frame_(camera_frame(scene.camera)),
+ViewSpace::ViewSpace(const scene::Scene& scene, const scene::DepthRange& range)
+    : frame_(scene::camera_frame(scene.camera)),
       projection_(scene.camera.projection),
       range_(range),
       size_(scene.width, scene.height),
-      half_height_(half_height(scene.camera)) {
-  unit_ = projection_ == Projection::perspective ? range_.far : half_height_;
+      half_height_(scene::half_height(scene.camera)) {
+  unit_ = projection_ == scene::Projection::perspective ? range_.far : half_height_;
 }
 
 ViewSpace::Uniforms ViewSpace::uniforms(const Vec2& sample) const {
-  const double y_scale = projection_ == Projection::perspective ? 1 / half_height_ : 1;
+  const double y_scale = projection_ == scene::Projection::perspective ? 1 / half_height_ : 1;
   Uniforms u;
   u.clip_scale = {float(y_scale * size_.y / size_.x), float(-y_scale)};
   // A pixel is 2 / size wide in clip space, where y runs down as in the picture.
   u.clip_shift = glm::vec2(2.0 * (0.5 - sample) / size_);
   // View depth in units of the farthest: z = z0 + z1 d.
   const double z0 = range_.near / range_.far, z1 = (range_.far - range_.near) / range_.far;
-  if (projection_ == Projection::perspective) {
+  if (projection_ == scene::Projection::perspective) {
     // w = z and z_clip = z - 2 nearest: inside [-w, w] exactly when z >= nearest.
     u.clip_w = {z0, z1};
     u.clip_z = {z0 - 2 * nearest, z1};
@@ -38,4 +38,4 @@ ViewSpace::Uniforms ViewSpace::uniforms(const Vec2& sample) const {
   return u;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

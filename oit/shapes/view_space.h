@@ -3,7 +3,7 @@
 #include "scene/scene.h"
 #include "scene/view_depth.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The frame in which geometry is uploaded: x right and y up in view units, in place of z the depth
 /// d of the scene.
@@ -13,10 +13,10 @@ namespace pellucid {
 /// digits, as it would with a float matrix over world positions.
 class ViewSpace {
  public:
-  ViewSpace(const Scene& scene, const DepthRange& range);
+  ViewSpace(const scene::Scene& scene, const scene::DepthRange& range);
 
-  const CameraFrame& frame() const { return frame_; }
-  Projection projection() const { return projection_; }
+  const scene::CameraFrame& frame() const { return frame_; }
+  scene::Projection projection() const { return projection_; }
   glm::vec3 position(const Vec3& world) const {
     const Vec3 x = world - frame_.eye;
     return {float(glm::dot(frame_.right, x) / unit_), float(glm::dot(frame_.up, x) / unit_),
@@ -36,13 +36,13 @@ class ViewSpace {
   Uniforms uniforms(const Vec2& sample) const;
 
  private:
-  CameraFrame frame_;
-  Projection projection_;
-  DepthRange range_;
+  scene::CameraFrame frame_;
+  scene::Projection projection_;
+  scene::DepthRange range_;
   Vec2 size_;    // of the picture, pixels
   double unit_;  // world units per view unit
   double half_height_;
 };
 static_assert(sizeof(ViewSpace::Uniforms) == 32);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

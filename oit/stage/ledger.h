@@ -7,15 +7,16 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// What a method has allocated, by name, counted where it is allocated. An allocation of a name
 /// that is there already replaces it.
 class Ledger {
  public:
   void record(std::string_view name, std::uint64_t bytes) {
-    const auto found = std::find_if(parts_.begin(), parts_.end(),
-                                    [&](const NamedBytes& part) { return part.name == name; });
+    const auto found =
+        std::find_if(parts_.begin(), parts_.end(),
+                     [&](const scene::NamedBytes& part) { return part.name == name; });
     if (found != parts_.end())
       found->bytes = bytes;
     else
@@ -23,13 +24,13 @@ class Ledger {
   }
   std::uint64_t total() const {
     std::uint64_t sum = 0;
-    for (const NamedBytes& part : parts_) sum += part.bytes;
+    for (const scene::NamedBytes& part : parts_) sum += part.bytes;
     return sum;
   }
-  const std::vector<NamedBytes>& parts() const { return parts_; }
+  const std::vector<scene::NamedBytes>& parts() const { return parts_; }
 
  private:
-  std::vector<NamedBytes> parts_;
+  std::vector<scene::NamedBytes> parts_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

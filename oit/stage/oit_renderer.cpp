@@ -8,32 +8,32 @@
 #include "oit_glsl.h"
 #include "scene/view/pixel_samples.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
-std::string describe_lighting(const Scene& scene) {
-  if (scene.lighting == Lighting::none)
+std::string describe_lighting(const scene::Scene& scene) {
+  if (scene.lighting == scene::Lighting::none)
     return "lighting: left out, the scene is unlit; no normals are uploaded";
   return "lighting: from the eye; normals are uploaded";
 }
 
-std::string describe_samples(const Scene& scene) {
+std::string describe_samples(const scene::Scene& scene) {
   const int n = scene.samples;
   if (n == 1) return "antialiasing: left out, one sample at the pixel's centre";
   return fmt::format("antialiasing: the picture is drawn {} times, {} x {} samples a pixel", n * n,
                      n, n);
 }
 
-std::string describe_context(const Scene& scene) {
-  return std::ranges::any_of(scene.objects, &SceneObject::opaque)
+std::string describe_context(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.objects, &scene::SceneObject::opaque)
              ? "opaque context: a pass of its own before the method's"
              : "opaque context: left out, no object is opaque";
 }
 
-class OitRenderer final : public Renderer {
+class OitRenderer final : public scene::Renderer {
  public:
-  OitRenderer(const Scene& scene, const Parameters& parameters, const RenderContext& context,
-              const MakeOitMethod& make_method)
+  OitRenderer(const scene::Scene& scene, const Parameters& parameters,
+              const scene::RenderContext& context, const MakeOitMethod& make_method)
       : scene_(scene),
         stage_(scene, context),
         picture_(stage_.gl(), GL_RGBA32F, stage_.width(), stage_.height()),
@@ -44,12 +44,13 @@ class OitRenderer final : public Renderer {
   // Deleting OpenGL objects needs their own context, whichever is current.
   ~OitRenderer() override { stage_.make_current(); }
 
-  Rendering render(const RenderRequest& request) override;
+  scene::Rendering render(const scene::RenderRequest& request) override;
   std::vector<std::string> explain() const override;
   std::map<std::string, std::string> facts() const override {
     return {{"driver", stage_.context().driver()}};
   }
-  std::optional<OpticalDepth> optical_depth(int x, int y, std::span<const double> d) override {
+  std::optional<scene::OpticalDepth> optical_depth(int x, int y,
+                                                   std::span<const double> d) override {
     stage_.make_current();
     return method_->optical_depth(x, y, d);
   }
@@ -59,17 +60,17 @@ class OitRenderer final : public Renderer {
   void draw_samples(Frame& frame, Image& mean);
   CountImage count_layers();
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   Stage stage_;
   Texture picture_;
   Framebuffer picture_target_;
   std::unique_ptr<OitMethod> method_;
 };
 
-Rendering OitRenderer::render(const RenderRequest& request) {
+scene::Rendering OitRenderer::render(const scene::RenderRequest& request) {
   stage_.make_current();
   Frame frame(stage_, picture_, picture_target_);
-  Rendering rendering;
+  scene::Rendering rendering;
   rendering.image = Image(stage_.width(), stage_.height());
   draw_samples(frame, rendering.image);
   rendering.stats = frame.stats();
@@ -87,7 +88,7 @@ Rendering OitRenderer::render(const RenderRequest& request) {
 }
 
 void OitRenderer::draw_samples(Frame& frame, Image& mean) {
-  const std::vector<Vec2> samples = pixel_samples(scene_.samples);
+  const std::vector<Vec2> samples = scene::pixel_samples(scene_.samples);
   for (const Vec2& sample : samples) {
     stage_.sample_at(sample);
     if (stage_.has_opaque_context())
@@ -123,10 +124,11 @@ CountImage OitRenderer::count_layers() {
 std::vector<std::string> OitRenderer::explain() const {
   std::vector<std::string> lines = {
       fmt::format("context: {}", stage_.context().driver()),
-      fmt::format("geometry: {} of {} objects", describe_primitives(scene_), scene_.objects.size()),
+      fmt::format("geometry: {} of {} objects", scene::describe_primitives(scene_),
+                  scene_.objects.size()),
       describe_lighting(scene_), describe_samples(scene_), describe_context(scene_)};
   for (std::string& line : method_->explain()) lines.push_back(std::move(line));
-  for (const NamedBytes& part : stage_.ledger().parts())
+  for (const scene::NamedBytes& part : stage_.ledger().parts())
     lines.push_back(fmt::format("memory: {}, {} bytes", part.name, part.bytes));
   return lines;
 }
@@ -145,17 +147,18 @@ void Frame::finish(std::string_view name, const Stopwatch& watch) {
   const double seconds = watch.seconds();
   stage_.context().check(name);
   const auto found = std::find_if(stats_.steps.begin(), stats_.steps.end(),
-                                  [&](const StepTime& step) { return step.name == name; });
+                                  [&](const scene::StepTime& step) { return step.name == name; });
   if (found != stats_.steps.end())
     found->seconds += seconds;
   else
     stats_.steps.push_back({std::string(name), seconds});
 }
 
-std::unique_ptr<Renderer> make_oit_renderer(const Scene& scene, const Parameters& parameters,
-                                            const RenderContext& context,
-                                            const MakeOitMethod& make_method) {
+std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
+                                                   const Parameters& parameters,
+                                                   const scene::RenderContext& context,
+                                                   const MakeOitMethod& make_method) {
   return std::make_unique<OitRenderer>(scene, parameters, context, make_method);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

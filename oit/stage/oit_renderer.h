@@ -8,7 +8,7 @@
 #include "oit/stage/stage.h"
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// One picture being made.
 class Frame {
@@ -26,7 +26,7 @@ class Frame {
   /// A = 1 - transmittance into it.
   const Framebuffer& picture() const { return picture_; }
   Image read_picture() const;
-  RenderStats& stats() { return stats_; }
+  scene::RenderStats& stats() { return stats_; }
 
   /// Runs one step and times it until OpenGL has finished it. Steps of one name are summed.
   template <class Pass>
@@ -43,7 +43,7 @@ class Frame {
   const Texture& texture_;
   const Framebuffer& picture_;
   std::uint32_t sample_ = 0;
-  RenderStats stats_;
+  scene::RenderStats stats_;
 };
 
 /// The part that differs between methods.
@@ -56,10 +56,10 @@ class OitMethod {
   virtual std::optional<CountImage> count_layers() { return std::nullopt; }
   /// Of the geometry's crossings per pixel, which of them the method keeps apart or loses: fills
   /// `stored` and `truncated`.
-  virtual void account(const CountImage& /*crossings*/, RenderStats& /*stats*/) const {}
+  virtual void account(const CountImage& /*crossings*/, scene::RenderStats& /*stats*/) const {}
   /// See Renderer.
-  virtual std::optional<OpticalDepth> optical_depth(int /*x*/, int /*y*/,
-                                                    std::span<const double> /*d*/) const {
+  virtual std::optional<scene::OpticalDepth> optical_depth(int /*x*/, int /*y*/,
+                                                           std::span<const double> /*d*/) const {
     return std::nullopt;
   }
   /// What the method modelled for this scene; a line each.
@@ -68,17 +68,18 @@ class OitMethod {
 
 using MakeOitMethod = std::function<std::unique_ptr<OitMethod>(Stage&, const Parameters&)>;
 
-std::unique_ptr<Renderer> make_oit_renderer(const Scene& scene, const Parameters& parameters,
-                                            const RenderContext& context,
-                                            const MakeOitMethod& make_method);
+std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
+                                                   const Parameters& parameters,
+                                                   const scene::RenderContext& context,
+                                                   const MakeOitMethod& make_method);
 
 /// MethodRow::make for a Method that is constructed from (Stage&, const Parameters&).
 template <class Method>
-std::unique_ptr<Renderer> make_oit(const Scene& scene, const Parameters& parameters,
-                                   const RenderContext& context) {
+std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Parameters& parameters,
+                                          const scene::RenderContext& context) {
   return make_oit_renderer(scene, parameters, context, [](Stage& stage, const Parameters& p) {
     return std::make_unique<Method>(stage, p);
   });
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

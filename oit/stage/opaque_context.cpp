@@ -2,7 +2,7 @@
 
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 OpaqueContext::OpaqueContext(const GlContext& context, const Geometry& geometry, int width,
                              int height)
@@ -30,4 +30,4 @@ void OpaqueContext::draw(const glm::vec3& background) const {
   keys_.bind(15);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "oit/shapes/geometry.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The nearest opaque fragment of every pixel: it takes the background's place, and what follows it
 /// in the order of compositing (by depth, then by primitive) is hidden in every method. Equal
@@ -23,4 +23,4 @@ class OpaqueContext {
   GeometryProgram program_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

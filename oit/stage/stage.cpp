@@ -6,7 +6,7 @@
 #include "oit/gl/driver_check.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 void set_blend(const Gl& gl, GLuint attachment, Blend blend) {
@@ -30,7 +30,7 @@ void check_size(const Gl& gl, int width, int height) {
 
 }  // namespace
 
-Stage::Stage(const Scene& scene, const RenderContext& context)
+Stage::Stage(const scene::Scene& scene, const scene::RenderContext& context)
     : scene_(scene),
       memory_(context.memory),
       context_(context.gl),
@@ -105,4 +105,4 @@ void Stage::draw_screen(const Program& program) const {
   gl().DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -7,7 +7,7 @@
 #include "oit/stage/ledger.h"
 #include "oit/stage/opaque_context.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 enum class Blend {
   replace,
@@ -22,14 +22,14 @@ enum class Blend {
 class Stage {
  public:
   /// The scene has to outlive it.
-  Stage(const Scene& scene, const RenderContext& context);
+  Stage(const scene::Scene& scene, const scene::RenderContext& context);
 
   void make_current() const { context_.make_current(); }
   const GlContext& context() const { return context_; }
   const Gl& gl() const { return context_.gl(); }
-  const Scene& scene() const { return scene_; }
+  const scene::Scene& scene() const { return scene_; }
   /// None: the picture stands alone.
-  FrameMemory* memory() const { return memory_; }
+  scene::FrameMemory* memory() const { return memory_; }
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint64_t pixel_count() const { return std::uint64_t(width_) * height_; }
@@ -75,8 +75,8 @@ class Stage {
   void draw_screen(const Program& program) const;
 
  private:
-  const Scene& scene_;
-  FrameMemory* memory_;
+  const scene::Scene& scene_;
+  scene::FrameMemory* memory_;
   GlContext context_;
   int width_, height_;
   glm::vec3 background_;
@@ -87,4 +87,4 @@ class Stage {
   std::optional<OpaqueContext> opaque_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

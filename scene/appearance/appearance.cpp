@@ -7,12 +7,13 @@
 #include "core/options/names.h"
 #include "scene/appearance/colormap.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 const Vec3 default_color(0.8);
 
-const std::vector<double>& find_scalar(const Vertices& vertices, const std::string& name) {
+const std::vector<double>& find_scalar(const geometry::Vertices& vertices,
+                                       const std::string& name) {
   const auto found = vertices.scalars.find(name);
   if (found != vertices.scalars.end()) return found->second;
   std::vector<std::string_view> known;
@@ -22,7 +23,7 @@ const std::vector<double>& find_scalar(const Vertices& vertices, const std::stri
 
 void set_rgb(Rgba& color, const Vec3& rgb) { color = Rgba(Vec3(rgb), color.a); }
 
-void color_by_scalar(const ScalarColor& by, Vertices& vertices) {
+void color_by_scalar(const ScalarColor& by, geometry::Vertices& vertices) {
   const std::vector<double>& values = find_scalar(vertices, by.scalar);
   const ColormapRow& map = find_colormap(by.map);
   const Vec2 range = by.range.value_or(finite_range(values));
@@ -30,7 +31,7 @@ void color_by_scalar(const ScalarColor& by, Vertices& vertices) {
     set_rgb(vertices.colors[i], map(fraction_of(values[i], range)));
 }
 
-void fade_by_scalar(const ScalarOpacity& by, Vertices& vertices) {
+void fade_by_scalar(const ScalarOpacity& by, geometry::Vertices& vertices) {
   const std::vector<double>& values = find_scalar(vertices, by.scalar);
   const Vec2 range = by.range.value_or(finite_range(values));
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -53,7 +54,7 @@ Vec2 finite_range(const std::vector<double>& values) {
   return range;
 }
 
-void apply_appearance(const Appearance& appearance, Vertices& vertices) {
+void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices) {
   if (vertices.colors.empty())
     vertices.colors.assign(vertices.positions.size(), Rgba(default_color, 1));
   if (const auto* rgb = std::get_if<Vec3>(&appearance.color))
@@ -73,7 +74,7 @@ void apply_appearance(const Appearance& appearance, Vertices& vertices) {
   }
 }
 
-void ensure_normals(TriangleMesh& mesh) {
+void ensure_normals(geometry::TriangleMesh& mesh) {
   if (!mesh.normals.empty()) return;
   mesh.normals.assign(mesh.positions.size(), Vec3(0));
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -87,4 +88,4 @@ void ensure_normals(TriangleMesh& mesh) {
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

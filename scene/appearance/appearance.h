@@ -7,7 +7,7 @@
 #include "core/vec.h"
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Colour by a scalar of the vertices through a named map. `range` maps to the ends of the map;
 /// without it the scalar's own finite range does.
@@ -35,7 +35,7 @@ struct Appearance {
 
 /// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar
 /// that the vertices do not have, with those they have.
-void apply_appearance(const Appearance& appearance, Vertices& vertices);
+void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices);
 
 /// 0 at range.x, 1 at range.y; a range of one single value maps to 0.
 double fraction_of(double value, const Vec2& range);
@@ -45,6 +45,6 @@ Vec2 finite_range(const std::vector<double>& values);
 
 /// Fills `normals` with the area-weighted mean of the facets' normals around each vertex, unless
 /// the mesh has normals already. Vertices of no facet with an area get +z.
-void ensure_normals(TriangleMesh& mesh);
+void ensure_normals(geometry::TriangleMesh& mesh);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

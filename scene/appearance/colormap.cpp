@@ -6,7 +6,7 @@
 
 #include "core/options/names.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 #include "scene/appearance/colormap_tables.inc"
@@ -47,4 +47,4 @@ const ColormapRow& find_colormap(std::string_view name) {
   return find_row("colour map", name, rows);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// A named colour map: colours at even distances, interpolated linearly.
 struct ColormapRow {
@@ -25,4 +25,4 @@ std::span<const ColormapRow> colormaps();
 /// Throws InputError with the nearest names.
 const ColormapRow& find_colormap(std::string_view name);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

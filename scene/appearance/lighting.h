@@ -5,7 +5,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// How fragments are lit: by a light at the eye, alike from both sides, so that c = |n · v| is all
 /// there is of the place of the light.
@@ -27,4 +27,4 @@ inline Vec3 lit(Lighting lighting, const Vec3& color, double c) {
   return glm::min(color * (ambient + (1 - ambient) * c) + shine, 1.0);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -10,7 +10,7 @@
 // the convective boundary layer", Eq. 1, for the profile's form: (z/z1)^(1/3) (1 - 1.1 z/z1)),
 // Gaussian across; between thermals the air sinks.
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr ParameterSpec parameters[] = {count_parameter("3700000", "points"), seed_parameter};
@@ -44,7 +44,7 @@ double updraft(const std::vector<Thermal>& thermals, const Vec3& x) {
 Dataset make(const Parameters& values, const Progress&) {
   const auto thermals =
       make_elements(thermal_count, seed_of(values) ^ 0x746865726d0000, make_thermal);
-  PointSet set;
+  geometry::PointSet set;
   set.positions = make_elements(count_of(values), seed_of(values), [](const IndexedRandom& random) {
     return random.in_box(0, layer);
   });
@@ -67,4 +67,4 @@ const DatasetRow& ctbl_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

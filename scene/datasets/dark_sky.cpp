@@ -9,7 +9,7 @@
 // halo to its nearest neighbours. Points gather in haloes (Plummer spheres), along strands (normal
 // across) and, a few, everywhere. The density that gives the importance is counted, not assumed.
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr ParameterSpec parameters[] = {count_parameter("16300000", "points"), seed_parameter};
@@ -105,7 +105,7 @@ std::vector<double> log_density(const std::vector<Vec3>& points) {
 
 Dataset make(const Parameters& values, const Progress&) {
   const Web web = make_web(seed_of(values));
-  PointSet set;
+  geometry::PointSet set;
   set.positions =
       make_elements(count_of(values), seed_of(values),
                     [&](const IndexedRandom& random) { return make_point(web, random); });
@@ -125,4 +125,4 @@ const DatasetRow& dark_sky_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

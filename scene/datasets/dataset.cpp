@@ -11,7 +11,7 @@
 #include "scene/datasets/sphere_levels.h"
 #include "scene/datasets/stack.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 std::string names_on_levels() {
@@ -46,4 +46,4 @@ VelocityLevels make_velocity_levels(std::string_view dataset, const Progress& pr
   return std::get<VelocityLevels>(make_dataset(dataset, progress));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

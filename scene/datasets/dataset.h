@@ -13,12 +13,13 @@
 #include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Velocities at the samples of nested grids, the coarsest first.
-using VelocityLevels = std::vector<VectorLevel>;
+using VelocityLevels = std::vector<fields::VectorLevel>;
 
-using Dataset = std::variant<TriangleMesh, LineSet, PointSet, VelocityLevels>;
+using Dataset =
+    std::variant<geometry::TriangleMesh, geometry::LineSet, geometry::PointSet, VelocityLevels>;
 
 /// One row of the table of data sets that are generated: stand-ins for data that were never
 /// published, and scenes whose answer is known. The same parameters give the same data to the last
@@ -40,4 +41,4 @@ Dataset make_dataset(std::string_view dataset, const Progress& progress = {});
 /// The same of a row that is on levels. Throws InputError for another one, too.
 VelocityLevels make_velocity_levels(std::string_view dataset, const Progress& progress = {});
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -9,7 +9,7 @@
 // important. Association fibres join the front and the back of a hemisphere, projection fibres rise
 // from the stem and fan out: context. Each is a Bézier curve whose control points are jittered.
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr ParameterSpec parameters[] = {count_parameter("18000", "lines"), seed_parameter};
@@ -65,7 +65,7 @@ Fibre make_fibre(const IndexedRandom& random) {
 
 Dataset make(const Parameters& values, const Progress&) {
   const auto fibres = make_elements(count_of(values), seed_of(values), make_fibre);
-  LineSet lines;
+  geometry::LineSet lines;
   std::vector<double> connection;
   for (const Fibre& fibre : fibres) {
     for (int i = 0; i < points_per_fibre; ++i)
@@ -89,4 +89,4 @@ const DatasetRow& dt_mri_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -2,9 +2,9 @@
 
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Fibre tracks of a brain: in place of the diffusion data of Baeza Rojo et al. 2019, Fig. 1.
 const DatasetRow& dt_mri_dataset();
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -5,7 +5,7 @@
 #include "scene/datasets/flow_quantity.h"
 #include "scene/datasets/stand_in.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 /// A data set of this family: data.
@@ -91,12 +91,13 @@ constexpr FlowLines icon{winds,
 
 template <const FlowLines& set>
 Dataset make(const Parameters& values, const Progress& progress) {
-  const auto field = make_field(set.field);
-  LineRequest request{.field = field.get(),
-                      .seeds = make_elements(count_of(values), seed_of(values), set.seed),
-                      .duration = set.duration,
-                      .progress = progress};
-  LineSet lines = integrate_lines(set.integrator, request).lines;
+  const auto field = fields::make_field(set.field);
+  integrators::LineRequest request{
+      .field = field.get(),
+      .seeds = make_elements(count_of(values), seed_of(values), set.seed),
+      .duration = set.duration,
+      .progress = progress};
+  geometry::LineSet lines = integrators::integrate_lines(set.integrator, request).lines;
   set_importance(set.scalar, measure_flow(set.quantity, *field, lines.positions), set.shares,
                  lines);
   return lines;
@@ -155,4 +156,4 @@ const DatasetRow& icon_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -2,7 +2,7 @@
 
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Stream lines, path lines and vortex lines of the catalogue's flows, from random seeds: in place
 /// of the line data of Baeza Rojo et al. 2019.
@@ -13,4 +13,4 @@ const DatasetRow& helicopter_dataset();
 const DatasetRow& ecmwf_dataset();
 const DatasetRow& icon_dataset();
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

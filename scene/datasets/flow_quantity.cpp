@@ -2,23 +2,23 @@
 
 #include "core/parallel.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
-double measure(FlowQuantity quantity, const Vec3& x, FieldSampler& sampler) {
+double measure(FlowQuantity quantity, const Vec3& x, fields::FieldSampler& sampler) {
   Vec3 v;
   Mat3 j;
   if (quantity == FlowQuantity::vorticity) {
-    if (sampler.velocity_and_jacobian(x, 0, v, j) != SampleStatus::ok) return 0;
+    if (sampler.velocity_and_jacobian(x, 0, v, j) != fields::SampleStatus::ok) return 0;
     return glm::length(Vec3(j[1][2] - j[2][1], j[2][0] - j[0][2], j[0][1] - j[1][0]));
   }
-  if (sampler.velocity(x, 0, v) != SampleStatus::ok) return 0;
+  if (sampler.velocity(x, 0, v) != fields::SampleStatus::ok) return 0;
   return quantity == FlowQuantity::speed ? glm::length(v) : 1 / (1 + 20 * glm::length(v));
 }
 
 }  // namespace
 
-std::vector<double> measure_flow(FlowQuantity quantity, const VectorField& field,
+std::vector<double> measure_flow(FlowQuantity quantity, const fields::VectorField& field,
                                  const std::vector<Vec3>& positions) {
   std::vector<double> values(positions.size());
   parallel_ranges(tbb::blocked_range<std::size_t>(0, positions.size(), 1024), [&](auto& range) {
@@ -29,4 +29,4 @@ std::vector<double> measure_flow(FlowQuantity quantity, const VectorField& field
   return values;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -4,7 +4,7 @@
 
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 enum class FlowQuantity {
   speed,      // |v|
@@ -13,7 +13,7 @@ enum class FlowQuantity {
 };
 
 /// The quantity at every position, in parallel; 0 where the field has no sample at time 0.
-std::vector<double> measure_flow(FlowQuantity quantity, const VectorField& field,
+std::vector<double> measure_flow(FlowQuantity quantity, const fields::VectorField& field,
                                  const std::vector<Vec3>& positions);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

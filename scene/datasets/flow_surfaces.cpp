@@ -5,38 +5,38 @@
 #include "scene/datasets/flow_quantity.h"
 #include "scene/datasets/stand_in.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 struct FlowSurfaces {
   std::string_view field;
   double duration;
   ImportantShares shares;  // of the vorticity
-  SeedCurve (*seed)(const IndexedRandom&);
+  integrators::SeedCurve (*seed)(const IndexedRandom&);
 };
 
 /// A horizontal rake that reaches across the funnel.
-SeedCurve rake_of_tornado(const IndexedRandom& random) {
+integrators::SeedCurve rake_of_tornado(const IndexedRandom& random) {
   const double z = random.uniform(0, 0.08, 0.6), phi = random.uniform(1, 0, std::numbers::pi);
   const Vec3 middle(0.5, 0.5, z),
       half = random.uniform(2, 0.15, 0.32) * Vec3(std::cos(phi), std::sin(phi), 0);
-  return segment_seed(middle - half, middle + half);
+  return integrators::segment_seed(middle - half, middle + half);
 }
 
 /// A rake along one of the vortices, near its core or on the way around it.
-SeedCurve rake_of_wing(const IndexedRandom& random) {
+integrators::SeedCurve rake_of_wing(const IndexedRandom& random) {
   const double side = random.uniform(0) < 0.5 ? -1 : 1, off = random.uniform(1, -0.05, 0.25);
   const double from = random.uniform(2, 0.05, 0.3), lift = random.uniform(3, -0.05, 0.15);
   const auto beside_core = [&](double x) {
     return Vec3(x, side * (0.35 * x + off), 0.12 * x + lift);  // the field's b and h
   };
-  return segment_seed(beside_core(from), beside_core(from + 0.8));
+  return integrators::segment_seed(beside_core(from), beside_core(from + 0.8));
 }
 
 constexpr FlowSurfaces tornado{"tornado", 8, {.none = 0.5, .full = 0.95}, rake_of_tornado};
 constexpr FlowSurfaces delta_wing{"delta-wing", 2.5, {.none = 0.5, .full = 0.85}, rake_of_wing};
 
-void append(const TriangleMesh& part, TriangleMesh& whole) {
+void append(const geometry::TriangleMesh& part, geometry::TriangleMesh& whole) {
   const auto base = std::uint32_t(whole.positions.size());
   whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
   whole.normals.insert(whole.normals.end(), part.normals.begin(), part.normals.end());
@@ -46,13 +46,14 @@ void append(const TriangleMesh& part, TriangleMesh& whole) {
 
 template <const FlowSurfaces& set>
 Dataset make(const Parameters& values, const Progress& progress) {
-  const auto field = make_field(set.field);
+  const auto field = fields::make_field(set.field);
   const auto seeds = make_elements(count_of(values), seed_of(values), set.seed);
-  TriangleMesh mesh;
-  for (const SeedCurve& seed : seeds) {
-    const SurfaceRequest request{
+  geometry::TriangleMesh mesh;
+  for (const integrators::SeedCurve& seed : seeds) {
+    const integrators::SurfaceRequest request{
         .field = field.get(), .seed = seed, .duration = set.duration, .progress = progress};
-    append(integrate_surface("hultquist:threshold=0.02,accuracy=1e-6", request).mesh, mesh);
+    append(integrators::integrate_surface("hultquist:threshold=0.02,accuracy=1e-6", request).mesh,
+           mesh);
   }
   set_importance("vorticity", measure_flow(FlowQuantity::vorticity, *field, mesh.positions),
                  set.shares, mesh);
@@ -78,4 +79,4 @@ const DatasetRow& delta_wing_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

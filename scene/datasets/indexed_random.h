@@ -6,7 +6,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Random numbers that are a function of seed, element and channel alone, so that elements can be
 /// made in any order and by any number of threads. Channels of one element are independent.
@@ -61,4 +61,4 @@ class IndexedRandom {
   std::uint64_t state_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -2,11 +2,11 @@
 
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Points with the structures of Baeza Rojo et al. 2019, Figs. 1, 4 and 11.
 const DatasetRow& dark_sky_dataset();
 const DatasetRow& ctbl_dataset();
 const DatasetRow& viscous_fingers_dataset();
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

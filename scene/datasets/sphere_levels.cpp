@@ -9,7 +9,7 @@
 #include "core/parallel.h"
 #include "fields/make_field.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr ParameterSpec parameters[] = {
@@ -50,8 +50,8 @@ constexpr std::array<Nest, 4> nests{{{{-16, -12, -12}, {40, 12, 12}},
                                      {{-7, -6, -6}, {12, 6, 6}},
                                      {{-6, -5, -5}, {6, 5, 5}}}};
 
-VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
-  VectorLevel level;
+fields::VectorLevel sample(const fields::VectorField& field, const Nest& nest, double width) {
+  fields::VectorLevel level;
   level.width = width;
   level.origin = coarsest_width * nest.min + 0.5 * width;
   for (int axis = 0; axis < 3; ++axis)
@@ -64,7 +64,8 @@ VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
     for (int j = 0; j < level.size[1]; ++j)
       for (int i = 0; i < level.size[0]; ++i) {
         Vec3 v(0);  // stays where the flow has no value: on the sphere's axis behind it
-        if (sampler->velocity(level.world(Vec3(i, j, k)), 0, v) != SampleStatus::ok) v = Vec3(0);
+        if (sampler->velocity(level.world(Vec3(i, j, k)), 0, v) != fields::SampleStatus::ok)
+          v = Vec3(0);
         level.samples[level.index(i, j, k)] = glm::vec3(v);
       }
   });
@@ -72,8 +73,8 @@ VectorLevel sample(const VectorField& field, const Nest& nest, double width) {
 }
 
 Dataset make_sphere_levels(const Parameters& values, const Progress&) {
-  const auto field =
-      make_field(fmt::format("shed-wake:Re={},rings={}", values.text("Re"), values.text("rings")));
+  const auto field = fields::make_field(
+      fmt::format("shed-wake:Re={},rings={}", values.text("Re"), values.text("rings")));
   double width = values.text("size") == "big" ? coarsest_width / 2 : coarsest_width;
   VelocityLevels levels;
   for (int i = 0; i < values.integer("levels"); ++i, width /= 2)
@@ -93,4 +94,4 @@ const DatasetRow& sphere_levels_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

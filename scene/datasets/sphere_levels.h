@@ -2,10 +2,10 @@
 
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// The flow past a sphere (the fields sphere and shed-wake) at the samples of nested levels, the
 /// finest around the sphere, each coarser one twice as coarse.
 const DatasetRow& sphere_levels_dataset();
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

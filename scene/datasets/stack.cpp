@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr ParameterSpec parameters[] = {
@@ -56,14 +56,14 @@ double depth_of(const std::string& depths, int i, int layers) {
   return 1 - i * std::numeric_limits<double>::epsilon() / 2;  // an ulp below 1
 }
 
-void add_square(std::uint32_t first, TriangleMesh& mesh) {
+void add_square(std::uint32_t first, geometry::TriangleMesh& mesh) {
   for (const Vec2 corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
     mesh.positions.emplace_back(reach * corner, 0);
   mesh.triangles.push_back({first, first + 1, first + 2});
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-void add_grid(std::uint32_t first, TriangleMesh& mesh) {
+void add_grid(std::uint32_t first, geometry::TriangleMesh& mesh) {
   constexpr std::uint32_t n = pieces, row = n + 1;
   for (std::uint32_t y = 0; y <= n; ++y)
     for (std::uint32_t x = 0; x <= n; ++x)
@@ -77,7 +77,7 @@ void add_grid(std::uint32_t first, TriangleMesh& mesh) {
 }
 
 /// All slivers meet in one corner, so that most of them are needles.
-void add_fan(std::uint32_t first, TriangleMesh& mesh) {
+void add_fan(std::uint32_t first, geometry::TriangleMesh& mesh) {
   constexpr std::uint32_t n = pieces / 2;
   mesh.positions.emplace_back(-reach, -reach, 0);
   for (std::uint32_t i = 0; i <= n; ++i)
@@ -89,7 +89,7 @@ void add_fan(std::uint32_t first, TriangleMesh& mesh) {
   mesh.triangles.push_back({first, first + 1, first + 1});
 }
 
-void add_sheet(const std::string& sheet, TriangleMesh& mesh) {
+void add_sheet(const std::string& sheet, geometry::TriangleMesh& mesh) {
   const auto first = std::uint32_t(mesh.positions.size());
   if (sheet == "square") add_square(first, mesh);
   if (sheet == "grid") add_grid(first, mesh);
@@ -111,7 +111,7 @@ std::vector<int> drawing_order(const Parameters& values) {
 Dataset make(const Parameters& values, const Progress&) {
   const double scale = values.real("scale"), alpha = values.real("alpha");
   const Vec3 shift(values.real("shift"));
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (const int i : drawing_order(values)) {
     const std::size_t first = mesh.positions.size();
     const double z = depth_of(values.text("depths"), i, values.integer("layers"));
@@ -141,4 +141,4 @@ const DatasetRow& stack_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -5,7 +5,7 @@
 #include "core/parallel.h"
 #include "scene/appearance/colormap.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 // Quantiles of so many values tell as much as those of all.
@@ -27,7 +27,7 @@ double quantile(std::vector<double>& values, double share) {
 }  // namespace
 
 void set_importance(std::string_view name, std::vector<double> values,
-                    const ImportantShares& shares, Vertices& vertices) {
+                    const ImportantShares& shares, geometry::Vertices& vertices) {
   std::vector<double> some = sample(values);
   const double low = some.empty() ? 0 : quantile(some, shares.none);
   const double high = some.empty() ? 1 : quantile(some, shares.full);
@@ -44,4 +44,4 @@ void set_importance(std::string_view name, std::vector<double> values,
   vertices.scalars.emplace(name, std::move(values));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -5,7 +5,7 @@
 #include "scene/datasets/dataset.h"
 #include "scene/datasets/indexed_random.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Which values of a quantity are unimportant, and which are important: shares of the vertices that
 /// lie below, so that a stand-in has the paper's balance whatever the quantity's unit.
@@ -17,7 +17,7 @@ struct ImportantShares {
 /// Keeps `values` (one a vertex) as the scalar `name`, scaled to [0, 1] by `shares`, as the
 /// importance, and as colours from blue (0) to red (1).
 void set_importance(std::string_view name, std::vector<double> values,
-                    const ImportantShares& shares, Vertices& vertices);
+                    const ImportantShares& shares, geometry::Vertices& vertices);
 
 constexpr ParameterSpec count_parameter(std::string_view count, std::string_view unit) {
   return {.name = "count",
@@ -52,4 +52,4 @@ auto make_elements(std::size_t n, std::uint64_t seed, const Make& make) {
   return elements;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -8,7 +8,7 @@
 // column, Gaussian across, that thins towards its tip. Points fill the cylinder evenly; the
 // importance is the concentration of salt.
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr ParameterSpec parameters[] = {count_parameter("1700000", "points"), seed_parameter};
@@ -49,7 +49,7 @@ double concentration(const std::vector<Finger>& fingers, const Vec3& x) {
 
 Dataset make(const Parameters& values, const Progress&) {
   const auto fingers = make_elements(finger_count, seed_of(values) ^ 0x66696e67657200, make_finger);
-  PointSet set;
+  geometry::PointSet set;
   set.positions = make_elements(count_of(values), seed_of(values), [](const IndexedRandom& random) {
     return Vec3(in_disc(random, 0), random.uniform(2, 0, height));
   });
@@ -72,4 +72,4 @@ const DatasetRow& viscous_fingers_dataset() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

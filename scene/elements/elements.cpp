@@ -1,6 +1,6 @@
 #include "scene/elements/elements.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 float mean_of(std::span<const std::uint32_t> elements, const std::vector<float>& opacities) {
@@ -44,4 +44,4 @@ std::vector<float> vertex_opacities(const Elements& elements, const std::vector<
   return result;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

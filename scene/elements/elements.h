@@ -8,7 +8,7 @@
 
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Rows of numbers, row i from offsets[i] up to offsets[i + 1].
 struct Rows {
@@ -57,4 +57,4 @@ void smooth(const Elements& elements, int iterations, std::vector<float>& opacit
 /// Of every vertex: the mean of its elements' opacities; 1 where it has none.
 std::vector<float> vertex_opacities(const Elements& elements, const std::vector<float>& opacities);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

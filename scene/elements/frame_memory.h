@@ -5,7 +5,7 @@
 
 #include "scene/elements/elements.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// What a method that optimizes opacities keeps along a camera path: made for one scene and one set
 /// of parameters, and given to the renderer of each frame in turn.
@@ -23,4 +23,4 @@ struct FrameMemory {
   }
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -3,7 +3,7 @@
 
 #include "scene/elements/elements.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 /// call(object, points of a line that has a segment)
@@ -120,4 +120,4 @@ Elements line_elements(const Scene& scene, std::size_t segments) {
   return cutter.result();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

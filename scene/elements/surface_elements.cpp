@@ -4,7 +4,7 @@
 
 #include "scene/elements/elements.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -21,7 +21,7 @@ struct Surface {
 Surface gather(const Scene& scene) {
   Surface surface;
   for (const SceneObject& object : scene.objects) {
-    const auto* mesh = std::get_if<TriangleMesh>(&object.shape);
+    const auto* mesh = std::get_if<geometry::TriangleMesh>(&object.shape);
     if (!mesh) continue;
     const auto base = std::uint32_t(surface.positions.size());
     surface.positions.insert(surface.positions.end(), mesh->positions.begin(),
@@ -238,4 +238,4 @@ Elements surface_elements(const Scene& scene, std::size_t patches) {
   return Cells(surface, patches).elements();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

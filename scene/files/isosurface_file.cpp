@@ -17,12 +17,12 @@
 #include "scene/appearance/colormap.h"
 #include "scene/datasets/dataset.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr double any = std::numeric_limits<double>::max();
 
-using Levels = std::vector<ScalarLevel>;
+using Levels = std::vector<fields::ScalarLevel>;
 
 /// Levels of each of the scalars, the surface's own first.
 std::vector<Levels> generate(const JsonNode& node, std::span<const std::string> scalars) {
@@ -31,7 +31,7 @@ std::vector<Levels> generate(const JsonNode& node, std::span<const std::string> 
   std::vector<Levels> all;
   for (const std::string& scalar : scalars)
     all.push_back(at_place(all.empty() ? node["scalar"] : node,
-                           [&] { return scalars_of(velocity, scalar); }));
+                           [&] { return fields::scalars_of(velocity, scalar); }));
   return all;
 }
 
@@ -41,28 +41,29 @@ std::vector<Levels> read_files(const JsonNode& file, const std::filesystem::path
   for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file})
     at_place(name, [&] {
       for (std::size_t i = 0; i < scalars.size(); ++i)
-        for (ScalarLevel& level : read_vdb_levels(folder / name.string(), scalars[i]))
+        for (fields::ScalarLevel& level :
+             fields::read_vdb_levels(folder / name.string(), scalars[i]))
           all[i].push_back(std::move(level));
     });
   return all;
 }
 
-bool on_same_samples(const LevelField& a, const LevelField& b) {
+bool on_same_samples(const fields::LevelField& a, const fields::LevelField& b) {
   return std::ranges::equal(a.levels(), b.levels(), [](const auto& p, const auto& q) {
     return p.origin == q.origin && p.width == q.width && p.size == q.size;
   });
 }
 
-Vec2 range_of(const LevelField& field) {
+Vec2 range_of(const fields::LevelField& field) {
   Vec2 range(any, -any);
-  for (const ScalarLevel& level : field.levels())
+  for (const fields::ScalarLevel& level : field.levels())
     for (const double sample : level.samples)
       range = {std::min(range.x, sample), std::max(range.y, sample)};
   return range;
 }
 
 /// What is not by a scalar stays the default's.
-void color_vertices(const Isosurface& surface, TriangleMesh& mesh) {
+void color_vertices(const Isosurface& surface, geometry::TriangleMesh& mesh) {
   apply_appearance({}, mesh);
   parallel_for(std::size_t(0), mesh.positions.size(), [&](std::size_t i) {
     const Vec3& x = mesh.positions[i];
@@ -73,9 +74,9 @@ void color_vertices(const Isosurface& surface, TriangleMesh& mesh) {
 }
 
 /// Triangles with a corner in the hole are left out.
-TriangleMesh mesh_of(const Isosurface& surface) {
-  ExtractedSurface extracted = extract_surface(*surface.field, surface.value);
-  TriangleMesh mesh;
+geometry::TriangleMesh mesh_of(const Isosurface& surface) {
+  fields::ExtractedSurface extracted = fields::extract_surface(*surface.field, surface.value);
+  geometry::TriangleMesh mesh;
   mesh.positions = std::move(extracted.positions);
   mesh.normals = std::move(extracted.normals);
   std::ranges::copy_if(extracted.triangles, std::back_inserter(mesh.triangles), [&](const auto& t) {
@@ -86,9 +87,9 @@ TriangleMesh mesh_of(const Isosurface& surface) {
   return mesh;
 }
 
-std::string describe(const LevelField& field, const std::string& scalar) {
+std::string describe(const fields::LevelField& field, const std::string& scalar) {
   std::vector<std::string> sizes;
-  for (const ScalarLevel& level : field.levels())
+  for (const fields::ScalarLevel& level : field.levels())
     sizes.push_back(fmt::format("{}", fmt::join(level.size, " × ")));
   return fmt::format("{} on {} samples, {}", scalar, fmt::join(sizes, " and "),
                      field.reconstruction().name);
@@ -101,11 +102,12 @@ decltype(Isosurface::hole) read_hole(const JsonNode& node, const std::filesystem
   }
   node.accept_keys({"mesh", "distance"});
   const JsonNode mesh = node["mesh"];
-  return Isosurface::Body{
-      at_place(
-          mesh,
-          [&] { return std::make_shared<const SolidMesh>(read_mesh(folder / mesh.string())); }),
-      node.has("distance") ? node["distance"].number(0, any) : 0};
+  return Isosurface::Body{at_place(mesh,
+                                   [&] {
+                                     return std::make_shared<const geometry::SolidMesh>(
+                                         geometry::read_mesh(folder / mesh.string()));
+                                   }),
+                          node.has("distance") ? node["distance"].number(0, any) : 0};
 }
 
 class IsosurfaceReader {
@@ -137,10 +139,10 @@ class IsosurfaceReader {
   }
 
  private:
-  const ReconstructionRow& reconstruction() const {
-    return at_place(node_, [&]() -> const ReconstructionRow& {
-      return find_reconstruction(node_.has("reconstruction") ? node_["reconstruction"].string()
-                                                             : "blend");
+  const fields::ReconstructionRow& reconstruction() const {
+    return at_place(node_, [&]() -> const fields::ReconstructionRow& {
+      return fields::find_reconstruction(
+          node_.has("reconstruction") ? node_["reconstruction"].string() : "blend");
     });
   }
 
@@ -155,14 +157,14 @@ class IsosurfaceReader {
                                 : read_files(node_["file"], folder_, scalars);
   }
 
-  std::shared_ptr<const LevelField> field_on(Levels levels) const {
+  std::shared_ptr<const fields::LevelField> field_on(Levels levels) const {
     return at_place(node_, [&] {
-      return std::make_shared<const LevelField>(std::move(levels), *reconstruction_);
+      return std::make_shared<const fields::LevelField>(std::move(levels), *reconstruction_);
     });
   }
 
   /// `by` is a ScalarColor or a ScalarOpacity.
-  Isosurface::OtherScalar other_scalar(Levels levels, const LevelField& surface,
+  Isosurface::OtherScalar other_scalar(Levels levels, const fields::LevelField& surface,
                                        const auto& by) const {
     const auto field = field_on(std::move(levels));
     if (!on_same_samples(*field, surface))
@@ -176,22 +178,21 @@ class IsosurfaceReader {
   const std::filesystem::path& folder_;
   const ScalarColor* color_;      // none: not by a scalar
   const ScalarOpacity* opacity_;  // none: the same
-  const ReconstructionRow* reconstruction_;
+  const fields::ReconstructionRow* reconstruction_;
 };
 
 }  // namespace
 
-std::variant<Isosurface, TriangleMesh> read_isosurface(const JsonNode& node,
-                                                       const std::filesystem::path& folder,
-                                                       const Appearance& appearance,
-                                                       std::string& how) {
+std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
+    const JsonNode& node, const std::filesystem::path& folder, const Appearance& appearance,
+    std::string& how) {
   Isosurface surface = IsosurfaceReader(node, folder, appearance).read();
   how = describe(*surface.field, node["scalar"].string());
   if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
-  TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });
+  geometry::TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });
   if (mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
   how += fmt::format(", {} triangles", mesh.triangles.size());
   return mesh;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -13,7 +13,7 @@
 #include "scene/datasets/dataset.h"
 #include "scene/files/isosurface_file.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,17 +55,19 @@ Appearance read_appearance(const JsonNode& node) {
   return appearance;
 }
 
-SeedCurve read_seed(const JsonNode& node) {
+integrators::SeedCurve read_seed(const JsonNode& node) {
   node.accept_keys({"from", "to", "points", "spline", "closed", "center", "normal", "radius"});
   const bool closed = node.has("closed") && node["closed"].boolean();
-  if (node.has("from")) return segment_seed(node["from"].vec3(), node["to"].vec3());
+  if (node.has("from")) return integrators::segment_seed(node["from"].vec3(), node["to"].vec3());
   if (node.has("center"))
-    return circle_seed(node["center"].vec3(), node["normal"].vec3(), node["radius"].number(0, any));
+    return integrators::circle_seed(node["center"].vec3(), node["normal"].vec3(),
+                                    node["radius"].number(0, any));
   const bool spline = node.has("spline");
   std::vector<Vec3> points;
   for (const JsonNode& point : node[spline ? "spline" : "points"].elements())
     points.push_back(point.vec3());
-  return spline ? spline_seed(points, closed) : polyline_seed(points, closed);
+  return spline ? integrators::spline_seed(points, closed)
+                : integrators::polyline_seed(points, closed);
 }
 
 double read_radius(const JsonNode& node) {
@@ -116,14 +118,14 @@ class ObjectReader {
 
   // What is drawn of what was read, with the width that its kind has.
 
-  void draw(TriangleMesh mesh) {
+  void draw(geometry::TriangleMesh mesh) {
     for (const char* key : {"radius", "profile"})
       if (node_.has(key)) node_[key].fail("only lines and points have one");
     refuse_halo();
     object_.shape = std::move(mesh);
   }
 
-  void draw(LineSet set) {
+  void draw(geometry::LineSet set) {
     if (set.segment_count() == 0) node_.fail("nothing to draw: it has no segment");
     const bool tube = node_.has("profile") && node_["profile"].one_of({"ribbon", "tube"}) == "tube";
     LineObject lines{std::move(set), read_radius(node_),
@@ -132,7 +134,7 @@ class ObjectReader {
     object_.shape = std::move(lines);
   }
 
-  void draw(PointSet set) {
+  void draw(geometry::PointSet set) {
     const bool sphere =
         node_.has("profile") && node_["profile"].one_of({"disc", "sphere"}) == "sphere";
     refuse_halo();
@@ -145,7 +147,8 @@ class ObjectReader {
   }
 
   void read_mesh_file(const JsonNode& node) {
-    TriangleMesh mesh = at_place(node, [&] { return read_mesh(path_of(node)); });
+    geometry::TriangleMesh mesh =
+        at_place(node, [&] { return geometry::read_mesh(path_of(node)); });
     note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()));
     draw(std::move(mesh));
   }
@@ -154,10 +157,10 @@ class ObjectReader {
     node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
     const std::string integrator = node["integrator"].string();
     const FlowSource source = read_flow(node);
-    const SurfaceRequest request{source.field.get(), source.seed, source.duration,
-                                 source.start_time,  source.path, context_.progress};
-    IntegratedSurface surface =
-        at_place(node, [&] { return integrate_surface(integrator, request); });
+    const integrators::SurfaceRequest request{source.field.get(), source.seed, source.duration,
+                                              source.start_time,  source.path, context_.progress};
+    integrators::IntegratedSurface surface =
+        at_place(node, [&] { return integrators::integrate_surface(integrator, request); });
     if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
     note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
                      surface.stats.particles, surface.mesh.triangles.size()));
@@ -167,8 +170,8 @@ class ObjectReader {
 
   FlowSource read_flow(const JsonNode& node) const {
     FlowSource source;
-    source.field = at_place(node["field"],
-                            [&] { return make_field(node["field"].string(), context_.folder); });
+    source.field = at_place(
+        node["field"], [&] { return fields::make_field(node["field"].string(), context_.folder); });
     source.seed = at_place(node["seed"], [&] { return read_seed(node["seed"]); });
     source.duration = node["duration"].number(0, any);
     if (node.has("start_time")) source.start_time = node["start_time"].number(-any, any);
@@ -180,22 +183,23 @@ class ObjectReader {
     draw(node.is_object() ? integrated_lines(node) : line_file(node));
   }
 
-  LineSet line_file(const JsonNode& node) {
-    LineSet lines = at_place(node, [&] { return read_lines(path_of(node)); });
+  geometry::LineSet line_file(const JsonNode& node) {
+    geometry::LineSet lines = at_place(node, [&] { return geometry::read_lines(path_of(node)); });
     note(fmt::format("{}, {} lines, {} points", file_name(node), lines.line_count(),
                      lines.positions.size()));
     return lines;
   }
 
-  LineSet integrated_lines(const JsonNode& node) {
+  geometry::LineSet integrated_lines(const JsonNode& node) {
     node.accept_keys({"field", "integrator", "seed", "duration", "start_time"});
     const std::string integrator = node["integrator"].string();
     const FlowSource source = read_flow(node);
-    const IntegratedLines lines = at_place(node, [&] {
-      const LineRequest request{source.field.get(),
-                                seeds_on(source.seed, line_particles(integrator)), source.duration,
-                                source.start_time, context_.progress};
-      return integrate_lines(integrator, request);
+    const integrators::IntegratedLines lines = at_place(node, [&] {
+      const integrators::LineRequest request{
+          source.field.get(),
+          integrators::seeds_on(source.seed, integrators::line_particles(integrator)),
+          source.duration, source.start_time, context_.progress};
+      return integrators::integrate_lines(integrator, request);
     });
     note(fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
                      lines.lines.line_count(), lines.lines.positions.size()));
@@ -203,15 +207,16 @@ class ObjectReader {
   }
 
   void read_point_object(const JsonNode& node) {
-    PointSet points = at_place(node, [&] { return read_points(path_of(node)); });
+    geometry::PointSet points =
+        at_place(node, [&] { return geometry::read_points(path_of(node)); });
     note(fmt::format("{}, {} points", file_name(node), points.positions.size()));
     draw(std::move(points));
   }
 
   void draw_shape(Dataset& data) {
-    if (auto* mesh = std::get_if<TriangleMesh>(&data)) draw(std::move(*mesh));
-    if (auto* lines = std::get_if<LineSet>(&data)) draw(std::move(*lines));
-    if (auto* points = std::get_if<PointSet>(&data)) draw(std::move(*points));
+    if (auto* mesh = std::get_if<geometry::TriangleMesh>(&data)) draw(std::move(*mesh));
+    if (auto* lines = std::get_if<geometry::LineSet>(&data)) draw(std::move(*lines));
+    if (auto* points = std::get_if<geometry::PointSet>(&data)) draw(std::move(*points));
   }
 
   void read_dataset(const JsonNode& node) {
@@ -273,4 +278,4 @@ SceneObject read_object(const JsonNode& node, const ObjectContext& context) {
   return ObjectReader(node, context).read();
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -8,7 +8,7 @@
 #include "core/progress.h"
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 struct ObjectContext {
   std::filesystem::path folder;  // where relative paths start
@@ -20,4 +20,4 @@ struct ObjectContext {
 /// that names file, key and accepted values.
 SceneObject read_object(const JsonNode& node, const ObjectContext& context);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

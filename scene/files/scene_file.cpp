@@ -12,7 +12,7 @@
 #include "scene/halo.h"
 #include "scene/view/camera_path.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,7 +105,7 @@ struct Loader {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
       scene.objects.push_back(read_object(objects[i], {folder, progress, scene.provenance}));
-      if (auto* mesh = std::get_if<TriangleMesh>(&scene.objects.back().shape);
+      if (auto* mesh = std::get_if<geometry::TriangleMesh>(&scene.objects.back().shape);
           mesh && scene.lighting != Lighting::none)
         ensure_normals(*mesh);
     }
@@ -126,4 +126,4 @@ Scene load_scene(const fs::path& path, const Progress& progress) {
   return std::move(loader.scene);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -5,10 +5,10 @@
 #include "core/progress.h"
 #include "scene/scene.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Reads a scene file ("pellucid-scene", version 1), its meshes, and integrates its surfaces.
 /// Scene::name is the file's stem. Throws InputError that names file, key and accepted values.
 Scene load_scene(const std::filesystem::path& path, const Progress& progress = {});
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

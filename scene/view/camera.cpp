@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 bool finite(const Vec3& v) {
@@ -80,4 +80,4 @@ Ray RayGenerator::ray(double x, double y) const {
   return {frame_.eye, frame_.forward + offset};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

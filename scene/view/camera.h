@@ -2,7 +2,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 enum class Projection { perspective, orthographic };
 
@@ -63,4 +63,4 @@ inline double view_depth(const CameraFrame& frame, const Vec3& x) {
   return glm::dot(frame.forward, x - frame.eye);
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

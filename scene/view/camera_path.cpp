@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 std::vector<Camera> orbit(const Camera& camera, double degrees, int frames) {
   std::vector<Camera> path;
@@ -49,4 +49,4 @@ CameraMotion motion(const Camera& from, const Camera& to) {
           glm::length(to.eye - from.eye)};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

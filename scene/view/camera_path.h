@@ -4,7 +4,7 @@
 
 #include "scene/view/camera.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// `frames` cameras, at least 2: the first is `camera`, the last has gone `degrees` around the
 /// target, about `up`, counterclockwise seen from its tip.
@@ -22,4 +22,4 @@ struct CameraMotion {
 };
 CameraMotion motion(const Camera& from, const Camera& to);
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

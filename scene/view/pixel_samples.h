@@ -4,7 +4,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// Where a pixel is sampled, in pixels from its top left corner: the centres of n × n equal cells,
 /// row after row. Ground truth and every method use these; a pixel is the mean of its samples.
@@ -15,4 +15,4 @@ inline std::vector<Vec2> pixel_samples(int n) {
   return samples;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

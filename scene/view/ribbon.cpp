@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pellucid {
+namespace pellucid::scene {
 
 Vec3 line_direction(std::span<const Vec3> points, std::size_t i) {
   const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, points.size() - 1);
@@ -30,4 +30,4 @@ void ribbon_half_widths(std::span<const Vec3> points, double radius, const Camer
   }
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

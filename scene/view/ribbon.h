@@ -8,7 +8,7 @@
 #include "core/vec.h"
 #include "scene/view/camera.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 
 /// The line's direction at point i, of any length: central difference, one-sided at the ends and
 /// where the points next to i are equal.
@@ -33,4 +33,4 @@ constexpr std::array<std::array<std::uint32_t, 3>, 2> ribbon_triangles(std::uint
   return {{{2 * i, 2 * i + 1, 2 * i + 3}, {2 * i, 2 * i + 3, 2 * i + 2}}};
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::scene {
 
 double unit_scale(const Box3& box) {
   if (box.empty()) return 1;
@@ -12,4 +12,4 @@ double unit_scale(const Box3& box) {
   return largest > 0 ? std::exp2(-std::ceil(std::log2(largest))) : 1;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -11,7 +11,7 @@
 
 #include "core/files/output_file.h"
 
-namespace pellucid {
+namespace pellucid::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -260,4 +260,4 @@ TEST_F(UnitCommandLine, OneThreadGivesTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::app

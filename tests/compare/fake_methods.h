@@ -7,7 +7,11 @@
 #include "core/error.h"
 #include "scene/renderer.h"
 
-namespace pellucid::testing {
+namespace pellucid::testing {}
+
+namespace pellucid::compare::testing {
+
+using namespace pellucid::testing;
 
 /// How often any fake method has rendered in this process. When it reaches `kill_at`, the process
 /// kills itself, as a power cut would.
@@ -21,13 +25,13 @@ struct RenderCounter {
 };
 
 /// A picture that depends on the pixel alone, plus `offset`.
-class FakeRenderer : public Renderer {
+class FakeRenderer : public scene::Renderer {
  public:
-  FakeRenderer(const Scene& scene, double offset) : scene_(scene), offset_(float(offset)) {}
+  FakeRenderer(const scene::Scene& scene, double offset) : scene_(scene), offset_(float(offset)) {}
 
-  Rendering render(const RenderRequest& request) override {
+  scene::Rendering render(const scene::RenderRequest& request) override {
     RenderCounter::count();
-    Rendering rendering;
+    scene::Rendering rendering;
     rendering.image = Image(scene_.width, scene_.height);
     for (int y = 0; y < scene_.height; ++y)
       for (int x = 0; x < scene_.width; ++x)
@@ -41,7 +45,7 @@ class FakeRenderer : public Renderer {
   std::map<std::string, std::string> facts() const override { return {{"driver", "none"}}; }
 
  private:
-  void count_layers(Rendering& rendering) const {
+  void count_layers(scene::Rendering& rendering) const {
     rendering.layers = CountImage(scene_.width, scene_.height, 3);
     if (offset_ > 0) rendering.layers.at(1, 0) = 4;
     if (offset_ > 0.7f) rendering.layers.at(2, 0) = 5;
@@ -49,7 +53,7 @@ class FakeRenderer : public Renderer {
     rendering.stats.max_layers = 3;
   }
 
-  const Scene& scene_;
+  const scene::Scene& scene_;
   float offset_;
 };
 
@@ -66,11 +70,12 @@ inline constexpr ParameterSpec shifted_parameters[] = {
      .max = 9},
     {.name = "often", .kind = ParameterSpec::Kind::flag, .default_value = "off"}};
 
-using Made = std::unique_ptr<Renderer>;
+using Made = std::unique_ptr<scene::Renderer>;
 
-inline MethodRow fake_row(std::string_view name, bool exact, decltype(MethodRow::make) make,
-                          std::span<const ParameterSpec> parameters = {}) {
-  MethodRow row{};
+inline scene::MethodRow fake_row(std::string_view name, bool exact,
+                                 decltype(scene::MethodRow::make) make,
+                                 std::span<const ParameterSpec> parameters = {}) {
+  scene::MethodRow row{};
   row.name = row.title = name;
   row.promises.exact = exact;
   row.parameters = parameters;
@@ -80,11 +85,12 @@ inline MethodRow fake_row(std::string_view name, bool exact, decltype(MethodRow:
 
 /// A row whose pictures are `thousandths` brighter than the truth.
 template <int thousandths>
-Made make_fake(const Scene& scene, const Parameters&, const RenderContext&) {
+Made make_fake(const scene::Scene& scene, const Parameters&, const scene::RenderContext&) {
   return std::make_unique<FakeRenderer>(scene, thousandths / 1000.0);
 }
 
-inline Made make_shifted(const Scene& scene, const Parameters& p, const RenderContext&) {
+inline Made make_shifted(const scene::Scene& scene, const Parameters& p,
+                         const scene::RenderContext&) {
   return std::make_unique<FakeRenderer>(scene, p.real("by"));
 }
 
@@ -92,41 +98,44 @@ inline Made make_shifted(const Scene& scene, const Parameters& p, const RenderCo
 class MeasuringRenderer final : public FakeRenderer {
  public:
   using FakeRenderer::FakeRenderer;
-  Findings findings() override {
-    return {{{"nodes", "Nodes_made", "", 12, Measure::Better::lower},
-             {"spread", "Spread", "m", 0.12345678, Measure::Better::neither}},
+  scene::Findings findings() override {
+    return {{{"nodes", "Nodes_made", "", 12, scene::Measure::Better::lower},
+             {"spread", "Spread", "m", 0.12345678, scene::Measure::Better::neither}},
             {{"depth", "Depth [m]", 0.01, 10, Image(24, 16)}}};
   }
 };
 
-inline Made make_measuring(const Scene& scene, const Parameters&, const RenderContext&) {
+inline Made make_measuring(const scene::Scene& scene, const Parameters&,
+                           const scene::RenderContext&) {
   return std::make_unique<MeasuringRenderer>(scene, 0.25);
 }
 
-inline Made make_broken(const Scene&, const Parameters&, const RenderContext&) {
+inline Made make_broken(const scene::Scene&, const Parameters&, const scene::RenderContext&) {
   throw WorkError("the driver lacks \"everything\", and <more>");
 }
 
-inline Made make_not_a_number(const Scene& scene, const Parameters&, const RenderContext&) {
+inline Made make_not_a_number(const scene::Scene& scene, const Parameters&,
+                              const scene::RenderContext&) {
   return std::make_unique<FakeRenderer>(scene, std::nan(""));
 }
 
-inline MethodRow layering_row() {
-  MethodRow row = fake_row("layering", false, make_fake<750>);
+inline scene::MethodRow layering_row() {
+  scene::MethodRow row = fake_row("layering", false, make_fake<750>);
   row.promises.own_layers = true;
   return row;
 }
 
 /// `shifted` adds `by`; `exact-shifted` claims to be exact, `layering` to make its own layers.
-inline std::span<const MethodRow> fake_methods() {
-  static const MethodRow rows[] = {fake_row("truth", true, make_fake<0>),
-                                   fake_row("shifted", false, make_shifted, shifted_parameters),
-                                   fake_row("exact-shifted", true, make_fake<125>),
-                                   fake_row("measuring", false, make_measuring),
-                                   layering_row(),
-                                   fake_row("broken", false, make_broken),
-                                   fake_row("not-a-number", false, make_not_a_number)};
+inline std::span<const scene::MethodRow> fake_methods() {
+  static const scene::MethodRow rows[] = {
+      fake_row("truth", true, make_fake<0>),
+      fake_row("shifted", false, make_shifted, shifted_parameters),
+      fake_row("exact-shifted", true, make_fake<125>),
+      fake_row("measuring", false, make_measuring),
+      layering_row(),
+      fake_row("broken", false, make_broken),
+      fake_row("not-a-number", false, make_not_a_number)};
   return rows;
 }
 
-}  // namespace pellucid::testing
+}  // namespace pellucid::compare::testing

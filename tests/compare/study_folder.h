@@ -5,7 +5,11 @@
 #include "core/files/output_file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid::testing {
+namespace pellucid::testing {}
+
+namespace pellucid::compare::testing {
+
+using namespace pellucid::testing;
 
 inline void write_scene(const std::filesystem::path& path, int width, int height) {
   write_text(
@@ -37,4 +41,4 @@ class StudyFolder : public TemporaryFolder {
   }
 };
 
-}  // namespace pellucid::testing
+}  // namespace pellucid::compare::testing

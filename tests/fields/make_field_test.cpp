@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using ::testing::HasSubstr;
@@ -39,4 +39,4 @@ TEST(UnitMakeField, DescriptionsHoldEveryParameter) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

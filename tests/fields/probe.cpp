@@ -7,7 +7,7 @@
 
 #include "fields/make_field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 std::string text_of(const Vec3& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
@@ -61,4 +61,4 @@ std::string test_name(std::string_view name) {
   return valid;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -6,7 +6,7 @@
 
 #include "fields/field.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 #define EXPECT_NEAR_VEC(actual, expected, tolerance)       \
   EXPECT_LE(glm::length((actual) - (expected)), tolerance) \
@@ -29,4 +29,4 @@ void expect_consistent_jacobian(const VectorField& field, const Vec3& x, double 
 /// A name that GoogleTest accepts.
 std::string test_name(std::string_view name);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 /// [-1, 1]³.
@@ -54,4 +54,4 @@ TEST(UnitSolidMesh, OpenMeshesAreRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -13,7 +13,11 @@
 #include "fields/make_field.h"
 #include "integrators/surfaces/integrate_surface.h"
 
-namespace pellucid::testing {
+namespace pellucid::testing {}
+
+namespace pellucid::integrators::testing {
+
+using namespace pellucid::testing;
 
 struct ClosedForm {
   std::string name, field;
@@ -84,13 +88,13 @@ inline double implicit_distance(const ClosedForm& form, const Vec3& x) {
 }
 
 struct Swept {
-  std::unique_ptr<VectorField> field;
+  std::unique_ptr<fields::VectorField> field;
   SurfaceRequest request;
   IntegratedSurface surface;
 };
 
 inline Swept sweep(const ClosedForm& form, std::string_view integrator) {
-  Swept swept{make_field(form.field), {}, {}};
+  Swept swept{fields::make_field(form.field), {}, {}};
   swept.request.field = swept.field.get();
   swept.request.seed = form.seed;
   swept.request.duration = form.duration;
@@ -100,7 +104,7 @@ inline Swept sweep(const ClosedForm& form, std::string_view integrator) {
 }
 
 /// Largest distance over each triangle's middle and the middles of its sides.
-inline double largest_distance(const ClosedForm& form, const TriangleMesh& mesh) {
+inline double largest_distance(const ClosedForm& form, const geometry::TriangleMesh& mesh) {
   double largest = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 &x = mesh.positions[a], &y = mesh.positions[b], &z = mesh.positions[c];
@@ -111,7 +115,7 @@ inline double largest_distance(const ClosedForm& form, const TriangleMesh& mesh)
 }
 
 /// Largest angle between facets and the exact surface's normals, over all triangles, degrees.
-inline double worst_facet(const ClosedForm& form, const TriangleMesh& mesh) {
+inline double worst_facet(const ClosedForm& form, const geometry::TriangleMesh& mesh) {
   double worst = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 &x = mesh.positions[a], &y = mesh.positions[b], &z = mesh.positions[c];
@@ -122,4 +126,4 @@ inline double worst_facet(const ClosedForm& form, const TriangleMesh& mesh) {
   return worst;
 }
 
-}  // namespace pellucid::testing
+}  // namespace pellucid::integrators::testing

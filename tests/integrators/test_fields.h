@@ -6,33 +6,40 @@
 
 #include "fields/field.h"
 
-namespace pellucid::testing {
+namespace pellucid::testing {}
+
+namespace pellucid::integrators::testing {
+
+using namespace pellucid::testing;
 
 /// A field from a function that may say that it has no sample; its Jacobian is differenced.
-class FunctionField final : public VectorField {
+class FunctionField final : public fields::VectorField {
  public:
-  using Function = std::function<SampleStatus(const Vec3& x, double t, Vec3& v)>;
+  using Function = std::function<fields::SampleStatus(const Vec3& x, double t, Vec3& v)>;
 
   explicit FunctionField(Function function, bool steady = true)
       : function_(std::move(function)), steady_(steady) {}
 
-  std::unique_ptr<FieldSampler> sampler() const override {
+  std::unique_ptr<fields::FieldSampler> sampler() const override {
     return std::make_unique<Sampler>(function_);
   }
   bool steady() const override { return steady_; }
   std::string description() const override { return "function"; }
 
  private:
-  class Sampler final : public FieldSampler {
+  class Sampler final : public fields::FieldSampler {
    public:
     explicit Sampler(Function function) : function_(std::move(function)) {}
 
-    SampleStatus velocity(const Vec3& x, double t, Vec3& v) override { return function_(x, t, v); }
+    fields::SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
+      return function_(x, t, v);
+    }
 
-    SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
+    fields::SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v,
+                                               Mat3& jacobian) override {
       constexpr double h = 1e-6;
-      const SampleStatus status = function_(x, t, v);
-      for (int j = 0; status == SampleStatus::ok && j < 3; ++j) {
+      const fields::SampleStatus status = function_(x, t, v);
+      for (int j = 0; status == fields::SampleStatus::ok && j < 3; ++j) {
         Vec3 before = x, after = x, v0 = v, v1 = v;
         before[j] -= h;
         after[j] += h;
@@ -56,15 +63,15 @@ inline FunctionField boxed(std::function<Vec3(const Vec3&)> velocity, double hal
   return FunctionField([=](const Vec3& x, double, Vec3& v) {
     v = velocity(x);
     const double farthest = glm::max(glm::max(glm::abs(x.x), glm::abs(x.y)), glm::abs(x.z));
-    return farthest <= half ? SampleStatus::ok : SampleStatus::outside;
+    return farthest <= half ? fields::SampleStatus::ok : fields::SampleStatus::outside;
   });
 }
 
 inline FunctionField everywhere(std::function<Vec3(const Vec3&)> velocity) {
   return FunctionField([=](const Vec3& x, double, Vec3& v) {
     v = velocity(x);
-    return SampleStatus::ok;
+    return fields::SampleStatus::ok;
   });
 }
 
-}  // namespace pellucid::testing
+}  // namespace pellucid::integrators::testing

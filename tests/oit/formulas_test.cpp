@@ -26,7 +26,7 @@ using namespace glm;
 
 }  // namespace glsl
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
 TEST(UnitFormulas, OpticalDepthKeepsTheDigitsOfSmallOpacities) {
@@ -146,10 +146,10 @@ TEST(UnitFormulas, TheOptimalOpacityIsThatInDouble) {
     const float front = 5 * unit(random) - 1, behind = 5 * unit(random) - 1;
     // A dozen roundings; the power has some 2 lambda of 1 - g more.
     EXPECT_NEAR(glsl::optimal_opacity(w, g, front, behind),
-                optimal_opacity({w.x, w.y, w.z, w.w}, g, front, behind), 2e-6)
+                scene::optimal_opacity({w.x, w.y, w.z, w.w}, g, front, behind), 2e-6)
         << g << ' ' << front << ' ' << behind;
   }
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

@@ -9,11 +9,11 @@
 #include "oit/registry.h"
 #include "scene/scene.h"
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 
 /// An orthographic camera that looks along -z at [-1, 1]^2, from z = 5.
-inline Camera square_camera() {
-  return {.projection = Projection::orthographic,
+inline scene::Camera square_camera() {
+  return {.projection = scene::Projection::orthographic,
           .eye = {0, 0, 5},
           .target = {0, 0, 0},
           .up = {0, 1, 0},
@@ -21,8 +21,8 @@ inline Camera square_camera() {
           .height = 2};
 }
 
-inline Scene empty_scene(int width, int height) {
-  Scene scene;
+inline scene::Scene empty_scene(int width, int height) {
+  scene::Scene scene;
   scene.name = "test";
   scene.width = width;
   scene.height = height;
@@ -32,8 +32,8 @@ inline Scene empty_scene(int width, int height) {
 }
 
 /// A square over the whole picture, and beyond, at z.
-inline SceneObject sheet(double z, const Rgba& color) {
-  SceneObject object;
+inline scene::SceneObject sheet(double z, const Rgba& color) {
+  scene::SceneObject object;
   object.name = "sheet";
   for (const Vec2 corner : {Vec2(-50, -50), Vec2(50, -50), Vec2(50, 50), Vec2(-50, 50)}) {
     object.mesh().positions.emplace_back(corner.x, corner.y, z);
@@ -45,8 +45,8 @@ inline SceneObject sheet(double z, const Rgba& color) {
 }
 
 /// Layers from front to back at equal distances between z = 1 and z = -1.
-inline Scene stack(int width, int height, const std::vector<Rgba>& front_to_back) {
-  Scene scene = empty_scene(width, height);
+inline scene::Scene stack(int width, int height, const std::vector<Rgba>& front_to_back) {
+  scene::Scene scene = empty_scene(width, height);
   const double n = double(front_to_back.size());
   for (std::size_t i = 0; i < front_to_back.size(); ++i)
     scene.objects.push_back(sheet(n > 1 ? 1 - 2 * double(i) / (n - 1) : 0.0, front_to_back[i]));
@@ -76,12 +76,12 @@ inline glm::dvec4 composite(const std::vector<Rgba>& front_to_back, const Vec3& 
   return glm::dvec4(color + transmittance * background, 1 - transmittance);
 }
 
-inline const MethodRow& method(std::string_view name) {
+inline const scene::MethodRow& method(std::string_view name) {
   return find_row("method", name, oit_methods());
 }
 
-inline Rendering render(const MethodRow& row, const Scene& scene, const RawOptions& options = {},
-                        bool layers = false) {
+inline scene::Rendering render(const scene::MethodRow& row, const scene::Scene& scene,
+                               const RawOptions& options = {}, bool layers = false) {
   const Parameters parameters(row.name, row.parameters, options);
   return row.make(scene, parameters, {})->render({.layers = layers, .progress = {}});
 }
@@ -102,4 +102,4 @@ inline double max_difference(const Image& a, const glm::dvec4& b) {
   return largest;
 }
 
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

@@ -4,7 +4,7 @@
 
 #include "scene/view_depth.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 /// A line along x at z = 1, seen from z = 5 on.
@@ -21,7 +21,7 @@ Scene line_scene(Projection projection) {
     lines.set.importance.push_back(0.5f * float(i));
   }
   lines.set.offsets = {0, 3};
-  scene.objects = {{"line", lines}, {"other", TriangleMesh{}}};
+  scene.objects = {{"line", lines}, {"other", geometry::TriangleMesh{}}};
   return scene;
 }
 
@@ -30,7 +30,7 @@ TEST(UnitHalo, RecedesFromTheRimsOfItsLine) {
   place_halos(scene);
   ASSERT_EQ(scene.objects.size(), 3u);
   EXPECT_EQ(scene.objects[1].name, "line, halo");
-  const TriangleMesh& halo = scene.objects[1].mesh();
+  const geometry::TriangleMesh& halo = scene.objects[1].mesh();
   EXPECT_EQ(halo.triangles.size(), 2u * 2u * 2u);  // sides, segments, triangles
   ASSERT_EQ(halo.positions.size(), 2u * 3u * 2u);
   for (std::size_t i = 0; i < halo.positions.size(); i += 2) {
@@ -49,7 +49,7 @@ TEST(UnitHalo, RecedesFromTheRimsOfItsLine) {
 TEST(UnitHalo, RecedesAlongTheLineOfSight) {
   Scene scene = line_scene(Projection::perspective);
   place_halos(scene);
-  const TriangleMesh& halo = scene.objects[1].mesh();
+  const geometry::TriangleMesh& halo = scene.objects[1].mesh();
   for (std::size_t i = 0; i < halo.positions.size(); i += 2) {
     const Vec3 x(double(i / 2 % 3) - 1, 0, 1);
     const Vec3 away = glm::normalize(x - scene.camera.eye);
@@ -72,4 +72,4 @@ TEST(UnitHalo, IsMadeAnewForAnotherCamera) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -9,8 +9,9 @@
 namespace pellucid::testing {
 
 template <class T = float, class Function>
-Level<T> sampled(const Vec3& origin, double width, std::array<int, 3> size, const Function& f) {
-  Level<T> level{origin, width, size, {}};
+fields::Level<T> sampled(const Vec3& origin, double width, std::array<int, 3> size,
+                         const Function& f) {
+  fields::Level<T> level{origin, width, size, {}};
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i) level.samples.push_back(T(f(level.world(Vec3(i, j, k)))));
@@ -19,13 +20,13 @@ Level<T> sampled(const Vec3& origin, double width, std::array<int, 3> size, cons
 
 /// n³ samples.
 template <class Function>
-ScalarLevel sampled(const Vec3& origin, double width, int n, const Function& f) {
+fields::ScalarLevel sampled(const Vec3& origin, double width, int n, const Function& f) {
   return sampled(origin, width, {n, n, n}, f);
 }
 
 /// [0, 8]³ in cells of 1, and [2, 6]³ in cells of a half.
 template <class Function>
-std::vector<ScalarLevel> nested(const Function& f) {
+std::vector<fields::ScalarLevel> nested(const Function& f) {
   return {sampled(Vec3(0.5), 1, 8, f), sampled(Vec3(2.25), 0.5, 8, f)};
 }
 

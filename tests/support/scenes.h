@@ -14,19 +14,19 @@
 namespace pellucid::testing {
 
 /// Looks along -z at the square [-1, 1]², which fills the picture.
-inline Scene orthographic_scene(int width, int height) {
-  Scene scene;
+inline scene::Scene orthographic_scene(int width, int height) {
+  scene::Scene scene;
   scene.width = width;
   scene.height = height;
-  scene.camera.projection = Projection::orthographic;
+  scene.camera.projection = scene::Projection::orthographic;
   scene.camera.height = 2;
   return scene;
 }
 
 /// The rectangle [x0, x1] × [y0, y1] at z, of one colour.
-inline TriangleMesh rectangle(double x0, double x1, double y0, double y1, double z,
-                              const Rgba& color) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh rectangle(double x0, double x1, double y0, double y1, double z,
+                                        const Rgba& color) {
+  geometry::TriangleMesh mesh;
   mesh.positions = {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
   mesh.colors.assign(4, color);
   mesh.normals.assign(4, Vec3(0, 0, 1));
@@ -35,15 +35,16 @@ inline TriangleMesh rectangle(double x0, double x1, double y0, double y1, double
 }
 
 /// Larger than the picture of orthographic_scene(), so that it covers every pixel.
-inline TriangleMesh full_layer(double z, const Rgba& color) {
+inline geometry::TriangleMesh full_layer(double z, const Rgba& color) {
   return rectangle(-1.5, 1.5, -1.5, 1.5, z, color);
 }
 
 /// n layers between z = 1 (front) and z = -1, one object each, given back to front or shuffled by
 /// `order`; `color_of(i)` is the colour of the i-th from the front.
 template <class ColorOf>
-Scene stack(int n, int width, int height, const ColorOf& color_of, std::uint32_t shuffle_seed = 0) {
-  Scene scene = orthographic_scene(width, height);
+scene::Scene stack(int n, int width, int height, const ColorOf& color_of,
+                   std::uint32_t shuffle_seed = 0) {
+  scene::Scene scene = orthographic_scene(width, height);
   for (int i = 0; i < n; ++i) {
     const double z = n == 1 ? 0.0 : 1 - 2.0 * i / (n - 1);
     scene.objects.push_back({"layer", full_layer(z, color_of(i))});
@@ -54,8 +55,8 @@ Scene stack(int n, int width, int height, const ColorOf& color_of, std::uint32_t
 }
 
 /// Unit sphere from a subdivided octahedron; closed, vertices shared.
-inline TriangleMesh sphere(int subdivisions, const Rgba& color) {
-  TriangleMesh mesh;
+inline geometry::TriangleMesh sphere(int subdivisions, const Rgba& color) {
+  geometry::TriangleMesh mesh;
   mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -79,11 +80,11 @@ inline TriangleMesh sphere(int subdivisions, const Rgba& color) {
 }
 
 /// Triangles of random corners in [-1, 1]³ with random colours and opacities.
-inline TriangleMesh random_triangles(int count, std::uint32_t seed, double size = 2) {
+inline geometry::TriangleMesh random_triangles(int count, std::uint32_t seed, double size = 2) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto any = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
     const Vec3 center = any() * 2.0 - 1.0;
     for (int corner = 0; corner < 3; ++corner) {

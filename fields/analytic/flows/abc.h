@@ -11,7 +11,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Abc {
   static constexpr FlowFacts facts{
@@ -43,4 +43,4 @@ struct Abc {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -13,7 +13,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Benzene {
   static constexpr FlowFacts facts{
@@ -61,4 +61,4 @@ struct Benzene {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -12,7 +12,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct DeltaWing {
   static constexpr FlowFacts facts{
@@ -76,4 +76,4 @@ struct DeltaWing {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

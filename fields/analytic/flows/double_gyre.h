@@ -6,7 +6,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct DoubleGyre {
   static constexpr FlowFacts facts{
@@ -45,4 +45,4 @@ struct DoubleGyre {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -4,7 +4,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Drift {
   static constexpr FlowFacts facts{
@@ -25,4 +25,4 @@ struct Drift {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -15,7 +15,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct FilamentElement {
   Vec3 position;
@@ -71,4 +71,4 @@ inline FilamentSums<Dual> sum_over(const std::vector<FilamentElement>& filament,
   return {with_gradients(around, around_by), with_gradients(along, along_by)};
 }
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

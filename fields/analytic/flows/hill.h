@@ -8,7 +8,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Hill {
   static constexpr FlowFacts facts{
@@ -40,4 +40,4 @@ struct Hill {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

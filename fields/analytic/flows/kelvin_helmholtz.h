@@ -8,7 +8,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct KelvinHelmholtz {
   static constexpr FlowFacts facts{
@@ -38,4 +38,4 @@ struct KelvinHelmholtz {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -4,7 +4,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct PulsingSaddle {
   static constexpr FlowFacts facts{
@@ -26,4 +26,4 @@ struct PulsingSaddle {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -4,7 +4,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Rotation {
   static constexpr FlowFacts facts{
@@ -29,4 +29,4 @@ struct Rotation {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

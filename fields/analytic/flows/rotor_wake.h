@@ -9,7 +9,7 @@
 #include "fields/analytic/analytic_field.h"
 #include "fields/analytic/flows/filament.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct RotorWake {
   static constexpr FlowFacts facts{
@@ -80,4 +80,4 @@ struct RotorWake {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

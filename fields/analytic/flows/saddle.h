@@ -4,7 +4,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Saddle {
   static constexpr FlowFacts facts{
@@ -28,4 +28,4 @@ struct Saddle {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

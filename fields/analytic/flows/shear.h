@@ -3,7 +3,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Shear {
   static constexpr FlowFacts facts{
@@ -27,4 +27,4 @@ struct Shear {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

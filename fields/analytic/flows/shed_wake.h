@@ -18,7 +18,7 @@
 
 #include "fields/analytic/flows/sphere.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct ShedWake {
   static constexpr FlowFacts facts{
@@ -92,4 +92,4 @@ struct ShedWake {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

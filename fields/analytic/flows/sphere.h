@@ -12,7 +12,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Sphere {
   static constexpr FlowFacts facts{
@@ -56,4 +56,4 @@ struct Sphere {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

@@ -12,7 +12,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Step {
   static constexpr FlowFacts facts{
@@ -93,4 +93,4 @@ struct Step {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

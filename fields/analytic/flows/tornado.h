@@ -10,7 +10,7 @@
 
 #include "fields/analytic/analytic_field.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Tornado {
   static constexpr FlowFacts facts{
@@ -46,4 +46,4 @@ struct Tornado {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

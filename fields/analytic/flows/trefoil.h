@@ -11,7 +11,7 @@
 #include "fields/analytic/analytic_field.h"
 #include "fields/analytic/flows/filament.h"
 
-namespace pellucid::flow {
+namespace pellucid::fields::flow {
 
 struct Trefoil {
   static constexpr FlowFacts facts{
@@ -59,4 +59,4 @@ struct Trefoil {
   }
 };
 
-}  // namespace pellucid::flow
+}  // namespace pellucid::fields::flow

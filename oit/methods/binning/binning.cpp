@@ -6,7 +6,7 @@
 #include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class Binning final : public OitMethod {
@@ -27,13 +27,13 @@ class Binning final : public OitMethod {
   }
 
   // As the weight pass does it.
-  std::optional<OpticalDepth> optical_depth(int x, int y,
-                                            std::span<const double> d) const override {
+  std::optional<scene::OpticalDepth> optical_depth(int x, int y,
+                                                   std::span<const double> d) const override {
     std::vector<float> tau(std::size_t(bins_) + 1);  // at the bins' edges, from d = 0 on
     static_assert(sizeof(float) == sizeof(std::uint32_t));
     passes_.coefficients(0).read_pixel(x, y, bins_, GL_RED_INTEGER, GL_UNSIGNED_INT,
                                        std::size_t(bins_) * sizeof(float), tau.data() + 1);
-    OpticalDepth result;
+    scene::OpticalDepth result;
     for (const double depth : d) {
       const double at = depth * bins_;
       const std::size_t bin = std::min(std::size_t(at), std::size_t(bins_ - 1));
@@ -95,8 +95,8 @@ constexpr ParameterSpec parameters[] = {
 
 }  // namespace
 
-const MethodRow& binning_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& binning_method() {
+  static constexpr scene::MethodRow row{
       .name = "binning",
       .title = "Binning",
       .citation =
@@ -113,4 +113,4 @@ const MethodRow& binning_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

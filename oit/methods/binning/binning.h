@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Binning of the optical depth (Baeza Rojo, Gross and Guenther 2019, section 5.3, and section 2.2
 /// of its additional material): tau(d) of each pixel as a sum over equal bins of depth, in place of
@@ -16,6 +16,6 @@ namespace pellucid {
 ///
 /// Accuracy: the background's share is exact up to the clamp; exact for one layer and for layers
 /// in bins of their own; no bound otherwise.
-const MethodRow& binning_method();
+const scene::MethodRow& binning_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

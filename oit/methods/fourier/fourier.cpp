@@ -7,14 +7,14 @@
 #include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
-namespace pellucid::fourier_glsl {
+namespace pellucid::oit::fourier_glsl {
 
 using namespace glm;
 #include "oit/optical_depth/fourier_series.glsl"
 
-}  // namespace pellucid::fourier_glsl
+}  // namespace pellucid::oit::fourier_glsl
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class Fourier final : public OitMethod {
@@ -35,13 +35,13 @@ class Fourier final : public OitMethod {
   }
 
   // As the weight pass does it, in the same formulas.
-  std::optional<OpticalDepth> optical_depth(int x, int y,
-                                            std::span<const double> d) const override {
+  std::optional<scene::OpticalDepth> optical_depth(int x, int y,
+                                                   std::span<const double> d) const override {
     std::vector<glm::vec2> coefficients(std::size_t(2 * target_.layers));
     passes_.coefficients(0).read_pixel(x, y, target_.layers, GL_RGBA, GL_FLOAT,
                                        coefficients.size() * sizeof coefficients[0],
                                        coefficients.data());
-    OpticalDepth result;
+    scene::OpticalDepth result;
     for (int k = 0; k <= bands_; ++k)
       result.harmonics.emplace_back(coefficients[std::size_t(k)].x, coefficients[std::size_t(k)].y);
     for (const double depth : d)
@@ -84,8 +84,8 @@ std::unique_ptr<OitMethod> make_fourier(Stage& stage, const Parameters& paramete
   return std::make_unique<Fourier>(stage, parameters, opacity);
 }
 
-const MethodRow& fourier_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& fourier_method() {
+  static constexpr scene::MethodRow row{
       .name = "fourier",
       .title = "Fourier",
       .citation =
@@ -102,4 +102,4 @@ const MethodRow& fourier_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

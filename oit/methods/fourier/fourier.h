@@ -3,7 +3,7 @@
 #include "oit/optical_depth/optical_depth_passes.h"
 #include "oit/stage/oit_renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Fourier-based compositing (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization
 /// for scalable exploration", TVCG): the optical depth tau(d) of each pixel as a Fourier series
@@ -22,7 +22,7 @@ namespace pellucid {
 ///
 /// Accuracy: the background's share is exact up to the clamp; exact for one layer when normalized;
 /// otherwise no bound: the error of tau falls like 1 / bands away from the steps.
-const MethodRow& fourier_method();
+const scene::MethodRow& fourier_method();
 
 /// Of the series of tau, and of the passes that use it.
 inline constexpr auto fourier_parameters = std::to_array<ParameterSpec>(
@@ -68,4 +68,4 @@ inline constexpr auto fourier_parameters = std::to_array<ParameterSpec>(
 std::unique_ptr<OitMethod> make_fourier(Stage& stage, const Parameters& parameters,
                                         const FragmentOpacity& opacity);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -7,7 +7,7 @@
 #include "oit_glsl.h"
 #include "scene/opacity_energy.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 /// Steps 2 and 3 of the paper's section 4.2.
@@ -106,15 +106,15 @@ constexpr ParameterSpec importance_resolution_parameter = {
     .help = "of the importance's series: one a pixel, or one for 2 x 2"};
 
 constexpr auto parameters =
-    concatenate(energy_parameters, fourier_parameters,
+    concatenate(scene::energy_parameters, fourier_parameters,
                 std::array{importance_bands_parameter, importance_resolution_parameter,
                            per_parameter, transmittance_parameter},
                 element_parameters);
 
 }  // namespace
 
-const MethodRow& fourier_opacity_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& fourier_opacity_method() {
+  static constexpr scene::MethodRow row{
       .name = "fourier-opacity",
       .title = "Fourier opacity optimization",
       .citation =
@@ -129,4 +129,4 @@ const MethodRow& fourier_opacity_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

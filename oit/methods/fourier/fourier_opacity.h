@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Fourier opacity optimization (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization
 /// for scalable exploration", TVCG): each fragment's opacity is the one of least energy (Eqs. 1, 2,
@@ -11,14 +11,14 @@ namespace pellucid {
 /// method `fourier` does (Eqs. 14 to 19).
 ///
 /// A segment of a line, a patch of a surface and a point have the least opacity of their fragments,
-/// smoothed in object space (sections 2.2.4, 4.1 and 4.2, see scene/elements/elements.h); `per=fragment`
-/// leaves that out.
+/// smoothed in object space (sections 2.2.4, 4.1 and 4.2, see scene/elements/elements.h);
+/// `per=fragment` leaves that out.
 ///
 /// The optimal opacity is multiplied by the scene's own, as in `decoupled`. Without importance in
 /// the scene nothing of the first series is made. Opaque objects are context: they hide what lies
 /// behind them, and their own importance does not count.
 ///
 /// Accuracy: no bound; per fragment, `decoupled:bands` has the same opacities up to float rounding.
-const MethodRow& fourier_opacity_method();
+const scene::MethodRow& fourier_opacity_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class KBuffer final : public OitMethod {
@@ -48,7 +48,7 @@ class KBuffer final : public OitMethod {
   }
 
   // The tail is summed up: nothing is lost.
-  void account(const CountImage& crossings, RenderStats& stats) const override {
+  void account(const CountImage& crossings, scene::RenderStats& stats) const override {
     for (const std::uint32_t n : crossings.pixels) stats.stored += std::min(n, layers_);
   }
 
@@ -73,8 +73,8 @@ constexpr ParameterSpec parameters[] = {{.name = "layers",
 
 }  // namespace
 
-const MethodRow& k_buffer_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& k_buffer_method() {
+  static constexpr scene::MethodRow row{
       .name = "k-buffer",
       .title = "k-buffer with a tail",
       .citation = "Maule, Comba, Torchelsen and Bastos 2013, Hybrid transparency, I3D",
@@ -88,4 +88,4 @@ const MethodRow& k_buffer_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// k-buffer with a tail: hybrid transparency (Maule, Comba, Torchelsen and Bastos 2013, I3D). The
 /// `layers` nearest fragments of a pixel are sorted and composited exactly; those behind them are
@@ -14,6 +14,6 @@ namespace pellucid {
 /// Coincident fragments each claim a place of their own.
 ///
 /// Accuracy: exact where a pixel has at most `layers` layers; behind them only the order is lost.
-const MethodRow& k_buffer_method();
+const scene::MethodRow& k_buffer_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -6,14 +6,15 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 /// Steps 1 to 3, by lists.
 struct ExactOpacity {
   ExactOpacity(Stage& stage, const Parameters& parameters)
       : elements(stage, parameters),
-        energy(EnergyBlock(energy_weights(parameters, stage.scene().energy)).buffer(stage.gl())),
+        energy(EnergyBlock(scene::energy_weights(parameters, stage.scene().energy))
+                   .buffer(stage.gl())),
         build(stage.geometry_program(oit_glsl::decoupled_lists_build_frag_glsl(),
                                      {{"IMPORTANCE", 1}})),
         optimize(stage, {{"OPTIMIZE_OPACITY", 1}}),
@@ -68,12 +69,12 @@ class DecoupledLists final : public OitMethod {
   std::optional<FragmentLists::Consumer> composite_;
 };
 
-constexpr auto parameters = concatenate(energy_parameters, element_parameters);
+constexpr auto parameters = concatenate(scene::energy_parameters, element_parameters);
 
 }  // namespace
 
-const MethodRow& decoupled_lists_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& decoupled_lists_method() {
+  static constexpr scene::MethodRow row{
       .name = "decoupled-lists",
       .title = "Decoupled opacity optimization (linked lists)",
       .citation =
@@ -89,4 +90,4 @@ const MethodRow& decoupled_lists_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

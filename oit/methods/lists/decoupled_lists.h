@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled
 /// opacity optimization for points, lines and surfaces", CGF 36(2); equation
@@ -18,6 +18,6 @@ namespace pellucid {
 ///
 /// Accuracy: exact for the opacities that it finds, up to coverage and float
 /// rounding.
-const MethodRow& decoupled_lists_method();
+const scene::MethodRow& decoupled_lists_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -6,7 +6,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class LinkedList final : public OitMethod {
@@ -47,8 +47,8 @@ std::unique_ptr<OitMethod> make_linked_list(Stage& stage, const FragmentOpacity&
   return std::make_unique<LinkedList>(stage, opacity);
 }
 
-const MethodRow& linked_list_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& linked_list_method() {
+  static constexpr scene::MethodRow row{
       .name = "linked-list",
       .title = "Linked lists",
       .citation =
@@ -63,4 +63,4 @@ const MethodRow& linked_list_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "oit/stage/oit_renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Per-pixel linked lists (Yang, Hensley, Gruen and Thibieroz 2010, "Real-time concurrent linked
 /// list construction on the GPU", CGF 29(4)): every fragment is stored, sorted and composited.
@@ -12,9 +12,9 @@ namespace pellucid {
 /// ordered by object, then by triangle; sorting has no limit on the layers of a pixel.
 ///
 /// Accuracy: the exact composite up to coverage and float rounding.
-const MethodRow& linked_list_method();
+const scene::MethodRow& linked_list_method();
 
 /// The method as the last steps of another one, of fragments with these opacities.
 std::unique_ptr<OitMethod> make_linked_list(Stage& stage, const FragmentOpacity& opacity);
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

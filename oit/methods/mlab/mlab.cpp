@@ -3,7 +3,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class Mlab final : public OitMethod {
@@ -37,7 +37,7 @@ class Mlab final : public OitMethod {
   }
 
   // The others are merged: nothing is lost.
-  void account(const CountImage& crossings, RenderStats& stats) const override {
+  void account(const CountImage& crossings, scene::RenderStats& stats) const override {
     for (const std::uint32_t n : crossings.pixels)
       stats.stored += std::min(n, std::uint32_t(layers_));
   }
@@ -61,8 +61,8 @@ constexpr ParameterSpec parameters[] = {{.name = "layers",
 
 }  // namespace
 
-const MethodRow& mlab_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& mlab_method() {
+  static constexpr scene::MethodRow row{
       .name = "mlab",
       .title = "Multi-layer alpha blending",
       .citation = "Salvi and Vaidyanathan 2014, Multi-layer alpha blending, I3D",
@@ -77,4 +77,4 @@ const MethodRow& mlab_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Multi-layer alpha blending (Salvi and Vaidyanathan 2014, I3D): `layers` layers per pixel in the
 /// order of depth. A fragment is inserted where its depth belongs; if that makes one too many, the
@@ -18,6 +18,6 @@ namespace pellucid {
 /// for any number that come from front to back. Otherwise no bound but the hull of the colours: a
 /// fragment that lies between two merged ones is composited in front of both or behind both. So the
 /// picture depends on the order of submission.
-const MethodRow& mlab_method();
+const scene::MethodRow& mlab_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

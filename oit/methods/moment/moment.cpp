@@ -5,7 +5,7 @@
 #include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // Of the circle that depths are put on, in radians: from the nearest to the farthest. The rest, a
@@ -116,8 +116,8 @@ constexpr ParameterSpec parameters[] = {
 
 }  // namespace
 
-const MethodRow& moment_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& moment_method() {
+  static constexpr scene::MethodRow row{
       .name = "moment",
       .title = "Moments",
       .citation =
@@ -135,4 +135,4 @@ const MethodRow& moment_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

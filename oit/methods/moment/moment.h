@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Moment-based order-independent transparency (Muenstermann, Krumpen, Klein and Peters 2018,
 /// PACMCGIT 1(1)) with 4, 6 or 8 power or 2, 3 or 4 trigonometric moments: the distribution of
@@ -15,6 +15,6 @@ namespace pellucid {
 /// Accuracy: the background's share is exact up to the clamp; exact for one layer; otherwise no
 /// bound. With m numbers the reconstruction is exact, up to the bias, in front of, between and
 /// behind m / 2 layers, and at a layer within the overestimation's choice.
-const MethodRow& moment_method();
+const scene::MethodRow& moment_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

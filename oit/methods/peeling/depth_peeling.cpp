@@ -5,7 +5,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class DepthPeeling final : public OitMethod {
@@ -47,7 +47,7 @@ class DepthPeeling final : public OitMethod {
     if (left > 0) frame.stats().dropped = count_left();
   }
 
-  void account(const CountImage& crossings, RenderStats& stats) const override {
+  void account(const CountImage& crossings, scene::RenderStats& stats) const override {
     for (const std::uint32_t n : crossings.pixels) {
       stats.stored += std::min<std::uint64_t>(n, std::uint64_t(most_peels_));
       stats.truncated += n > std::uint64_t(most_peels_);
@@ -113,8 +113,8 @@ constexpr ParameterSpec parameters[] = {{.name = "peels",
 
 }  // namespace
 
-const MethodRow& depth_peeling_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& depth_peeling_method() {
+  static constexpr scene::MethodRow row{
       .name = "depth-peeling",
       .title = "Depth peeling",
       .citation = "Everitt 2001, Interactive order-independent transparency, NVIDIA",
@@ -129,4 +129,4 @@ const MethodRow& depth_peeling_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

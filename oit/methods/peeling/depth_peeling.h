@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Depth peeling (Everitt 2001, "Interactive order-independent transparency", NVIDIA): the layers
 /// of all pixels one after the other, each by passes over the whole scene, composited from front
@@ -16,6 +16,6 @@ namespace pellucid {
 /// counted as dropped.
 ///
 /// Accuracy: without a budget the exact composite up to coverage and float rounding.
-const MethodRow& depth_peeling_method();
+const scene::MethodRow& depth_peeling_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

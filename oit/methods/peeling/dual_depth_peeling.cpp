@@ -5,7 +5,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class DualDepthPeeling final : public OitMethod {
@@ -49,7 +49,7 @@ class DualDepthPeeling final : public OitMethod {
     if (some_left) frame.stats().dropped = count_left();
   }
 
-  void account(const CountImage& crossings, RenderStats& stats) const override {
+  void account(const CountImage& crossings, scene::RenderStats& stats) const override {
     for (const std::uint32_t n : crossings.pixels) {
       stats.stored += std::min<std::uint64_t>(n, 2 * most_peels_);
       stats.truncated += n > 2 * most_peels_;
@@ -110,8 +110,8 @@ constexpr ParameterSpec parameters[] = {
 
 }  // namespace
 
-const MethodRow& dual_depth_peeling_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& dual_depth_peeling_method() {
+  static constexpr scene::MethodRow row{
       .name = "dual-depth-peeling",
       .title = "Dual depth peeling",
       .citation =
@@ -127,4 +127,4 @@ const MethodRow& dual_depth_peeling_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Dual depth peeling (Bavoil and Myers 2008, "Order independent transparency with dual depth
 /// peeling", NVIDIA): each pass over the scene peels the nearest and the farthest layer that are
@@ -18,6 +18,6 @@ namespace pellucid {
 /// as dropped.
 ///
 /// Accuracy: without a budget the exact composite up to coverage and float rounding.
-const MethodRow& dual_depth_peeling_method();
+const scene::MethodRow& dual_depth_peeling_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

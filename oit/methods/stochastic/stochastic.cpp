@@ -3,7 +3,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class Stochastic final : public OitMethod {
@@ -78,8 +78,8 @@ constexpr ParameterSpec parameters[] = {{.name = "samples",
 
 }  // namespace
 
-const MethodRow& stochastic_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& stochastic_method() {
+  static constexpr scene::MethodRow row{
       .name = "stochastic",
       .title = "Stochastic",
       .citation = "Enderton, Sintorn, Shirley and Luebke 2010, Stochastic transparency, I3D",
@@ -93,4 +93,4 @@ const MethodRow& stochastic_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

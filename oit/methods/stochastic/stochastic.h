@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Stochastic transparency with alpha correction (Enderton, Sintorn, Shirley and Luebke 2010,
 /// I3D): each of S samples draws a fragment with the probability of its opacity and keeps the
@@ -15,6 +15,6 @@ namespace pellucid {
 ///
 /// Accuracy: unbiased but for the correction; the standard deviation falls like 1 / sqrt(S). The
 /// background's share is exact, and so is one layer.
-const MethodRow& stochastic_method();
+const scene::MethodRow& stochastic_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

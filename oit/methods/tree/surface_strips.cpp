@@ -8,18 +8,18 @@
 #include "integrators/front/front_particle.h"
 #include "integrators/front/surface_parameters.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 // Pixels between two vertices of a line: the chord of a circle of radius r pixels is 1.1 / r off.
 constexpr double step = 3;
 
-SurfaceRequest request_of(const FlowSource& source) {
+integrators::SurfaceRequest request_of(const scene::FlowSource& source) {
   return {source.field.get(), source.seed, source.duration, source.start_time, source.path, {}};
 }
 
 /// How far lines with seeds at a distance of 1 are apart across the flow, world units.
-double separation_across(const FrontPoint& point) {
+double separation_across(const integrators::FrontPoint& point) {
   const Vec3& w = point.flow.w;
   return glm::length(w - glm::dot(w, point.direction) * point.direction);
 }
@@ -29,7 +29,7 @@ class StripBuilder {
  public:
   StripBuilder(double s, bool with_normals) : s_(s), with_normals_(with_normals) {}
 
-  void add(const FrontPoint& point, double time, double half_width) {
+  void add(const integrators::FrontPoint& point, double time, double half_width) {
     // Where the surface has no normal, or the flow stands, it goes on as before.
     const Vec3 across = glm::cross(point.normal, point.direction);
     if (across != Vec3(0)) across_ = across, normal_ = point.normal;
@@ -42,10 +42,10 @@ class StripBuilder {
     mesh_.triangles.push_back({n - 4, n - 1, n - 2});
   }
 
-  TriangleMesh take() { return std::move(mesh_); }
+  geometry::TriangleMesh take() { return std::move(mesh_); }
 
  private:
-  void add(const Vec3& x, const FrontPoint& point, double time) {
+  void add(const Vec3& x, const integrators::FrontPoint& point, double time) {
     mesh_.positions.push_back(x);
     if (with_normals_) mesh_.normals.push_back(normal_);
     mesh_.scalars["s"].push_back(s_);
@@ -57,10 +57,10 @@ class StripBuilder {
   double s_;
   bool with_normals_;
   Vec3 across_{0}, normal_{0};
-  TriangleMesh mesh_;
+  geometry::TriangleMesh mesh_;
 };
 
-void append(const TriangleMesh& part, TriangleMesh& whole) {
+void append(const geometry::TriangleMesh& part, geometry::TriangleMesh& whole) {
   const auto base = std::uint32_t(whole.positions.size());
   const auto add = [](const auto& from, auto& to) {
     to.insert(to.end(), from.begin(), from.end());
@@ -74,32 +74,34 @@ void append(const TriangleMesh& part, TriangleMesh& whole) {
 
 }  // namespace
 
-SurfaceStrips::SurfaceStrips(const FlowSource& source, const Scene& scene, const DepthRange& range,
-                             const StripOptions& options)
+SurfaceStrips::SurfaceStrips(const scene::FlowSource& source, const scene::Scene& scene,
+                             const scene::DepthRange& range, const StripOptions& options)
     : source_(source),
       options_(options),
-      frame_(camera_frame(scene.camera)),
+      frame_(scene::camera_frame(scene.camera)),
       projection_(scene.camera.projection),
-      half_width_(half_height(scene.camera) * scene.width / scene.height),
-      half_height_(half_height(scene.camera)),
+      half_width_(scene::half_height(scene.camera) * scene.width / scene.height),
+      half_height_(scene::half_height(scene.camera)),
       pixel_(2 * half_height_ / scene.height),
       nearest_(0.01 * range.far),
-      lit_(scene.lighting != Lighting::none),
+      lit_(scene.lighting != scene::Lighting::none),
       request_(request_of(source)),
-      integration_(surface_options(request_, Parameters("tree", surface_parameters, {}))),
+      integration_(integrators::surface_options(
+          request_, Parameters("tree", integrators::surface_parameters, {}))),
       particles_(request_, integration_) {
-  if (options.by_separation) seeds_ = LineSeeds([&](double s) { return largest_separation(s); });
+  if (options.by_separation)
+    seeds_ = integrators::LineSeeds([&](double s) { return largest_separation(s); });
 }
 
 double SurfaceStrips::pixel_size(const Vec3& x) const {
-  if (projection_ == Projection::orthographic) return pixel_;
-  return pixel_ * std::max(view_depth(frame_, x), nearest_);
+  if (projection_ == scene::Projection::orthographic) return pixel_;
+  return pixel_ * std::max(scene::view_depth(frame_, x), nearest_);
 }
 
 bool SurfaceStrips::is_in_picture(const Vec3& x) const {
   const Vec3 p = x - frame_.eye;
   const double z = glm::dot(frame_.forward, p);
-  const double scale = projection_ == Projection::orthographic ? 1 : z;
+  const double scale = projection_ == scene::Projection::orthographic ? 1 : z;
   return z > 0 && std::abs(glm::dot(frame_.right, p)) <= scale * half_width_ &&
          std::abs(glm::dot(frame_.up, p)) <= scale * half_height_;
 }
@@ -107,11 +109,11 @@ bool SurfaceStrips::is_in_picture(const Vec3& x) const {
 /// Calls visit(point, world units a pixel there) along a line.
 template <class Visit>
 void SurfaceStrips::follow(double s, Visit&& visit) {
-  FieldSampler& sampler = particles_.sampler();
-  Trajectory path = particles_.start(s);
+  fields::FieldSampler& sampler = particles_.sampler();
+  integrators::Trajectory path = particles_.start(s);
   const double longest = source_.duration / 20;
   for (double t = 0; path.exists();) {
-    const FrontPoint point = front_point(path, t);
+    const integrators::FrontPoint point = integrators::front_point(path, t);
     const double pixel = pixel_size(point.flow.x);
     visit(point, pixel);
     path.release(t);
@@ -126,33 +128,33 @@ void SurfaceStrips::follow(double s, Visit&& visit) {
 /// Where the line is in the picture, in pixels.
 double SurfaceStrips::largest_separation(double s) {
   double largest = 0;
-  follow(s, [&](const FrontPoint& point, double pixel) {
+  follow(s, [&](const integrators::FrontPoint& point, double pixel) {
     if (is_in_picture(point.flow.x)) largest = std::max(largest, separation_across(point) / pixel);
   });
   return largest;
 }
 
-TriangleMesh SurfaceStrips::line(const LineSeeds::Seed& seed) {
+geometry::TriangleMesh SurfaceStrips::line(const integrators::LineSeeds::Seed& seed) {
   StripBuilder strip(seed.s, lit_);
   // In s; see LineSeeds.
-  const double gap = LineSeeds::largest_gap / (double(options_.lines) * seed.density);
-  follow(seed.s, [&](const FrontPoint& point, double pixel) {
+  const double gap = integrators::LineSeeds::largest_gap / (double(options_.lines) * seed.density);
+  follow(seed.s, [&](const integrators::FrontPoint& point, double pixel) {
     const double width = std::clamp(gap * separation_across(point), options_.width * pixel,
                                     std::max(options_.width, options_.widest) * pixel);
     strip.add(point, source_.start_time + point.t, 0.5 * width);
   });
-  TriangleMesh mesh = strip.take();
-  apply_appearance(source_.appearance, mesh);
+  geometry::TriangleMesh mesh = strip.take();
+  scene::apply_appearance(source_.appearance, mesh);
   return mesh;
 }
 
-TriangleMesh SurfaceStrips::lines(std::uint64_t first, std::uint64_t count) {
-  std::vector<TriangleMesh> strips(count);
+geometry::TriangleMesh SurfaceStrips::lines(std::uint64_t first, std::uint64_t count) {
+  std::vector<geometry::TriangleMesh> strips(count);
   parallel_for(std::uint64_t(0), count,
                [&](std::uint64_t i) { strips[i] = line(seeds_.seed(first + i)); });
-  TriangleMesh all;
-  for (const TriangleMesh& strip : strips) append(strip, all);
+  geometry::TriangleMesh all;
+  for (const geometry::TriangleMesh& strip : strips) append(strip, all);
   return all;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -5,7 +5,7 @@
 #include "scene/scene.h"
 #include "scene/view_depth.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 struct StripOptions {
   double width = 1;             // pixels, at each point's view depth
@@ -24,32 +24,32 @@ struct StripOptions {
 class SurfaceStrips {
  public:
   /// What it is given has to outlive it.
-  SurfaceStrips(const FlowSource& source, const Scene& scene, const DepthRange& range,
-                const StripOptions& options);
+  SurfaceStrips(const scene::FlowSource& source, const scene::Scene& scene,
+                const scene::DepthRange& range, const StripOptions& options);
 
   /// Lines first … first + count - 1 of LineSeeds.
-  TriangleMesh lines(std::uint64_t first, std::uint64_t count);
+  geometry::TriangleMesh lines(std::uint64_t first, std::uint64_t count);
 
  private:
   template <class Visit>
   void follow(double s, Visit&& visit);
-  TriangleMesh line(const LineSeeds::Seed& seed);
+  geometry::TriangleMesh line(const integrators::LineSeeds::Seed& seed);
   double largest_separation(double s);
   double pixel_size(const Vec3& x) const;
   bool is_in_picture(const Vec3& x) const;
 
-  const FlowSource& source_;
+  const scene::FlowSource& source_;
   StripOptions options_;
-  CameraFrame frame_;
-  Projection projection_;
+  scene::CameraFrame frame_;
+  scene::Projection projection_;
   double half_width_, half_height_;  // of the picture, world units; perspective: at distance 1
   double pixel_;                     // likewise, of a pixel
   double nearest_;  // view depths below this count as this: steps stay finite at the eye
   bool lit_;
-  SurfaceRequest request_;
-  SurfaceOptions integration_;
-  ParticleSource particles_;
-  LineSeeds seeds_;
+  integrators::SurfaceRequest request_;
+  integrators::SurfaceOptions integration_;
+  integrators::ParticleSource particles_;
+  integrators::LineSeeds seeds_;
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -10,7 +10,7 @@
 #include "oit/methods/tree/surface_strips.h"
 #include "oit/stage/oit_renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 /// When the frames end: at the first of these.
@@ -31,8 +31,8 @@ Budget budget_of(const Parameters& p) {
 }
 
 /// The scene with these objects alone.
-Scene with_objects(const Scene& scene, std::vector<SceneObject> objects) {
-  Scene part;
+scene::Scene with_objects(const scene::Scene& scene, std::vector<scene::SceneObject> objects) {
+  scene::Scene part;
   part.width = scene.width;
   part.height = scene.height;
   part.camera = scene.camera;
@@ -55,18 +55,18 @@ class Tree final : public OitMethod {
   Tree(Stage& stage, const Parameters& parameters)
       : stage_(stage),
         budget_(budget_of(parameters)),
-        range_(depth_range(stage.scene())),
+        range_(scene::depth_range(stage.scene())),
         trees_(stage, {float(parameters.real("epsilon2")), parameters.text("merge") == "first"}) {
-    std::vector<SceneObject> meshes;
-    std::vector<const FlowSource*> sources;
-    for (const SceneObject& object : stage.scene().objects)
+    std::vector<scene::SceneObject> meshes;
+    std::vector<const scene::FlowSource*> sources;
+    for (const scene::SceneObject& object : stage.scene().objects)
       if (object.opaque)
         continue;  // the stage draws it
       else if (object.source)
         sources.push_back(&*object.source);
       else
         meshes.push_back(object);
-    for (const FlowSource* source : sources)
+    for (const scene::FlowSource* source : sources)
       strips_.push_back(std::make_unique<SurfaceStrips>(
           *source, stage.scene(), range_,
           StripOptions{parameters.real("line-width"), parameters.real("widest"),
@@ -115,7 +115,7 @@ class Tree final : public OitMethod {
     Image before(stage_.width(), stage_.height(), Rgba(Vec3(stage_.scene().background), 0));
     const Stopwatch watch;
     for (std::uint64_t lines = 0; lines < budget_.lines;) {
-      FrameStats record;
+      scene::FrameStats record;
       record.lines = std::min(budget_.lines_per_frame, budget_.lines - lines);
       draw_batch(frame, lines, record.lines);
       lines += record.lines;
@@ -138,13 +138,13 @@ class Tree final : public OitMethod {
 
   /// Line n of all is line n / k of surface n mod k.
   void draw_batch(Frame& frame, std::uint64_t first, std::uint64_t count) {
-    Scene batch = with_objects(stage_.scene(), {});
+    scene::Scene batch = with_objects(stage_.scene(), {});
     frame.step("integrate", [&] {
       for (std::uint64_t k = 0; k < strips_.size(); ++k) {
         const auto before = [&](std::uint64_t n) {
           return (n + strips_.size() - 1 - k) / strips_.size();
         };
-        SceneObject object;
+        scene::SceneObject object;
         object.shape = strips_[k]->lines(before(first), before(first + count) - before(first));
         batch.objects.push_back(std::move(object));
       }
@@ -160,7 +160,7 @@ class Tree final : public OitMethod {
 
   Stage& stage_;
   Budget budget_;
-  DepthRange range_;
+  scene::DepthRange range_;
   LayerTrees trees_;
   std::optional<LayerTrees::Counts> counts_;
   std::optional<Geometry> meshes_;
@@ -227,8 +227,8 @@ constexpr ParameterSpec parameters[] = {
 
 }  // namespace
 
-const MethodRow& tree_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& tree_method() {
+  static constexpr scene::MethodRow row{
       .name = "tree",
       .title = "Progressive tree",
       .citation =
@@ -244,4 +244,4 @@ const MethodRow& tree_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// The progressive per-pixel tree (Tian and Guenther, "Progressive Rendering of Transparent
 /// Integral Surfaces", additional material, section 1, Algorithms 1 and 2). Lines of the surface
@@ -18,6 +18,6 @@ namespace pellucid {
 ///
 /// Accuracy: exact for objects without a FlowSource; for the others no bound, see the study
 /// tree-epsilon.
-const MethodRow& tree_method();
+const scene::MethodRow& tree_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class WeightedAverage final : public OitMethod {
@@ -40,8 +40,8 @@ class WeightedAverage final : public OitMethod {
 
 }  // namespace
 
-const MethodRow& weighted_average_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& weighted_average_method() {
+  static constexpr scene::MethodRow row{
       .name = "weighted-average",
       .title = "Weighted average",
       .citation = "Bavoil and Myers 2008, Order independent transparency with dual depth peeling",
@@ -54,4 +54,4 @@ const MethodRow& weighted_average_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

@@ -3,7 +3,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class WeightedBlended final : public OitMethod {
@@ -53,8 +53,8 @@ constexpr ParameterSpec parameters[] = {
 
 }  // namespace
 
-const MethodRow& weighted_blended_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& weighted_blended_method() {
+  static constexpr scene::MethodRow row{
       .name = "weighted-blended",
       .title = "Weighted blended",
       .citation =
@@ -70,4 +70,4 @@ const MethodRow& weighted_blended_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

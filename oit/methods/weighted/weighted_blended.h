@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Weighted blended order-independent transparency (McGuire and Bavoil 2013, JCGT 2(2)): a weighted
 /// mean colour over the background's exact transmittance, the weight falling with depth.
@@ -16,6 +16,6 @@ namespace pellucid {
 ///
 /// Accuracy: the background's share is exact; the colour is exact for one layer and for layers of
 /// one colour; no bound otherwise.
-const MethodRow& weighted_blended_method();
+const scene::MethodRow& weighted_blended_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

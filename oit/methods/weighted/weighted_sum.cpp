@@ -3,7 +3,7 @@
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 namespace {
 
 class WeightedSum final : public OitMethod {
@@ -46,8 +46,8 @@ constexpr ParameterSpec parameters[] = {
 
 }  // namespace
 
-const MethodRow& weighted_sum_method() {
-  static constexpr MethodRow row{
+const scene::MethodRow& weighted_sum_method() {
+  static constexpr scene::MethodRow row{
       .name = "weighted-sum",
       .title = "Weighted sum",
       .citation = "Meshkin 2007, Sort-independent alpha blending, GDC",
@@ -60,4 +60,4 @@ const MethodRow& weighted_sum_method() {
   return row;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

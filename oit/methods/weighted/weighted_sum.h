@@ -2,7 +2,7 @@
 
 #include "scene/renderer.h"
 
-namespace pellucid {
+namespace pellucid::oit {
 
 /// Weighted sum (Meshkin 2007, "Sort-independent alpha blending", GDC): the terms of the composite
 /// that do not depend on the order, to first order in the opacities.
@@ -13,6 +13,6 @@ namespace pellucid {
 ///
 /// Accuracy: exact for one layer; the error is of second order in the opacities, so that it is of
 /// use for few layers of low opacity only.
-const MethodRow& weighted_sum_method();
+const scene::MethodRow& weighted_sum_method();
 
-}  // namespace pellucid
+}  // namespace pellucid::oit

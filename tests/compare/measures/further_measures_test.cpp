@@ -12,30 +12,30 @@
 #include "tests/compare/study_folder.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 /// A picture of one colour.
-CellMeasurement picture_of(const Scene& scene, const Rgba& color) {
+CellMeasurement picture_of(const scene::Scene& scene, const Rgba& color) {
   CellMeasurement cell;
   cell.image = Image(scene.width, scene.height, color);
   return cell;
 }
 
 /// A red and a green layer over blue.
-Scene red_green_blue() {
-  Scene scene =
+scene::Scene red_green_blue() {
+  scene::Scene scene =
       stack(2, 4, 3, [](int i) { return i == 0 ? Rgba(1, 0, 0, 0.5) : Rgba(0, 1, 0, 0.5); });
   scene.background = {0, 0, 1};
   return scene;
 }
 
 TEST(UnitHullMeasure, CountsThePixelsThatLeaveTheHull) {
-  const Scene scene = red_green_blue();
+  const scene::Scene scene = red_green_blue();
   CellMeasurement cell = picture_of(scene, Rgba(0.2, 0.3, 0.5, 1));
   // Along the normal of the plane r + g + b = 1, on which the hull lies.
   cell.image.at(2, 1) = Rgba(0.2 + 0.1, 0.3 + 0.1, 0.5 + 0.1, 1);
@@ -47,7 +47,7 @@ TEST(UnitHullMeasure, CountsThePixelsThatLeaveTheHull) {
 }
 
 TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
-  const Scene scene = red_green_blue();
+  const scene::Scene scene = red_green_blue();
   CellMeasurement cell = picture_of(scene, Rgba(2, 2, 2, 1));
   cell.layers = CountImage(4, 3, 2);
   cell.layers.at(0, 0) = 1;
@@ -57,7 +57,7 @@ TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
 
 // The nearer layer lies at d = 0 on the left half and at d = 1/2 on the right one.
 TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
-  Scene scene = orthographic_scene(4, 2);
+  scene::Scene scene = orthographic_scene(4, 2);
   scene.objects.push_back({"left", rectangle(-3, 0, -2, 2, 1, Rgba(1, 0, 0, 0.5))});
   scene.objects.push_back({"right", rectangle(0, 3, -2, 2, 0, Rgba(1, 0, 0, 0.5))});
   scene.objects.push_back({"behind", full_layer(-1, Rgba(1, 0, 0, 0.5))});
@@ -74,12 +74,12 @@ TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
 }
 
 Cell probing_cell(std::string_view method, const RawOptions& options, bool reference) {
-  const MethodRow& row = find_row("method", method, methods());
+  const scene::MethodRow& row = find_row("method", method, methods());
   return {"",        "scene", {&row, Parameters(row.name, row.parameters, options)},
           reference, {},      {{1, 1}}};
 }
 
-CellMeasurement probed(const Cell& cell, const Scene& scene) {
+CellMeasurement probed(const Cell& cell, const scene::Scene& scene) {
   const auto renderer = cell.call.row->make(scene, cell.call.parameters, {});
   renderer->render({});
   CellMeasurement measured;
@@ -89,8 +89,8 @@ CellMeasurement probed(const Cell& cell, const Scene& scene) {
 
 /// Five layers of an opacity of 1/2 at d = 0.1, 0.3, 0.5, 0.7, 0.9, between two that cannot be seen
 /// at the ends of the depth range.
-Scene five_steps() {
-  Scene scene = orthographic_scene(3, 3);
+scene::Scene five_steps() {
+  scene::Scene scene = orthographic_scene(3, 3);
   for (const double d : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0})
     scene.objects.push_back(
         {"layer", full_layer(1 - 2 * d, Rgba(1, 0, 0, d == 0 || d == 1 ? 0 : 0.5))});
@@ -118,12 +118,13 @@ TEST(UnitRayCurves, TheReferenceHasTheSteps) {
 // times; in the evaluated wave, too, whose depth is rounded once. They meet coefficients of up to
 // 2 · 5 ln 2, divided by 2πk, of a_k and of b_k: 5.1e-6 a band.
 TEST(AgreementRayCurves, FourierHasTheSeriesOfItsBands) {
-  const Scene scene = five_steps();
+  const scene::Scene scene = five_steps();
   // The range of depths is wider than the layers' by a little: theirs are not quite 0.1, 0.3, …
-  const RaySums ray = RayProbe(scene).at(1.5, 1.5);
+  const groundtruth::RaySums ray = groundtruth::RayProbe(scene).at(1.5, 1.5);
   for (const int bands : {1, 5, 20}) {
-    FourierSum exact(bands);
-    for (const RayLayer& layer : ray.layers) exact.add(-std::log1p(-layer.opacity), layer.d);
+    groundtruth::FourierSum exact(bands);
+    for (const groundtruth::RayLayer& layer : ray.layers)
+      exact.add(-std::log1p(-layer.opacity), layer.d);
     const auto cell =
         probed(probing_cell("fourier", {{"bands", std::to_string(bands)}}, false), scene);
     const RowCurve& curve = cell.row.curves.at(0);
@@ -161,9 +162,9 @@ TEST(UnitRayCurves, APixelOutsideThePictureIsRefused) {
 }
 
 TEST(UnitFurtherMeasures, AStudyNamesThem) {
-  const StudyFolder folder;
+  const testing::StudyFolder folder;
   const auto load = [&](const std::string& more) {
-    return load_study(folder.study(R"(["shifted"])", more), fake_methods());
+    return load_study(folder.study(R"(["shifted"])", more), testing::fake_methods());
   };
   const Study study = load(R"("measures": ["hull"], "probes": {"two": [[3, 4], [5, 6]]})");
   EXPECT_THAT(study.measures, ElementsAre("hull"));
@@ -180,4 +181,4 @@ TEST(UnitFurtherMeasures, AStudyNamesThem) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 const std::vector<Vec3> tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -46,4 +46,4 @@ TEST(UnitHullDistance, OfACubeOfManyPoints) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -12,17 +12,18 @@
 #include "scene/files/scene_file.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using namespace testing;
 
-Rendering render(const Scene& scene, const MethodRow& row, const RawOptions& options = {}) {
+scene::Rendering render(const scene::Scene& scene, const scene::MethodRow& row,
+                        const RawOptions& options = {}) {
   return row.make(scene, Parameters(row.name, row.parameters, options), {})
       ->render({.layers = true});
 }
 
-Rendering truth(const Scene& scene) { return render(scene, methods().front()); }
+scene::Rendering truth(const scene::Scene& scene) { return render(scene, methods().front()); }
 
 /// Over the pixels in which both see as many layers.
 struct Agreement {
@@ -30,7 +31,7 @@ struct Agreement {
   std::size_t other_coverage = 0;
 };
 
-Agreement agreement(const Rendering& reference, const Rendering& test) {
+Agreement agreement(const scene::Rendering& reference, const scene::Rendering& test) {
   Agreement result;
   double sum = 0;
   std::size_t count = 0;
@@ -53,7 +54,7 @@ Agreement agreement(const Rendering& reference, const Rendering& test) {
 
 std::vector<std::string_view> names_of_methods(bool only_exact) {
   std::vector<std::string_view> names;
-  for (const MethodRow& row : methods())
+  for (const scene::MethodRow& row : methods())
     if (row.promises.exact || !only_exact) names.push_back(row.name);
   return names;
 }
@@ -66,26 +67,26 @@ std::string test_name(const ::testing::TestParamInfo<std::string_view>& method) 
 
 class PropertyMethodAgainstTruth : public ::testing::TestWithParam<std::string_view> {
  protected:
-  const MethodRow& row() const { return find_row("method", GetParam(), methods()); }
+  const scene::MethodRow& row() const { return find_row("method", GetParam(), methods()); }
 };
 class PropertyExactMethod : public PropertyMethodAgainstTruth {};
 
 TEST_P(PropertyMethodAgainstTruth, OneLayerIsTheTruth) {
   // One tilted, lit, many-coloured rectangle under perspective. 1e-4: half precision has 5e-4 at 1,
   // so a method may not lose its fragment to it; float sums and an exp cost about 1e-6.
-  Scene scene;
+  scene::Scene scene;
   scene.width = 101;
   scene.height = 67;
-  scene.lighting = Lighting::headlight;
+  scene.lighting = scene::Lighting::headlight;
   scene.background = Vec3(0.9, 1, 0.8);
-  TriangleMesh mesh = rectangle(-1, 1.2, -1.1, 1, 0, Rgba(0, 0, 0, 0.6f));
+  geometry::TriangleMesh mesh = rectangle(-1, 1.2, -1.1, 1, 0, Rgba(0, 0, 0, 0.6f));
   for (std::size_t i = 0; i < 4; ++i) {
     mesh.positions[i].z = 0.3 * mesh.positions[i].x - 0.5 * mesh.positions[i].y;
     mesh.colors[i] =
         Rgba(0.1f + 0.2f * float(i), 0.9f - 0.2f * float(i), i % 2, 0.2f + 0.2f * float(i));
   }
   mesh.normals.clear();
-  ensure_normals(mesh);
+  scene::ensure_normals(mesh);
   scene.objects = {{"", mesh}};
   const Agreement found = agreement(truth(scene), render(scene, row()));
   EXPECT_LE(found.largest, 1e-4);
@@ -94,7 +95,7 @@ TEST_P(PropertyMethodAgainstTruth, OneLayerIsTheTruth) {
 }
 
 TEST_P(PropertyExactMethod, AgreesOnAHardScene) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 200;
   scene.objects = {{"", random_triangles(400, 11)}, {"", sphere(3, Rgba(0.2, 0.5, 1, 0.3f))}};
   const Agreement found = agreement(truth(scene), render(scene, row()));
@@ -104,12 +105,12 @@ TEST_P(PropertyExactMethod, AgreesOnAHardScene) {
 }
 
 /// A ribbon that turns, and discs at depths of their own, side by side.
-Scene lines_and_points() {
-  Scene scene;
+scene::Scene lines_and_points() {
+  scene::Scene scene;
   scene.width = 121;
   scene.height = 97;
   scene.background = Vec3(0.9, 1, 0.8);
-  LineObject lines;
+  scene::LineObject lines;
   lines.radius = 0.1;
   for (int i = 0; i < 9; ++i) {
     const double t = i / 8.0;
@@ -117,7 +118,7 @@ Scene lines_and_points() {
     lines.set.colors.emplace_back(t, 0.5, 1 - t, 0.3 + 0.5 * t);
   }
   lines.set.offsets = {0, 4, 9};
-  PointObject points;
+  scene::PointObject points;
   points.radius = 0.2;
   for (int i = 0; i < 4; ++i) {
     points.set.positions.emplace_back(0.6 + 0.6 * (i % 2), 0.7 * (i / 2) - 0.4, 0.3 * i - 0.5);
@@ -128,14 +129,15 @@ Scene lines_and_points() {
 }
 
 TEST_P(PropertyMethodAgainstTruth, OneLayerOfLinesAndPointsIsTheTruth) {
-  for (const Lighting lighting : {Lighting::none, Lighting::headlight, Lighting::phong}) {
-    Scene scene = lines_and_points();
+  for (const scene::Lighting lighting :
+       {scene::Lighting::none, scene::Lighting::headlight, scene::Lighting::phong}) {
+    scene::Scene scene = lines_and_points();
     scene.lighting = lighting;
-    const Rendering reference = truth(scene);
+    const scene::Rendering reference = truth(scene);
     EXPECT_EQ(reference.stats.max_layers, 1u);
     const Agreement found = agreement(reference, render(scene, row()));
     // √(1 - c²) turns the roundings of c, 1e-6 of snapped corners, into their root at a rim.
-    EXPECT_LE(found.largest, lighting == Lighting::none ? 1e-4 : 1e-2);
+    EXPECT_LE(found.largest, lighting == scene::Lighting::none ? 1e-4 : 1e-2);
     EXPECT_LE(found.rmse, 1e-4);
     // The outlines are some 600 pixels long, and OpenGL snaps them to 1/256 pixel.
     EXPECT_LE(found.other_coverage, 10u);
@@ -143,17 +145,17 @@ TEST_P(PropertyMethodAgainstTruth, OneLayerOfLinesAndPointsIsTheTruth) {
 }
 
 /// Meshes, lines and points through each other, in turns, and opaque ones among them.
-Scene mixed_scene(bool with_opaque) {
-  Scene scene;
+scene::Scene mixed_scene(bool with_opaque) {
+  scene::Scene scene;
   scene.width = 120;
   scene.height = 90;
   std::mt19937 random(21);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto any = [&] { return Vec3(unit(random), unit(random), unit(random)); };
   for (int i = 0; i < 4; ++i) {
-    LineObject lines;
+    scene::LineObject lines;
     lines.radius = 0.07;
-    PointObject points;
+    scene::PointObject points;
     points.radius = 0.15;
     for (int k = 0; k < 20; ++k) {
       lines.set.positions.push_back(any());
@@ -171,14 +173,14 @@ Scene mixed_scene(bool with_opaque) {
 }
 
 TEST_P(PropertyExactMethod, AgreesOnMixedShapes) {
-  const Scene scene = mixed_scene(false);
+  const scene::Scene scene = mixed_scene(false);
   const Agreement found = agreement(truth(scene), render(scene, row()));
   EXPECT_LE(found.rmse, 1e-4);
   EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
 }
 
 TEST_P(PropertyExactMethod, WhatIsOpaqueHidesAsItDoesInTruth) {
-  const Scene scene = mixed_scene(true);
+  const scene::Scene scene = mixed_scene(true);
   const Agreement found = agreement(truth(scene), render(scene, row()));
   EXPECT_LE(found.rmse, 1e-4);
   EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
@@ -190,8 +192,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, PropertyExactMethod, ::testing::ValuesIn(names
                          test_name);
 
 TEST(SlowAgreement, LinkedListsEqualTheRayTracerOnTheAbcFlow) {
-  const Scene scene = load_scene(PELLUCID_SOURCE_DIR "/scenes/abc.json");
-  const Rendering test = render(scene, find_row("method", "linked-list", methods()));
+  const scene::Scene scene = scene::load_scene(PELLUCID_SOURCE_DIR "/scenes/abc.json");
+  const scene::Rendering test = render(scene, find_row("method", "linked-list", methods()));
   const Agreement found = agreement(truth(scene), test);
   EXPECT_GE(test.stats.max_layers, 5u) << "the surface no longer folds over itself";
   EXPECT_LE(found.rmse, 1e-4);
@@ -199,4 +201,4 @@ TEST(SlowAgreement, LinkedListsEqualTheRayTracerOnTheAbcFlow) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

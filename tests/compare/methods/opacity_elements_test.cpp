@@ -7,7 +7,7 @@
 
 #include "tests/compare/methods/opacity_scenes.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using namespace testing;
@@ -16,7 +16,7 @@ using namespace testing;
 // an element nor smoothing changes it. 40 layers are more than registers sort.
 TEST(AgreementDecoupledLists, SheetsAreThoseOfTheRayTracer) {
   for (const int n : {3, 16, 40}) {
-    const Scene scene = important_sheets(n, 4).scene;
+    const scene::Scene scene = important_sheets(n, 4).scene;
     const RawOptions weights = {{"q", "3"}, {"r", "2"}, {"lambda", "1.5"}};
     // Some n roundings of sums of importance, up to n / 4, three times; then those of compositing.
     EXPECT_LE(largest_difference(draw("decoupled", scene, weights).image,
@@ -28,9 +28,9 @@ TEST(AgreementDecoupledLists, SheetsAreThoseOfTheRayTracer) {
 
 // Three layers, the middle one important: g = 0, 1, 0 and q = 3, r = 1 make opacities 1/4, 1, 1/2.
 TEST(UnitDecoupledLists, ThreeLayersInClosedForm) {
-  Scene scene =
+  scene::Scene scene =
       stack(3, 2, 2, [](int i) { return Rgba(i == 0, i == 1, i == 2, i == 1 ? 0.5 : 1); });
-  for (SceneObject& object : scene.objects)
+  for (scene::SceneObject& object : scene.objects)
     object.vertices().importance.assign(4, object.vertices().colors[0].g);
   scene.energy = {.p = 1, .q = 7, .r = 1, .lambda = 2};
   const Image image = draw("decoupled-lists", scene, {{"q", "3"}}).image;  // r is the scene's
@@ -39,18 +39,18 @@ TEST(UnitDecoupledLists, ThreeLayersInClosedForm) {
 }
 
 /// An important sheet behind the right half of the picture.
-Scene half_important(const SceneObject& in_front) {
-  Scene scene = orthographic_scene(16, 16);
+scene::Scene half_important(const scene::SceneObject& in_front) {
+  scene::Scene scene = orthographic_scene(16, 16);
   scene.background = Vec3(0);
-  TriangleMesh sheet = rectangle(0, 1.5, -1.5, 1.5, -1, Rgba(0, 0, 1, 1));
+  geometry::TriangleMesh sheet = rectangle(0, 1.5, -1.5, 1.5, -1, Rgba(0, 0, 1, 1));
   sheet.importance.assign(4, 1);
   scene.objects = {in_front, {"important", sheet}};
   return scene;
 }
 
 /// A red line from one side of the picture to the other, of 16 segments.
-SceneObject long_line() {
-  LineObject lines;
+scene::SceneObject long_line() {
+  scene::LineObject lines;
   lines.radius = 0.4;
   for (int i = 0; i <= 16; ++i) {
     lines.set.positions.emplace_back(-1 + i / 8.0, 0, 1);
@@ -62,7 +62,7 @@ SceneObject long_line() {
 
 // q = 3 takes the line's opacity to 1/4 where it is in front of what is important.
 TEST(UnitOpacityElements, AnElementHasTheLeastOpacityOfItsFragments) {
-  const Scene scene = half_important(long_line());
+  const scene::Scene scene = half_important(long_line());
   const auto left = [&](const char* method, const char* segments, const char* smooth, int x) {
     return draw(method, scene, {{"q", "3"}, {"r", "0"}, {"segments", segments}, {"smooth", smooth}})
         .image.at(x, 8)
@@ -82,26 +82,26 @@ TEST(UnitOpacityElements, AnElementHasTheLeastOpacityOfItsFragments) {
 }
 
 TEST(UnitOpacityElements, APointIsAnElement) {
-  PointObject points;
+  scene::PointObject points;
   points.radius = 0.7;
   points.set.positions = {{-0.1, 0, 1}, {-0.2, 0, 0.9}};
   points.set.colors = {{1, 0, 0, 1}, {0, 1, 0, 0}};
-  const Scene scene = half_important({"points", points});
+  const scene::Scene scene = half_important({"points", points});
   for (const char* method : {"decoupled-lists", "fourier-opacity"})
     EXPECT_NEAR(draw(method, scene, {{"q", "3"}, {"r", "0"}}).image.at(3, 8).a, 0.25, 1e-4)
         << method;
 }
 
 TEST(UnitOpacityElements, APatchIsAnElement) {
-  const Scene scene = half_important({"sheet", full_layer(1, Rgba(1, 0, 0, 1))});
+  const scene::Scene scene = half_important({"sheet", full_layer(1, Rgba(1, 0, 0, 1))});
   for (const char* method : {"decoupled-lists", "fourier-opacity"})
     EXPECT_NEAR(draw(method, scene, {{"q", "3"}, {"r", "0"}, {"patches", "1"}}).image.at(3, 8).a,
                 0.25, 1e-4)
         << method;
 }
 
-std::uint64_t importance_bytes(const Rendering& rendering) {
-  for (const NamedBytes& part : rendering.stats.bytes)
+std::uint64_t importance_bytes(const scene::Rendering& rendering) {
+  for (const scene::NamedBytes& part : rendering.stats.bytes)
     if (part.name.find("importance") != std::string::npos) return part.bytes;
   return 0;
 }
@@ -111,7 +111,7 @@ std::uint64_t importance_bytes(const Rendering& rendering) {
 TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) {
   for (const auto& [width, height] : {std::pair(8, 6), {7, 5}, {1, 1}})
     for (const int samples : {1, 2}) {
-      Scene scene = important_sheets(8, 5).scene;
+      scene::Scene scene = important_sheets(8, 5).scene;
       scene.width = width;
       scene.height = height;
       scene.samples = samples;
@@ -119,8 +119,8 @@ TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) 
       const RawOptions full = {{"q", "20"}, {"r", "10"}, {"lambda", "1.5"}};
       RawOptions half = full;
       half["importance-resolution"] = "half";
-      const Rendering whole = draw("fourier-opacity", scene, full);
-      const Rendering quarter = draw("fourier-opacity", scene, half);
+      const scene::Rendering whole = draw("fourier-opacity", scene, full);
+      const scene::Rendering quarter = draw("fourier-opacity", scene, half);
       // The sums of both add the same numbers in the same order.
       EXPECT_LE(largest_difference(whole.image, quarter.image), 1e-6) << width << ' ' << samples;
       const std::uint64_t pixels = std::uint64_t((width + 1) / 2) * ((height + 1) / 2);
@@ -131,7 +131,7 @@ TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) 
 
 // The sheet begins between two blocks of 2 x 2 pixels: each block has one importance.
 TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceKeepsItsPlace) {
-  const Scene scene = half_important(long_line());
+  const scene::Scene scene = half_important(long_line());
   const RawOptions full = {{"smooth", "0"}, {"q", "5"}};
   RawOptions half = full;
   half["importance-resolution"] = "half";
@@ -141,4 +141,4 @@ TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceKeepsItsPlace) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -8,10 +8,15 @@
 #include "core/options/names.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid::testing {
+namespace pellucid::testing {}
 
-inline Rendering draw(std::string_view method, const Scene& scene, const RawOptions& options = {}) {
-  const MethodRow& row = find_row("method", method, methods());
+namespace pellucid::compare::testing {
+
+using namespace pellucid::testing;
+
+inline scene::Rendering draw(std::string_view method, const scene::Scene& scene,
+                             const RawOptions& options = {}) {
+  const scene::MethodRow& row = find_row("method", method, methods());
   return row.make(scene, Parameters(row.name, row.parameters, options), {})
       ->render({.layers = true});
 }
@@ -27,7 +32,7 @@ inline double largest_difference(const Image& a, const Image& b) {
 /// Sheets of opacity 1/2 over the whole picture, importance from 0 to 1, front to back.
 struct Sheets {
   std::vector<double> d, g;
-  Scene scene;
+  scene::Scene scene;
 };
 
 inline Sheets important_sheets(int n, unsigned seed) {
@@ -43,4 +48,4 @@ inline Sheets important_sheets(int n, unsigned seed) {
   return sheets;
 }
 
-}  // namespace pellucid::testing
+}  // namespace pellucid::compare::testing

@@ -11,7 +11,7 @@
 #include "scene/opacity_energy.h"
 #include "tests/compare/methods/opacity_scenes.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using namespace testing;
@@ -19,20 +19,20 @@ using namespace testing;
 // The transmittance of a pixel is exact in its series (Eq. 18): of sheets it is the product of what
 // Eq. 10 makes of the series of the importance, here in double.
 TEST(AgreementFourierOpacity, SheetsHaveTheOpacitiesOfTheirSeries) {
-  const EnergyWeights weights{1, 3, 2, 1.5};
+  const scene::EnergyWeights weights{1, 3, 2, 1.5};
   for (const auto& [bands, middle, per] : {std::tuple(1, true, "element"),
                                            {5, false, "element"},
                                            {5, true, "fragment"},
                                            {20, false, "fragment"}}) {
     const Sheets sheets = important_sheets(7, 3);
-    FourierSum series(bands);
+    groundtruth::FourierSum series(bands);
     for (std::size_t i = 0; i < 7; ++i) series.add(sheets.g[i] * sheets.g[i], sheets.d[i]);
     double transmittance = 1;
     for (std::size_t i = 0; i < 7; ++i) {
       const double own = sheets.g[i] * sheets.g[i], sum = series.up_to(sheets.d[i]);
       const double ahead = sum - (middle ? own / 2 : own);
-      transmittance *=
-          1 - 0.5 * optimal_opacity(weights, sheets.g[i], ahead, series.up_to(1) - ahead - own);
+      transmittance *= 1 - 0.5 * scene::optimal_opacity(weights, sheets.g[i], ahead,
+                                                        series.up_to(1) - ahead - own);
     }
     const Image image = draw("fourier-opacity", sheets.scene,
                              {{"q", "3"},
@@ -50,20 +50,20 @@ TEST(AgreementFourierOpacity, SheetsHaveTheOpacitiesOfTheirSeries) {
 }
 
 /// Triangles, a line and points through each other.
-Scene important_shapes() {
-  Scene scene;
+scene::Scene important_shapes() {
+  scene::Scene scene;
   scene.width = 90;
   scene.height = 70;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto any = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-  LineObject lines;
+  scene::LineObject lines;
   lines.radius = 0.07;
-  PointObject points;
+  scene::PointObject points;
   points.radius = 0.15;
   for (int k = 0; k < 40; ++k) {
-    for (Vertices* vertices :
-         {static_cast<Vertices*>(&lines.set), static_cast<Vertices*>(&points.set)}) {
+    for (geometry::Vertices* vertices : {static_cast<geometry::Vertices*>(&lines.set),
+                                         static_cast<geometry::Vertices*>(&points.set)}) {
       vertices->positions.push_back(any());
       vertices->colors.emplace_back(0.5 + 0.5 * any(), 0.5 + 0.4 * unit(random));
       vertices->importance.push_back(float(0.5 + 0.5 * unit(random)));
@@ -71,17 +71,17 @@ Scene important_shapes() {
   }
   lines.set.offsets = {0, 17, 18, 40};
   scene.objects = {{"mesh", random_triangles(30, 7, 1)}, {"lines", lines}, {"points", points}};
-  Vertices& mesh = scene.objects[0].vertices();
+  geometry::Vertices& mesh = scene.objects[0].vertices();
   for (const Rgba& color : mesh.colors) mesh.importance.push_back(color.r * color.r);
   return scene;
 }
 
 TEST(AgreementFourierOpacity, TheRayTracerWithTheSameSeriesHasTheSameOpacities) {
-  const Scene scene = important_shapes();
+  const scene::Scene scene = important_shapes();
   RawOptions options = {{"bands", "5"}, {"q", "20"}, {"r", "5"}};
-  const Rendering truth = draw("decoupled", scene, options);
+  const scene::Rendering truth = draw("decoupled", scene, options);
   options["per"] = "fragment";
-  const Rendering test = draw("fourier-opacity", scene, options);
+  const scene::Rendering test = draw("fourier-opacity", scene, options);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < truth.image.pixels.size(); ++i) {
     if (truth.layers.pixels[i] != test.layers.pixels[i]) continue;
@@ -93,7 +93,7 @@ TEST(AgreementFourierOpacity, TheRayTracerWithTheSameSeriesHasTheSameOpacities) 
 }
 
 TEST(UnitFourierOpacity, WhereNothingFadesItIsTheFourierMethod) {
-  Scene scene = important_shapes();
+  scene::Scene scene = important_shapes();
   const Image plain = draw("fourier", scene).image;
   const auto expect_plain = [&](const RawOptions& options) {
     // The weights of an element's vertex add up to 1 but for roundings.
@@ -101,16 +101,16 @@ TEST(UnitFourierOpacity, WhereNothingFadesItIsTheFourierMethod) {
   };
   expect_plain({{"q", "0"}, {"r", "0"}});
   for (const float g : {1.0f, 0.0f}) {
-    for (SceneObject& object : scene.objects)
+    for (scene::SceneObject& object : scene.objects)
       object.vertices().importance.assign(object.vertices().positions.size(), g);
     expect_plain({{"q", "1e12"}, {"r", "1e12"}});
   }
-  for (SceneObject& object : scene.objects) object.vertices().importance.clear();
+  for (scene::SceneObject& object : scene.objects) object.vertices().importance.clear();
   expect_plain({});
 }
 
 TEST(PropertyFourierOpacity, ExtremeWeightsGiveFinitePictures) {
-  const Scene scene = important_shapes();
+  const scene::Scene scene = important_shapes();
   for (const char* q : {"0", "1e12"})
     for (const char* lambda : {"0", "100"}) {
       const Image image =
@@ -122,10 +122,10 @@ TEST(PropertyFourierOpacity, ExtremeWeightsGiveFinitePictures) {
 }
 
 TEST(PropertyFourierOpacity, ASceneBehindTheCameraIsAnError) {
-  Scene scene = important_shapes();
+  scene::Scene scene = important_shapes();
   scene.camera.target = 2.0 * scene.camera.eye - scene.camera.target;
   EXPECT_THROW(draw("fourier-opacity", scene), InputError);
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -10,11 +10,11 @@
 #include "tests/compare/pictures/metric_pairs.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using ::testing::HasSubstr;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 Image colourful(int width, int height) {
   Image image = picture(width, height, noise);
@@ -112,4 +112,4 @@ TEST(PropertyImageFile, NothingIsLeftBesideAPicture) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

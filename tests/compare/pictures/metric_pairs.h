@@ -7,7 +7,11 @@
 
 #include "core/raster.h"
 
-namespace pellucid::testing {
+namespace pellucid::testing {}
+
+namespace pellucid::compare::testing {
+
+using namespace pellucid::testing;
 
 /// A colour value from a pixel's column, row and channel.
 using Formula = std::function<double(std::int64_t x, std::int64_t y, std::int64_t c)>;
@@ -69,4 +73,4 @@ inline std::vector<FormulaPair> formula_pairs() {
       {"equal", rings, rings}};
 }
 
-}  // namespace pellucid::testing
+}  // namespace pellucid::compare::testing

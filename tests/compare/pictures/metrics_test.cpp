@@ -11,12 +11,12 @@
 #include "core/files/output_file.h"
 #include "tests/compare/pictures/metric_pairs.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
 
@@ -142,4 +142,4 @@ TEST(AgreementMetrics, EqualScikitImage) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

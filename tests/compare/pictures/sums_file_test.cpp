@@ -15,33 +15,34 @@
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using ::testing::UnorderedElementsAre;
 using namespace testing;
 
-Image raytraced(const Scene& scene) {
-  const MethodRow& row = raytrace_method();
+Image raytraced(const scene::Scene& scene) {
+  const scene::MethodRow& row = groundtruth::raytrace_method();
   return row.make(scene, Parameters(row.name, row.parameters, {}), {})->render({}).image;
 }
 
 /// A half of the picture is behind eight layers of α = 1/4, the other is empty.
-Scene half_a_stack(int samples) {
-  Scene scene = orthographic_scene(4, 2);
+scene::Scene half_a_stack(int samples) {
+  scene::Scene scene = orthographic_scene(4, 2);
   scene.samples = samples;
   for (int i = 0; i < 8; ++i)
     scene.objects.push_back(
         {"layer", rectangle(-2.5, 0, -1.5, 1.5, 1 - i * 0.25, Rgba(1, 0.5, 0, 0.25f))});
-  for (SceneObject& object : scene.objects) object.vertices().importance.assign(4, 0.5f);
+  for (scene::SceneObject& object : scene.objects) object.vertices().importance.assign(4, 0.5f);
   return scene;
 }
 
 TEST(UnitPictureSums, AStackInClosedForm) {
   for (const int samples : {1, 2}) {
-    const Scene scene = half_a_stack(samples);
-    const Raster<PixelSums> sums = picture_sums(scene, RayProbe(scene), {});
-    const PixelSums& full = sums.at(0, 1);
+    const scene::Scene scene = half_a_stack(samples);
+    const Raster<groundtruth::PixelSums> sums =
+        groundtruth::picture_sums(scene, groundtruth::RayProbe(scene), {});
+    const groundtruth::PixelSums& full = sums.at(0, 1);
     EXPECT_EQ(full.layers, 8);
     EXPECT_EQ(full.coverage, 1);
     EXPECT_EQ(full.transmittance, float(std::pow(0.75, 8)));
@@ -49,7 +50,7 @@ TEST(UnitPictureSums, AStackInClosedForm) {
     EXPECT_FLOAT_EQ(full.optical_depth, float(-8 * std::log(0.75)));
     EXPECT_EQ(full.near, 4);
     EXPECT_EQ(full.far, 5.75);
-    const PixelSums& empty = sums.at(3, 0);
+    const groundtruth::PixelSums& empty = sums.at(3, 0);
     EXPECT_EQ(empty.layers, 0);
     EXPECT_EQ(empty.coverage, 0);
     EXPECT_EQ(empty.transmittance, 1);
@@ -59,10 +60,11 @@ TEST(UnitPictureSums, AStackInClosedForm) {
 
 TEST(UnitPictureSums, APixelIsTheMeanOfItsSamples) {
   // The edge at x = 0 cuts the only column of pixels in half.
-  Scene scene = half_a_stack(2);
+  scene::Scene scene = half_a_stack(2);
   scene.width = 1;
   scene.height = 2;
-  const PixelSums sums = picture_sums(scene, RayProbe(scene), {}).at(0, 0);
+  const groundtruth::PixelSums sums =
+      groundtruth::picture_sums(scene, groundtruth::RayProbe(scene), {}).at(0, 0);
   EXPECT_EQ(sums.coverage, 0.5);
   EXPECT_EQ(sums.importance_sum, 1);
   EXPECT_EQ(sums.layers, 8);
@@ -74,9 +76,9 @@ class UnitSumsFile : public ::testing::Test {
 };
 
 TEST_F(UnitSumsFile, HoldsAChannelForEachSum) {
-  const Scene scene = half_a_stack(1);
+  const scene::Scene scene = half_a_stack(1);
   const auto path = folder_ / "sums.exr";
-  write_sums(path, picture_sums(scene, RayProbe(scene), {}));
+  write_sums(path, groundtruth::picture_sums(scene, groundtruth::RayProbe(scene), {}));
   const auto file = OIIO::ImageInput::open(path.string());
   ASSERT_TRUE(file) << OIIO::geterror();
   EXPECT_THAT(file->spec().channelnames,
@@ -94,13 +96,14 @@ TEST_F(UnitSumsFile, HoldsAChannelForEachSum) {
 }
 
 TEST_F(UnitSumsFile, DeepSamplesCompositeToThePicture) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = 17;
   scene.height = 9;
   scene.objects = {{"", random_triangles(300, 3)}};
-  const RayProbe probe(scene);
+  const groundtruth::RayProbe probe(scene);
   const auto path = folder_ / "deep.exr";
-  write_deep(path, scene.width, scene.height, [&](int y) { return row_sums(scene, probe, y); });
+  write_deep(path, scene.width, scene.height,
+             [&](int y) { return groundtruth::row_sums(scene, probe, y); });
   const auto file = OIIO::ImageInput::open(path.string());
   ASSERT_TRUE(file) << OIIO::geterror();
   ASSERT_TRUE(file->spec().deep);
@@ -115,7 +118,7 @@ TEST_F(UnitSumsFile, DeepSamplesCompositeToThePicture) {
   const Image picture = raytraced(scene);
   int samples = 0;
   for (int pixel = 0; pixel < data.pixels(); ++pixel) {
-    const RaySums ray = probe.at(pixel % scene.width + 0.5, pixel / scene.width + 0.5);
+    const groundtruth::RaySums ray = probe.at(pixel % scene.width + 0.5, pixel / scene.width + 0.5);
     ASSERT_EQ(data.samples(pixel), int(ray.layers.size()));
     double color = 0, shows = 1;
     for (int k = 0; k < data.samples(pixel); ++k, ++samples) {
@@ -133,16 +136,16 @@ TEST_F(UnitSumsFile, DeepSamplesCompositeToThePicture) {
 }
 
 TEST_F(UnitSumsFile, RefusesAnotherEndingAndLeavesNothing) {
-  const Raster<PixelSums> sums(2, 2);
+  const Raster<groundtruth::PixelSums> sums(2, 2);
   EXPECT_THROW(write_sums(folder_ / "sums.png", sums), InputError);
   EXPECT_THROW(write_sums(folder_ / "missing" / "sums.exr", sums), InputError);
-  const auto interrupted = [](int y) -> std::vector<RaySums> {
+  const auto interrupted = [](int y) -> std::vector<groundtruth::RaySums> {
     if (y == 1) throw WorkError("interrupted");
-    return std::vector<RaySums>(2);
+    return std::vector<groundtruth::RaySums>(2);
   };
   EXPECT_THROW(write_deep(folder_ / "deep.exr", 2, 2, interrupted), WorkError);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

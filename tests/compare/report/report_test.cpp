@@ -7,13 +7,13 @@
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 /// A study with a failing cell, and its report's text.
 std::string make_report(const StudyFolder& folder) {
@@ -96,4 +96,4 @@ TEST(SlowReport, ABrowserShowsItWithoutErrorsOrRequests) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -5,37 +5,37 @@
 #include "core/error.h"
 #include "tests/compare/methods/opacity_scenes.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using namespace testing;
 
 /// An unimportant sheet, line and discs before an important sheet, from before which a camera that
 /// turns to the right moves them away.
-Scene turning(int frames, double degrees) {
-  Scene scene = orthographic_scene(24, 24);
-  TriangleMesh front = rectangle(-0.3, 0.5, -1, -0.4, 1, Rgba(1, 0, 0, 0.8));
-  TriangleMesh back = rectangle(-0.3, 0.9, -1, 1, -1, Rgba(0, 0, 1, 0.8));
+scene::Scene turning(int frames, double degrees) {
+  scene::Scene scene = orthographic_scene(24, 24);
+  geometry::TriangleMesh front = rectangle(-0.3, 0.5, -1, -0.4, 1, Rgba(1, 0, 0, 0.8));
+  geometry::TriangleMesh back = rectangle(-0.3, 0.9, -1, 1, -1, Rgba(0, 0, 1, 0.8));
   back.importance.assign(4, 1);
-  LineObject line;
+  scene::LineObject line;
   line.radius = 0.15;
   line.set.positions = {{-1, 0.6, 0.5}, {0, 0.6, 0.5}, {1, 0.6, 0.5}};
   line.set.colors.assign(3, Rgba(0, 1, 0, 0.8));
   line.set.offsets = {0, 3};
-  PointObject points;
+  scene::PointObject points;
   points.radius = 0.2;
   points.set.positions = {{-0.35, 0.1, 0.8}, {0.5, 0.1, 0.8}};
   points.set.colors.assign(2, Rgba(1, 1, 0, 0.8));
   scene.objects = {{"front", front}, {"line", line}, {"points", points}, {"back", back}};
   scene.energy = {.p = 1, .q = 20, .r = 5, .lambda = 1};
   scene.camera.up = Vec3(0, 1, 0);
-  scene.camera_path = orbit(scene.camera, degrees, frames);
+  scene.camera_path = scene::orbit(scene.camera, degrees, frames);
   return scene;
 }
 
-std::vector<SequenceFrame> sequence(Scene scene, std::string_view method,
+std::vector<SequenceFrame> sequence(scene::Scene scene, std::string_view method,
                                     const RawOptions& options = {}) {
-  const MethodRow& row = find_row("method", method, methods());
+  const scene::MethodRow& row = find_row("method", method, methods());
   std::vector<SequenceFrame> frames;
   render_sequence(scene, row, Parameters(row.name, row.parameters, options), {},
                   [&](const SequenceFrame& frame) { frames.push_back(frame); });
@@ -62,7 +62,7 @@ TEST(UnitFrameSequence, AStillCameraChangesNothing) {
 }
 
 TEST(UnitFrameSequence, WithoutAPathThereIsNoFrame) {
-  Scene scene = turning(2, 10);
+  scene::Scene scene = turning(2, 10);
   scene.camera_path.clear();
   EXPECT_TRUE(sequence(scene, "linked-list").empty());
 }
@@ -94,7 +94,7 @@ TEST(PropertyFrameSequence, WhatIsKeptOfTheLastFrameScalesTheChange) {
 TEST(PropertyFrameSequence, ThePictureShowsWhatIsKept) {
   for (const char* method : optimizing)
     for (const std::size_t object : {0u, 1u, 2u}) {
-      Scene scene = turning(2, 25);
+      scene::Scene scene = turning(2, 25);
       scene.objects = {scene.objects[object], scene.objects.back()};
       const auto drawn = [&](const char* keep) {
         return sequence(scene, method, {{"keep", keep}})[1].rendering.image;
@@ -104,4 +104,4 @@ TEST(PropertyFrameSequence, ThePictureShowsWhatIsKept) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -10,14 +10,14 @@
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 constexpr const char* two_methods = R"(["shifted:by=0.5", "exact-shifted"])";
 
@@ -308,4 +308,4 @@ TEST(UnitRunStudy, AReferenceMayDrawASceneOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

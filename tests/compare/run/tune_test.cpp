@@ -9,14 +9,14 @@
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using ::testing::ElementsAre;
 using namespace testing;
 
 MethodCall fake(std::string_view name, const RawOptions& options = {}) {
-  const MethodRow& row = find_row("method", name, fake_methods());
+  const scene::MethodRow& row = find_row("method", name, fake_methods());
   return {&row, Parameters(row.name, row.parameters, options)};
 }
 
@@ -61,7 +61,7 @@ TEST_F(UnitTune, ABoundOfNothingIsRefused) {
 }
 
 TEST(UnitSweep, IsTheProductOfItsValues) {
-  MethodRow row = find_row("method", "shifted", fake_methods());
+  scene::MethodRow row = find_row("method", "shifted", fake_methods());
   row.sweep = "by=0|0.5,how=up|down";
   std::vector<std::string> texts;
   for (const MethodCall& call : sweep_of(row)) texts.push_back(call.text());
@@ -72,7 +72,7 @@ TEST(UnitSweep, IsTheProductOfItsValues) {
 }
 
 TEST(PropertyMethodSweep, EveryRowsValuesAreAccepted) {
-  for (const MethodRow& row : methods()) EXPECT_GE(sweep_of(row).size(), 1u) << row.name;
+  for (const scene::MethodRow& row : methods()) EXPECT_GE(sweep_of(row).size(), 1u) << row.name;
 }
 
 TEST(UnitSweep, AStarInAStudyIsEveryMethodInAllItsSettings) {
@@ -88,4 +88,4 @@ TEST(UnitSweep, AStarInAStudyIsEveryMethodInAllItsSettings) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

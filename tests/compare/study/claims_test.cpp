@@ -9,7 +9,7 @@
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using ::testing::AllOf;
@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Pair;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 ResultRow row(const std::string& scene, const std::string& method, double rmse) {
   ResultRow row;
@@ -104,4 +104,4 @@ TEST(UnitClaims, TheTableForPeopleSaysWhatIsOtherwise) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

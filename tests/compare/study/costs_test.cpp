@@ -8,7 +8,7 @@
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using namespace testing;
@@ -39,7 +39,7 @@ const std::vector<ResultRow> rows{
 Study study_with(PublishedCosts published) {
   Study study;
   study.scenes = {"one.json", "two.json"};
-  const MethodRow& truth = fake_methods().front();
+  const scene::MethodRow& truth = fake_methods().front();
   study.reference = {&truth, Parameters(truth.name, truth.parameters, {})};
   study.published = std::move(published);
   return study;
@@ -111,4 +111,4 @@ TEST(UnitCosts, AStudyGivesCostsOfItsOwnScenesAndCalls) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

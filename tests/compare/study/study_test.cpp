@@ -7,13 +7,13 @@
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using namespace pellucid::testing;
+using namespace pellucid::compare::testing;
 
 std::vector<std::string> texts(const Study& study) {
   std::vector<std::string> result;
@@ -68,7 +68,7 @@ TEST(UnitStudy, SlugsAreSafeInFileNames) {
   const Study study = load(R"(["shifted:by=0.5,how=up"])");
   EXPECT_EQ(study.methods[0].slug(), "shifted-by-0.5-how-up");
   static constexpr ParameterSpec text[] = {{.name = "text", .kind = ParameterSpec::Kind::text}};
-  const MethodRow row = fake_row("odd", false, make_broken, text);
+  const scene::MethodRow row = fake_row("odd", false, make_broken, text);
   const auto slug = [&](const char* value) {
     return MethodCall{&row, Parameters("odd", text, {{"text", value}})}.slug();
   };
@@ -158,4 +158,4 @@ TEST(PropertyStudyList, EveryStudyThatComesAlongIsValid) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare

@@ -8,7 +8,7 @@
 #include "fields/make_field.h"
 #include "tests/fields/probe.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 /// How GoogleTest names a row.
 void PrintTo(const FieldRow& row, std::ostream* out) { *out << row.name; }
@@ -114,4 +114,4 @@ INSTANTIATE_TEST_SUITE_P(, PropertyCatalogue, ::testing::ValuesIn(analytic_field
                          [](const auto& row) { return test_name(row.param.name); });
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

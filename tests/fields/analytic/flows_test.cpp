@@ -9,7 +9,7 @@
 #include "fields/make_field.h"
 #include "tests/fields/probe.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using std::numbers::pi;
@@ -205,4 +205,4 @@ TEST(UnitFlows, ShedWakeIsTheSphereAndItsRings) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

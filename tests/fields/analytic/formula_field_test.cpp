@@ -6,7 +6,7 @@
 #include "fields/make_field.h"
 #include "tests/fields/probe.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using ::testing::AllOf;
@@ -87,4 +87,4 @@ TEST(AgreementFormula, EqualsTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

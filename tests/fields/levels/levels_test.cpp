@@ -12,7 +12,7 @@
 #include "fields/levels/surface_cells.h"
 #include "tests/support/levels.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using testing::nested;
@@ -226,4 +226,4 @@ TEST(UnitLevelField, BadLevelsAreRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

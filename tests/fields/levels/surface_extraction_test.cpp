@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "tests/support/levels.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using testing::sampled;
@@ -91,4 +91,4 @@ TEST(UnitExtraction, ValuesOutOfRangeHaveNoTriangle) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

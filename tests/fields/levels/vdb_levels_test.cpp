@@ -13,7 +13,7 @@
 #include "tests/fields/readers/grid_files.h"
 #include "tests/support/levels.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using openvdb::math::Transform;
@@ -160,4 +160,4 @@ TEST(UnitVdbLevels, WhatCannotBeWrittenLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

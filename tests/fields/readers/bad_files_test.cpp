@@ -12,7 +12,7 @@
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using ::testing::AllOf;
@@ -196,4 +196,4 @@ TEST_F(UnitBadFiles, ClaimsBeyondTheFileAreRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

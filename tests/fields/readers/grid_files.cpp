@@ -11,7 +11,7 @@
 #include "tests/fields/readers/vtk_files.h"
 #include "tests/fields/sampled/grid_samples.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ void write_cube(const fs::path& path, int count, const Velocity& velocity) {
   write_bytes(path, vtk_files::appended_image(whole, geometry, native_bytes<double>(vectors)));
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

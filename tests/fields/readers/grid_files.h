@@ -9,7 +9,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 using Velocity = std::function<Vec3(const Vec3&)>;
 
@@ -56,4 +56,4 @@ const GridKind& grid_kind(std::string_view name);
 /// An uncompressed .vti of `count` samples a side over [0, 1]³ in double.
 void write_cube(const std::filesystem::path& path, int count, const Velocity& velocity);
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -10,7 +10,7 @@
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 using ::testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST_F(UnitSeries, RefusesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

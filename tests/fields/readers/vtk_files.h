@@ -12,7 +12,7 @@
 
 #include "tests/fields/sampled/grid_samples.h"
 
-namespace pellucid::vtk_files {
+namespace pellucid::fields::vtk_files {
 
 namespace fs = std::filesystem;
 
@@ -238,4 +238,4 @@ inline void write_legacy_unstructured(const fs::path& path, const Velocity& velo
   write_bytes(path, legacy(false, geometry, numbers(evaluate(positions, velocity))));
 }
 
-}  // namespace pellucid::vtk_files
+}  // namespace pellucid::fields::vtk_files

@@ -9,7 +9,7 @@
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 /// A file with one cell of a VTK type.
@@ -86,4 +86,4 @@ TEST(UnitCells, HexagonalPrism) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

@@ -8,7 +8,7 @@
 
 #include "tests/fields/readers/grid_files.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 
 using Positions = std::vector<Vec3>;
 
@@ -60,4 +60,4 @@ std::string native_bytes(const Positions& vectors) {
   return bytes;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::fields

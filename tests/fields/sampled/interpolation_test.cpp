@@ -10,7 +10,7 @@
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 Vec3 wave(const Vec3& x) {
@@ -130,4 +130,4 @@ TEST_F(AgreementSamplers, SampledAbcIsWithinItsReportedErrorOfTheAnalytic) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

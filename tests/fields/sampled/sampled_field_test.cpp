@@ -10,7 +10,7 @@
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 
-namespace pellucid {
+namespace pellucid::fields {
 namespace {
 
 const Mat3 slope(0.5, -1, 2, 0.25, 3, -0.5, 1, 0.75, -2);
@@ -153,4 +153,4 @@ INSTANTIATE_TEST_SUITE_P(, PropertySampled, ::testing::ValuesIn(grid_kinds()),
                          [](const auto& kind) { return test_name(kind.param.name); });
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::fields

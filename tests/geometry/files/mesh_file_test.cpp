@@ -9,7 +9,7 @@
 #include "core/files/output_file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 namespace fs = std::filesystem;
@@ -208,4 +208,4 @@ TEST(UnitLineFile, AFileWithoutLinesIsRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::geometry

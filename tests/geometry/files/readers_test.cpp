@@ -7,7 +7,7 @@
 #include "geometry/files/mesh_file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST(UnitCsvPoints, RefusalsNameTheLineAndTheColumn) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::geometry

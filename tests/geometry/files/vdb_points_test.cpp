@@ -11,7 +11,7 @@
 #include "geometry/files/mesh_file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::geometry {
 namespace {
 
 using openvdb::points::NullCodec;
@@ -124,4 +124,4 @@ TEST(UnitVdbPoints, RefusesOtherGridsAndDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::geometry

@@ -11,12 +11,12 @@
 #include "scene/opacity_energy.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
 
-Image draw(const MethodRow& row, const Scene& scene, const RawOptions& options = {}) {
+Image draw(const scene::MethodRow& row, const scene::Scene& scene, const RawOptions& options = {}) {
   return row.make(scene, Parameters(row.name, row.parameters, options), {})->render({}).image;
 }
 
@@ -29,13 +29,13 @@ double largest_difference(const Image& a, const Image& b) {
 }
 
 /// Golden-section search: the energy is a parabola in alpha.
-double minimized(const EnergyWeights& w, double g, double front, double behind) {
+double minimized(const scene::EnergyWeights& w, double g, double front, double behind) {
   double low = 0, high = 1;
   while (high - low > 1e-9) {
     const double a = high - (high - low) / std::numbers::phi;
     const double b = low + (high - low) / std::numbers::phi;
-    (energy(w, a, g, front, behind) < energy(w, b, g, front, behind) ? high : low) =
-        energy(w, a, g, front, behind) < energy(w, b, g, front, behind) ? b : a;
+    (scene::energy(w, a, g, front, behind) < scene::energy(w, b, g, front, behind) ? high : low) =
+        scene::energy(w, a, g, front, behind) < scene::energy(w, b, g, front, behind) ? b : a;
   }
   return (low + high) / 2;
 }
@@ -44,23 +44,25 @@ TEST(UnitEnergy, TheClosedFormIsTheMinimum) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 500; ++i) {
-    const EnergyWeights w{0.1 + unit(random), 100 * unit(random), 100 * unit(random),
-                          4 * unit(random)};
+    const scene::EnergyWeights w{0.1 + unit(random), 100 * unit(random), 100 * unit(random),
+                                 4 * unit(random)};
     const double g = unit(random), front = 3 * unit(random), behind = 3 * unit(random);
     // Near its minimum a parabola is flat: doubles tell values of alpha apart by 1e-8 at best.
-    EXPECT_NEAR(optimal_opacity(w, g, front, behind), minimized(w, g, front, behind), 1e-6);
+    EXPECT_NEAR(scene::optimal_opacity(w, g, front, behind), minimized(w, g, front, behind), 1e-6);
   }
 }
 
 TEST(UnitEnergy, Limits) {
-  EXPECT_EQ(optimal_opacity({1, 1e12, 1e12, 2}, 1, 5, 5), 1);  // what is important stays
-  EXPECT_EQ(optimal_opacity({1, 0, 0, 2}, 0, 5, 5), 1);        // no weights: nothing fades
-  EXPECT_EQ(optimal_opacity({1, 1e12, 0, 2}, 0, 5, 0), 1);     // q: only of what lies behind
-  EXPECT_EQ(optimal_opacity({1, 0, 1e12, 2}, 0, 0, 5), 1);     // r: only of what lies in front
-  EXPECT_NEAR(optimal_opacity({1, 1e12, 0, 2}, 0, 0, 1), 1e-12, 1e-20);
-  EXPECT_EQ(optimal_opacity({1, 3, 0, 0}, 0.9, 0, 1), 0.25);  // lambda 0: g itself does not matter
-  EXPECT_EQ(optimal_opacity({1, 3, 3, 100}, 0.9, 1, 1), 1);   // lambda 100: (1 - g) is almost 0
-  EXPECT_EQ(optimal_opacity({1, 3, 3, 1}, 0, -1, -1), 1);     // a series may fall below 0
+  EXPECT_EQ(scene::optimal_opacity({1, 1e12, 1e12, 2}, 1, 5, 5), 1);  // what is important stays
+  EXPECT_EQ(scene::optimal_opacity({1, 0, 0, 2}, 0, 5, 5), 1);        // no weights: nothing fades
+  EXPECT_EQ(scene::optimal_opacity({1, 1e12, 0, 2}, 0, 5, 0), 1);     // q: only of what lies behind
+  EXPECT_EQ(scene::optimal_opacity({1, 0, 1e12, 2}, 0, 0, 5), 1);  // r: only of what lies in front
+  EXPECT_NEAR(scene::optimal_opacity({1, 1e12, 0, 2}, 0, 0, 1), 1e-12, 1e-20);
+  EXPECT_EQ(scene::optimal_opacity({1, 3, 0, 0}, 0.9, 0, 1),
+            0.25);  // lambda 0: g itself does not matter
+  EXPECT_EQ(scene::optimal_opacity({1, 3, 3, 100}, 0.9, 1, 1),
+            1);                                                   // lambda 100: (1 - g) is almost 0
+  EXPECT_EQ(scene::optimal_opacity({1, 3, 3, 1}, 0, -1, -1), 1);  // a series may fall below 0
 }
 
 TEST(UnitFourierSum, KeepsTheBoundOfItsRemainder) {
@@ -96,15 +98,15 @@ TEST(UnitFourierSum, ConvergesToTheMiddleOfAStep) {
 // Three layers, the middle one important: g = 0, 1, 0 and q = 3, r = 1 make opacities 1/4, 1, 1/2.
 TEST(UnitDecoupled, ThreeLayersInClosedForm) {
   for (const std::uint32_t shuffle : {0u, 3u, 4u}) {
-    Scene scene = stack(
+    scene::Scene scene = stack(
         3, 2, 2, [](int i) { return Rgba(i == 0, i == 1, i == 2, 1); }, shuffle);
-    for (SceneObject& object : scene.objects)
+    for (scene::SceneObject& object : scene.objects)
       object.vertices().importance.assign(4, object.vertices().colors[0].g);
     const RawOptions weights = {{"q", "3"}, {"r", "1"}};
     const Image image = draw(decoupled_method(), scene, weights);
     EXPECT_EQ(image.at(0, 0), Rgba(0.25f, 0.75f, 0, 1));
     // From behind the important one is still unobstructed; half its opacity shows the last.
-    for (SceneObject& object : scene.objects)
+    for (scene::SceneObject& object : scene.objects)
       if (object.vertices().importance[0] == 1)
         for (Rgba& color : object.vertices().colors) color.a = 0.5;
     EXPECT_LE(glm::length(draw(decoupled_method(), scene, weights).at(1, 1) -
@@ -113,16 +115,16 @@ TEST(UnitDecoupled, ThreeLayersInClosedForm) {
   }
 }
 
-Scene important_triangles() {
-  Scene scene = orthographic_scene(24, 24);
+scene::Scene important_triangles() {
+  scene::Scene scene = orthographic_scene(24, 24);
   scene.objects = {{"", random_triangles(60, 3)}};
-  Vertices& vertices = scene.objects[0].vertices();
+  geometry::Vertices& vertices = scene.objects[0].vertices();
   for (const Rgba& color : vertices.colors) vertices.importance.push_back(color.r * color.r);
   return scene;
 }
 
 TEST(PropertyDecoupled, WithoutImportanceItIsTheExactComposite) {
-  Scene scene = important_triangles();
+  scene::Scene scene = important_triangles();
   for (const float g : {0.0f, 1.0f}) {
     scene.objects[0].vertices().importance.assign(180, g);
     EXPECT_EQ(largest_difference(draw(decoupled_method(), scene), draw(raytrace_method(), scene)),
@@ -136,7 +138,7 @@ TEST(PropertyDecoupled, WithoutImportanceItIsTheExactComposite) {
 }
 
 TEST(PropertyDecoupled, ExtremeWeightsGiveFinitePictures) {
-  const Scene scene = important_triangles();
+  const scene::Scene scene = important_triangles();
   for (const char* q : {"0", "1e12"})
     for (const char* lambda : {"0", "100"})
       for (const char* bands : {"0", "1", "64"}) {
@@ -148,4 +150,4 @@ TEST(PropertyDecoupled, ExtremeWeightsGiveFinitePictures) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -14,10 +14,10 @@
 #include "tests/groundtruth/levels.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
-std::vector<double> marched(const LevelField& field, double value, const WorldRay& ray,
+std::vector<double> marched(const fields::LevelField& field, double value, const WorldRay& ray,
                             const MarchOptions& options) {
   std::vector<double> at;
   LevelMarch(field, value, options).visit_crossings(ray, [&](double t) {
@@ -40,14 +40,14 @@ std::vector<WorldRay> random_rays(std::size_t count) {
   return rays;
 }
 
-class PropertyMarch : public ::testing::TestWithParam<ReconstructionRow> {};
-INSTANTIATE_TEST_SUITE_P(All, PropertyMarch, ::testing::ValuesIn(reconstructions),
+class PropertyMarch : public ::testing::TestWithParam<fields::ReconstructionRow> {};
+INSTANTIATE_TEST_SUITE_P(All, PropertyMarch, ::testing::ValuesIn(fields::reconstructions),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(PropertyMarch, HalvingTheStepLosesNoCrossing) {
   // The samples of a step are among those of half of it, and of samples with fewer others between
   // them no fewer pairs differ in sign.
-  const LevelField field = nested(wavy, GetParam());
+  const fields::LevelField field = nested(wavy, GetParam());
   std::size_t coarsest = 0, finest = 0;
   for (const WorldRay& ray : random_rays(100)) {
     std::size_t before = 0;
@@ -63,8 +63,8 @@ TEST_P(PropertyMarch, HalvingTheStepLosesNoCrossing) {
 }
 
 TEST_P(PropertyMarch, EmptySpaceSkippedChangesNothing) {
-  const LevelField field({sampled(Vec3(0.5), 1, 24, wavy), sampled(Vec3(2.25), 0.5, 20, wavy)},
-                         GetParam());
+  const fields::LevelField field(
+      {sampled(Vec3(0.5), 1, 24, wavy), sampled(Vec3(2.25), 0.5, 20, wavy)}, GetParam());
   std::size_t found = 0;
   for (const WorldRay& away : random_rays(200)) {
     const WorldRay ray{away.at(30), -away.direction};  // through empty blocks to the surface
@@ -76,7 +76,7 @@ TEST_P(PropertyMarch, EmptySpaceSkippedChangesNothing) {
 }
 
 TEST_P(PropertyMarch, BisectionFindsTheExactCrossings) {
-  const LevelField field = nested(wavy, GetParam());
+  const fields::LevelField field = nested(wavy, GetParam());
   std::size_t found = 0;
   for (const WorldRay& ray : random_rays(60)) {
     const auto exact = exact_crossings(field, 0.05, ray);
@@ -94,7 +94,8 @@ TEST_P(PropertyMarch, BisectionFindsTheExactCrossings) {
 
 TEST(UnitMarch, ASphereIsEnteredAndLeft) {
   const auto distance = [](const Vec3& x) { return glm::length(x - 4.0); };
-  const LevelField field({sampled(Vec3(0), 0.125, 65, distance)}, find_reconstruction("blend"));
+  const fields::LevelField field({sampled(Vec3(0), 0.125, 65, distance)},
+                                 fields::find_reconstruction("blend"));
   // Along the axis the samples' lines are those of the march: linear placement is exact up to
   // float, and so is bisection.
   for (const HitRefinement refinement : {HitRefinement::linear, HitRefinement::bisection}) {
@@ -110,7 +111,8 @@ TEST(UnitMarch, LinearPlacementConvergesAtOrderTwo) {
   // grows along rays of positive direction: the line through two samples a step h apart errs by
   // |f''| h² / 8 |f'| at most.
   const auto product = [](const Vec3& x) { return x.x * x.y * x.z; };
-  const LevelField field({sampled(Vec3(0), 8, 3, product)}, find_reconstruction("trilinear"));
+  const fields::LevelField field({sampled(Vec3(0), 8, 3, product)},
+                                 fields::find_reconstruction("trilinear"));
   double before = 0;
   for (const double steps : {4.0, 16.0, 64.0}) {
     double worst = 0;
@@ -133,20 +135,22 @@ TEST(UnitMarch, LinearPlacementConvergesAtOrderTwo) {
 TEST(UnitMarch, CrossingsCloserThanAStepAreLost) {
   // |x - 4.5| < 0.25 lies between the samples of steps of a cell, and is found by shorter ones.
   const auto slab = [](const Vec3& x) { return std::abs(x.x - 4.5); };
-  const LevelField field({sampled(Vec3(0), 0.5, 17, slab)}, find_reconstruction("trilinear"));
+  const fields::LevelField field({sampled(Vec3(0), 0.5, 17, slab)},
+                                 fields::find_reconstruction("trilinear"));
   const WorldRay ray{Vec3(-1, 3.2, 3.3), Vec3(1, 0, 0)};
   EXPECT_TRUE(marched(field, 0.25, ray, {.steps_per_cell = 0.5}).empty());
   EXPECT_EQ(marched(field, 0.25, ray, {.steps_per_cell = 4}).size(), 2u);
 }
 
 TEST(UnitMarch, StartsInsideTheVolumeAndEndsWhenTold) {
-  const LevelField field =
-      nested([](const Vec3& x) { return x.x; }, find_reconstruction("trilinear"));
+  const fields::LevelField field =
+      nested([](const Vec3& x) { return x.x; }, fields::find_reconstruction("trilinear"));
   EXPECT_EQ(marched(field, 3, {Vec3(5, 4, 4), Vec3(1, 0, 0)}, {}).size(), 0u);
   EXPECT_EQ(marched(field, 3, {Vec3(2.5, 4, 4), Vec3(1, 0, 0)}, {}).size(), 1u);
   EXPECT_EQ(marched(field, 3, {Vec3(-1, 9, 4), Vec3(1, 0, 0)}, {}).size(), 0u);  // passes by
-  const LevelField waves({sampled(Vec3(0), 0.125, 65, [](const Vec3& x) { return sin(4 * x.x); })},
-                         find_reconstruction("trilinear"));
+  const fields::LevelField waves(
+      {sampled(Vec3(0), 0.125, 65, [](const Vec3& x) { return sin(4 * x.x); })},
+      fields::find_reconstruction("trilinear"));
   int seen = 0;
   LevelMarch(waves, 0.5, {}).visit_crossings({Vec3(-1, 4, 4), Vec3(1, 0, 0)}, [&](double) {
     return ++seen < 3;
@@ -155,31 +159,32 @@ TEST(UnitMarch, StartsInsideTheVolumeAndEndsWhenTold) {
 }
 
 /// The surface x² + y² + z² = 4, drawn from the front, and a ball within that hides what is behind.
-Scene balls(bool opaque) {
-  Scene scene;
+scene::Scene balls(bool opaque) {
+  scene::Scene scene;
   scene.width = 24;
   scene.height = 18;
   scene.camera.eye = Vec3(1, 2, -12);
-  scene.lighting = Lighting::headlight;
+  scene.lighting = scene::Lighting::headlight;
   const auto square = [](const Vec3& x) { return glm::dot(x, x); };
-  Isosurface surface;
-  surface.field = std::make_shared<const LevelField>(
+  scene::Isosurface surface;
+  surface.field = std::make_shared<const fields::LevelField>(
       std::vector{sampled(Vec3(-4), 0.5, 17, square), sampled(Vec3(-1.5), 0.25, 9, square)},
-      find_reconstruction("blend"));
+      fields::find_reconstruction("blend"));
   surface.value = 4;
-  surface.corners = corners_of(surface.field->bounds());
+  surface.corners = scene::corners_of(surface.field->bounds());
   surface.corners.colors.assign(8, Rgba(0.9, 0.4, 0.1, 0.4));
   scene.objects.push_back({"surface", surface, opaque});
-  PointObject ball;
+  scene::PointObject ball;
   ball.set.positions = {Vec3(0.5, 0, 0)};
   ball.set.colors = {Rgba(0, 0.2, 1, 0.5)};
   ball.radius = 1;
-  ball.profile = PointObject::Profile::sphere;
+  ball.profile = scene::PointObject::Profile::sphere;
   scene.objects.push_back({"ball", ball});
   return scene;
 }
 
-Image drawn(const MethodRow& row, const Scene& scene, const RawOptions& options = {}) {
+Image drawn(const scene::MethodRow& row, const scene::Scene& scene,
+            const RawOptions& options = {}) {
   const Parameters parameters(row.name, row.parameters, options);
   return row.make(scene, parameters, {})->render({}).image;
 }
@@ -194,7 +199,7 @@ double largest_difference(const Image& a, const Image& b) {
 
 TEST(AgreementMarch, ComesCloserToTheExactCompositeWithShorterSteps) {
   for (const bool opaque : {false, true}) {
-    const Scene scene = balls(opaque);
+    const scene::Scene scene = balls(opaque);
     const Image exact = drawn(raytrace_method(), scene);
     const auto error = [&](const char* step) {
       return largest_difference(drawn(march_method(), scene, {{"step", step}}), exact);
@@ -208,32 +213,32 @@ TEST(AgreementMarch, ComesCloserToTheExactCompositeWithShorterSteps) {
 }
 
 /// The plane x = z, seen along -z, in the colour of y from 0 (y = -1) to 1 (y = 1).
-Scene colored_plane() {
-  Scene scene = testing::orthographic_scene(16, 16);
+scene::Scene colored_plane() {
+  scene::Scene scene = testing::orthographic_scene(16, 16);
   const auto levels = [](const auto& f) {
     return std::vector{sampled(Vec3(-4), 0.5, 17, f), sampled(Vec3(-0.5), 0.25, 9, f)};
   };
-  const auto& blend = find_reconstruction("blend");
-  Isosurface surface;
-  surface.field =
-      std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.x - x.z; }), blend);
+  const auto& blend = fields::find_reconstruction("blend");
+  scene::Isosurface surface;
+  surface.field = std::make_shared<const fields::LevelField>(
+      levels([](const Vec3& x) { return x.x - x.z; }), blend);
   surface.coloring = {
-      {std::make_shared<const LevelField>(levels([](const Vec3& x) { return x.y; }), blend),
+      {std::make_shared<const fields::LevelField>(levels([](const Vec3& x) { return x.y; }), blend),
        Vec2(-1, 1)},
-      &find_colormap("four-color")};
-  surface.corners = corners_of(surface.field->bounds());
+      &scene::find_colormap("four-color")};
+  surface.corners = scene::corners_of(surface.field->bounds());
   surface.corners.colors.assign(8, Rgba(0, 0, 0, 1));
   scene.objects.push_back({"plane", surface});
   return scene;
 }
 
 TEST(UnitMarch, ASurfaceHasTheColourOfItsScalarWhereItIsCrossed) {
-  const Scene scene = colored_plane();
-  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+  const scene::Scene scene = colored_plane();
+  for (const scene::MethodRow* row : {&raytrace_method(), &march_method()}) {
     const Image image = drawn(*row, scene);
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 16; ++x) {
-        const Vec3 expected = find_colormap("four-color")(1 - (y + 0.5) / 16);
+        const Vec3 expected = scene::find_colormap("four-color")(1 - (y + 0.5) / 16);
         // Sums of floats near 1 of samples that floats hold.
         EXPECT_LT(glm::length(Vec3(image.at(x, y)) - expected), 1e-6) << x << ' ' << y;
       }
@@ -241,12 +246,12 @@ TEST(UnitMarch, ASurfaceHasTheColourOfItsScalarWhereItIsCrossed) {
 }
 
 TEST(UnitMarch, ASurfaceFadesByItsScalarWhereItIsCrossed) {
-  Scene scene = colored_plane();
-  auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  scene::Scene scene = colored_plane();
+  auto& surface = std::get<scene::Isosurface>(scene.objects.front().shape);
   surface.coloring->scalar.range = Vec2(-8, 8);
   surface.fading = {surface.coloring->scalar, Vec2(0.2, 1)};
   surface.fading->scalar.range = Vec2(-0.5, 1);
-  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+  for (const scene::MethodRow* row : {&raytrace_method(), &march_method()}) {
     const Image image = drawn(*row, scene);
     for (int y = 0; y < 16; ++y) {
       const double at = 1 - (y + 0.5) / 8;
@@ -256,39 +261,39 @@ TEST(UnitMarch, ASurfaceFadesByItsScalarWhereItIsCrossed) {
 }
 
 /// A ball of radius 1, and the plane z = -3 behind and z = 3 before it, seen along -z.
-Scene ball_between_planes() {
-  Scene scene = testing::orthographic_scene(40, 40);
+scene::Scene ball_between_planes() {
+  scene::Scene scene = testing::orthographic_scene(40, 40);
   scene.camera.height = 4;
   scene.camera.eye = Vec3(0, 0, 10);
   scene.camera.target = Vec3(0);
-  Isosurface surface;
-  surface.field = std::make_shared<const LevelField>(
+  scene::Isosurface surface;
+  surface.field = std::make_shared<const fields::LevelField>(
       std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& x) { return std::abs(x.z); })},
-      find_reconstruction("trilinear"));
+      fields::find_reconstruction("trilinear"));
   surface.value = 3;
-  surface.corners = corners_of(surface.field->bounds());
+  surface.corners = scene::corners_of(surface.field->bounds());
   surface.corners.colors.assign(8, Rgba(1, 0, 0, 0.5));
   scene.objects.push_back({"planes", surface});
-  PointObject ball;
+  scene::PointObject ball;
   ball.set.positions = {Vec3(0)};
   ball.set.colors = {Rgba(0, 0, 1, 1)};
   ball.radius = 1;
-  ball.profile = PointObject::Profile::sphere;
+  ball.profile = scene::PointObject::Profile::sphere;
   scene.objects.push_back({"ball", ball, true});
   return scene;
 }
 
 // Behind a crossing that hides all, a march finds none; behind one that fades, it goes on.
 TEST(UnitMarch, AFadingSurfaceEndsRaysWhereItHidesAll) {
-  Scene scene = ball_between_planes();
+  scene::Scene scene = ball_between_planes();
   scene.objects.pop_back();
-  auto& surface = std::get<Isosurface>(scene.objects.front().shape);
+  auto& surface = std::get<scene::Isosurface>(scene.objects.front().shape);
   // From opaque at x = 0 to 0.5 at x = 4, the same on both planes.
-  const auto x = std::make_shared<const LevelField>(
+  const auto x = std::make_shared<const fields::LevelField>(
       std::vector{sampled(Vec3(-4), 0.5, 17, [](const Vec3& p) { return p.x; })},
-      find_reconstruction("trilinear"));
+      fields::find_reconstruction("trilinear"));
   surface.fading = {{x, Vec2(0, 4)}, Vec2(1, 0.5)};
-  const Rendering rendering =
+  const scene::Rendering rendering =
       march_method()
           .make(scene, Parameters("march", march_method().parameters, {}), {})
           ->render({});
@@ -297,7 +302,7 @@ TEST(UnitMarch, AFadingSurfaceEndsRaysWhereItHidesAll) {
 }
 
 TEST(UnitMarch, ADilatedSphereEndsRaysEvenWhereTheyMissIt) {
-  const Scene scene = ball_between_planes();
+  const scene::Scene scene = ball_between_planes();
   const Image all = drawn(march_method(), scene);
   const Image filtered = drawn(march_method(), scene, {{"filter", "dilate:0.5"}});
   for (int y = 0; y < 40; ++y)
@@ -319,12 +324,12 @@ TEST(UnitMarch, RefusesAFilterItDoesNotKnow) {
 
 TEST(AgreementMarch, ACameraInsideTheVolumeSeesWhatLiesBefore) {
   // Within the surface x² + y² + z² = 4 of both levels: each ray leaves it once.
-  Scene scene = balls(false);
+  scene::Scene scene = balls(false);
   scene.objects.pop_back();
-  scene.lighting = Lighting::none;
+  scene.lighting = scene::Lighting::none;
   scene.camera.eye = Vec3(0.3, 0.1, 0.2);
   scene.camera.target = Vec3(1, 0.5, -2);
-  for (const MethodRow* row : {&raytrace_method(), &march_method()}) {
+  for (const scene::MethodRow* row : {&raytrace_method(), &march_method()}) {
     const Image image = drawn(*row, scene);
     for (const Rgba& pixel : image.pixels) EXPECT_FLOAT_EQ(pixel.a, 0.4f);
   }
@@ -336,4 +341,4 @@ TEST(UnitMarch, RefusesAStepOutOfRange) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

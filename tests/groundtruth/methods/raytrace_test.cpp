@@ -5,13 +5,13 @@
 #include "core/error.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
 
-Rendering trace(const Scene& scene, const RawOptions& options = {}) {
-  const MethodRow& row = raytrace_method();
+scene::Rendering trace(const scene::Scene& scene, const RawOptions& options = {}) {
+  const scene::MethodRow& row = raytrace_method();
   const Parameters parameters(row.name, row.parameters, options);
   return row.make(scene, parameters, {})->render({.layers = true});
 }
@@ -33,10 +33,10 @@ TEST_P(UnitRaytraceStack, MatchesTheClosedFormInAnyOrder) {
   const int n = GetParam();
   const float alpha = 0.3f;
   for (const std::uint32_t shuffle : {0u, 7u, 8u}) {
-    Scene scene = stack(
+    scene::Scene scene = stack(
         n, 5, 3, [&](int) { return Rgba(0, 0.25, 1, alpha); }, shuffle);
     scene.background = Vec3(1, 0.5, 0);
-    const Rendering rendering = trace(scene);
+    const scene::Rendering rendering = trace(scene);
     const double t = std::pow(1 - double(alpha), n);
     EXPECT_LE(largest_error(rendering.image, Rgba(t, 0.25 * (1 - t) + 0.5 * t, 1 - t, 1 - t)),
               float_rounding);
@@ -70,12 +70,13 @@ TEST(UnitRaytrace, OpacityAtTheLimits) {
 TEST(UnitRaytrace, InterpenetratingPlanesChangeOrderWhereTheyMeet) {
   // z = x (red) and z = -x (blue), opaque: the nearer one shows, blue on the left, red on the
   // right.
-  Scene scene = orthographic_scene(8, 8);
-  TriangleMesh red = full_layer(0, Rgba(1, 0, 0, 1)), blue = full_layer(0, Rgba(0, 0, 1, 1));
+  scene::Scene scene = orthographic_scene(8, 8);
+  geometry::TriangleMesh red = full_layer(0, Rgba(1, 0, 0, 1)),
+                         blue = full_layer(0, Rgba(0, 0, 1, 1));
   for (Vec3& x : red.positions) x.z = x.x;
   for (Vec3& x : blue.positions) x.z = -x.x;
   scene.objects = {{"red", red}, {"blue", blue}};
-  const Rendering rendering = trace(scene);
+  const scene::Rendering rendering = trace(scene);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
       EXPECT_NEAR(rendering.image.at(x, y).r, x < 4 ? 0 : 1, float_rounding);
@@ -85,11 +86,11 @@ TEST(UnitRaytrace, InterpenetratingPlanesChangeOrderWhereTheyMeet) {
 
 TEST(UnitRaytrace, EqualDepthsAreOrderedByObject) {
   for (const bool red_first : {true, false}) {
-    Scene scene = orthographic_scene(3, 3);
+    scene::Scene scene = orthographic_scene(3, 3);
     const Rgba red(1, 0, 0, 0.5), blue(0, 0, 1, 0.5);
     scene.objects = {{"", full_layer(0, red_first ? red : blue)},
                      {"", full_layer(0, red_first ? blue : red)}};
-    const Rendering rendering = trace(scene);
+    const scene::Rendering rendering = trace(scene);
     EXPECT_EQ(rendering.stats.max_layers, 2u);
     EXPECT_LE(largest_error(rendering.image,
                             red_first ? Rgba(0.75, 0.25, 0.5, 0.75) : Rgba(0.5, 0.25, 0.75, 0.75)),
@@ -99,11 +100,11 @@ TEST(UnitRaytrace, EqualDepthsAreOrderedByObject) {
 
 TEST(UnitRaytrace, AnOpaqueObjectHidesWhatLiesBehindItWhateverItsAlpha) {
   const Rgba red(1, 0, 0, 0.5), green(0, 1, 0, 0.25f), blue(0, 0, 1, 0.5);
-  Scene scene = orthographic_scene(3, 3);
+  scene::Scene scene = orthographic_scene(3, 3);
   scene.objects = {
       {"", full_layer(-1, blue)}, {"", full_layer(0, green)}, {"", full_layer(1, red)}};
   scene.objects[1].opaque = true;
-  const Rendering rendering = trace(scene);
+  const scene::Rendering rendering = trace(scene);
   EXPECT_LE(largest_error(rendering.image, Rgba(0.5, 0.5, 0, 1)), 0);
   EXPECT_EQ(rendering.stats.max_layers, 2u);
 }
@@ -111,10 +112,10 @@ TEST(UnitRaytrace, AnOpaqueObjectHidesWhatLiesBehindItWhateverItsAlpha) {
 TEST(UnitRaytrace, SamplesAreAveraged) {
   // A black opaque layer covers x < 1/16 of a picture of 3 × 3 pixels: of the middle pixel, 2/3
   // wide, from -1/3 to 1/3, the leftmost 5 of 8 columns of samples, which lie 1/12 apart.
-  Scene scene = orthographic_scene(3, 3);
+  scene::Scene scene = orthographic_scene(3, 3);
   scene.samples = 8;
   scene.objects = {{"", rectangle(-2, 1.0 / 16, -2, 2, 0, Rgba(0, 0, 0, 1))}};
-  const Rendering rendering = trace(scene);
+  const scene::Rendering rendering = trace(scene);
   EXPECT_NEAR(rendering.image.at(1, 1).r, 3.0 / 8, float_rounding);
   EXPECT_NEAR(rendering.image.at(1, 1).a, 5.0 / 8, float_rounding);
   EXPECT_EQ(rendering.layers.at(1, 1), 1u);
@@ -123,19 +124,19 @@ TEST(UnitRaytrace, SamplesAreAveraged) {
 
 TEST(UnitRaytrace, AdaptiveSamplesMakeThePictureOfAsManyEverywhere) {
   // Shapes of one colour: a pixel that equals all its neighbours has no edge, so nothing is missed.
-  Scene scene;
+  scene::Scene scene;
   scene.width = 161;
   scene.height = 149;
   for (const float x : {-0.8f, 0.1f}) {
-    TriangleMesh triangle;
+    geometry::TriangleMesh triangle;
     triangle.positions = {{x, -0.9, 0}, {x + 0.7, -0.7, 0.3}, {x + 0.2, 0.8, -0.2}};
     triangle.colors.assign(3, Rgba(0.2, 0.9, x + 1, 0.6f));
     triangle.triangles = {{0, 1, 2}};
     scene.objects.push_back({"", triangle});
   }
-  const Rendering adaptive = trace(scene, {{"adaptive", "6"}, {"contrast", "0"}});
+  const scene::Rendering adaptive = trace(scene, {{"adaptive", "6"}, {"contrast", "0"}});
   scene.samples = 6;
-  const Rendering everywhere = trace(scene);
+  const scene::Rendering everywhere = trace(scene);
   EXPECT_EQ(adaptive.image.pixels, everywhere.image.pixels);
   EXPECT_EQ(adaptive.layers.pixels, everywhere.layers.pixels);
   EXPECT_LT(adaptive.stats.fragments, everywhere.stats.fragments / 2);
@@ -144,10 +145,10 @@ TEST(UnitRaytrace, AdaptiveSamplesMakeThePictureOfAsManyEverywhere) {
 
 TEST(UnitRaytrace, StoppingKeepsItsBoundAndSkipsLayers) {
   const auto color = [](int i) { return Rgba(i % 2, 0, 1, 0.1f); };
-  const Scene scene = stack(500, 2, 2, color);
+  const scene::Scene scene = stack(500, 2, 2, color);
   const Rgba exact = trace(scene).image.at(0, 0);
   for (const double bound : {1e-1, 1e-3, 1e-6}) {
-    const Rendering stopped = trace(scene, {{"stop-below", std::to_string(bound)}});
+    const scene::Rendering stopped = trace(scene, {{"stop-below", std::to_string(bound)}});
     const double error = largest_error(stopped.image, exact);
     EXPECT_LE(error, bound);
     // 0.9^n < bound first holds for
@@ -156,10 +157,10 @@ TEST(UnitRaytrace, StoppingKeepsItsBoundAndSkipsLayers) {
 }
 
 TEST(UnitRaytrace, HeadlightIsTwoSidedCosine) {
-  Scene scene = orthographic_scene(3, 3);
-  scene.lighting = Lighting::headlight;
+  scene::Scene scene = orthographic_scene(3, 3);
+  scene.lighting = scene::Lighting::headlight;
   for (const double sign : {1.0, -1.0}) {
-    TriangleMesh layer = full_layer(0, Rgba(1, 1, 1, 1));
+    geometry::TriangleMesh layer = full_layer(0, Rgba(1, 1, 1, 1));
     layer.normals.assign(4, sign * glm::normalize(Vec3(1, 0, 1)));
     scene.objects = {{"", layer}};
     const float cosine = std::sqrt(0.5f);
@@ -171,10 +172,10 @@ TEST(UnitRaytrace, HeadlightIsTwoSidedCosine) {
 // white; at c² = 3/4 the highlight is 0.35 / 2^24, at c = 1 whole, beyond c² = 1/2 none; never
 // above white.
 TEST(UnitRaytrace, PhongAddsAmbientLightAndAHighlight) {
-  Scene scene = orthographic_scene(3, 3);
-  scene.lighting = Lighting::phong;
+  scene::Scene scene = orthographic_scene(3, 3);
+  scene.lighting = scene::Lighting::phong;
   const auto lit_at = [&](double cosine, float grey) {
-    TriangleMesh layer = full_layer(0, Rgba(grey, grey, grey, 1));
+    geometry::TriangleMesh layer = full_layer(0, Rgba(grey, grey, grey, 1));
     layer.normals.assign(4, Vec3(std::sqrt(1 - cosine * cosine), 0, cosine));
     scene.objects = {{"", layer}};
     return trace(scene).image.pixels[4].r;
@@ -190,16 +191,16 @@ TEST(UnitRaytrace, PhongAddsAmbientLightAndAHighlight) {
 TEST(UnitRaytrace, PerspectiveInterpolationIsLinearOnTheSurface) {
   // A plane tilted away from the eye, coloured by its own y: at each pixel the colour equals the y
   // of the point that the ray meets, in closed form.
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 33;
   scene.camera = {.eye = {0, 0, 2}, .target = {0, 0, 0}, .fov = 20};
-  TriangleMesh mesh = full_layer(0, Rgba(0, 0, 0, 1));
+  geometry::TriangleMesh mesh = full_layer(0, Rgba(0, 0, 0, 1));
   for (std::size_t i = 0; i < 4; ++i) {
     mesh.colors[i].r = float(mesh.positions[i].y / 3 + 0.5);
     mesh.positions[i].z = -mesh.positions[i].y;
   }
   scene.objects = {{"", mesh}};
-  const Rendering rendering = trace(scene);
+  const scene::Rendering rendering = trace(scene);
   const double half = std::tan(10 * std::numbers::pi / 180);
   for (int row = 0; row < 33; ++row) {
     // The ray y = s t, z = 2 - t meets z = -y at t = 2 / (1 - s).
@@ -209,15 +210,15 @@ TEST(UnitRaytrace, PerspectiveInterpolationIsLinearOnTheSurface) {
 }
 
 TEST(UnitRaytrace, RefusesASceneBehindTheCamera) {
-  Scene scene;
+  scene::Scene scene;
   scene.camera = {.eye = {0, 0, -5}, .target = {0, 0, -10}};
   scene.objects = {{"", full_layer(0, Rgba(1))}};
   EXPECT_THROW(trace(scene), InputError);
 }
 
 TEST(UnitRaytrace, NeedlesAndTrianglesWithoutAreaDoNoHarm) {
-  Scene scene = orthographic_scene(16, 16);
-  TriangleMesh mesh = full_layer(0, Rgba(0, 0, 0, 0.5));
+  scene::Scene scene = orthographic_scene(16, 16);
+  geometry::TriangleMesh mesh = full_layer(0, Rgba(0, 0, 0, 0.5));
   const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), {a, b, c});
@@ -234,7 +235,7 @@ TEST(UnitRaytrace, NeedlesAndTrianglesWithoutAreaDoNoHarm) {
 TEST(SlowRaytrace, TenThousandLayersStayWithinRounding) {
   const auto color = [](int i) { return Rgba(i % 2, 0, 0, 1e-3f); };
   const int n = 10000;
-  Scene scene = stack(n, 2, 2, color);
+  scene::Scene scene = stack(n, 2, 2, color);
   scene.background = Vec3(0);
   const double alpha = double(1e-3f);
   // Odd layers are red: a geometric series of ratio (1 - α)², first term α (1 - α).
@@ -244,7 +245,7 @@ TEST(SlowRaytrace, TenThousandLayersStayWithinRounding) {
 
 // Rays of the middle row and column have a direction with a component of exactly 0.
 TEST(UnitRaytrace, RaysAlongAnAxisMeetEverythingOnce) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 21;
   scene.objects = {{"sheet", full_layer(0, Rgba(1, 0, 0, 0.5))}};
   scene.camera.fov = 20;
@@ -252,4 +253,4 @@ TEST(UnitRaytrace, RaysAlongAnAxisMeetEverythingOnce) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -6,7 +6,7 @@
 #include "groundtruth/methods/raytrace.h"
 #include "scene/datasets/stack.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 struct StackCase {
@@ -19,16 +19,17 @@ struct StackCase {
 void PrintTo(const StackCase& stack, std::ostream* out) { *out << stack.options; }
 
 /// The camera sees [-1, 1]² of a stack of scale 1.
-Scene scene_of(const StackCase& stack) {
-  Scene scene;
+scene::Scene scene_of(const StackCase& stack) {
+  scene::Scene scene;
   scene.width = scene.height = 17;  // the middle row and column run through the grid's edges
   const Vec3 center(stack.shift);
-  scene.camera = {.projection = Projection::orthographic,
+  scene.camera = {.projection = scene::Projection::orthographic,
                   .eye = center + Vec3(0, 0, 5 * stack.scale),
                   .target = center,
                   .height = 2 * stack.scale};
   const std::string dataset = std::string("stack:") + stack.options;
-  scene.objects.push_back({"stack", std::get<TriangleMesh>(make_dataset(dataset))});
+  scene.objects.push_back(
+      {"stack", std::get<geometry::TriangleMesh>(scene::make_dataset(dataset))});
   return scene;
 }
 
@@ -36,7 +37,7 @@ Scene scene_of(const StackCase& stack) {
 Rgba exact_pixel(const StackCase& stack, const Vec3& background) {
   long double transmittance = 1, color[3] = {0, 0, 0};
   for (int i = 0; i < stack.layers; ++i) {
-    const Rgba sheet = stack_color(i, stack.alpha);
+    const Rgba sheet = scene::stack_color(i, stack.alpha);
     for (int c = 0; c < 3; ++c) color[c] += transmittance * sheet.a * sheet[c];
     transmittance *= 1 - static_cast<long double>(sheet.a);
   }
@@ -47,9 +48,9 @@ Rgba exact_pixel(const StackCase& stack, const Vec3& background) {
 class UnitExtremes : public ::testing::TestWithParam<StackCase> {};
 
 TEST_P(UnitExtremes, GroundTruthIsTheClosedForm) {
-  const Scene scene = scene_of(GetParam());
-  const MethodRow& row = raytrace_method();
-  const Rendering rendering =
+  const scene::Scene scene = scene_of(GetParam());
+  const scene::MethodRow& row = raytrace_method();
+  const scene::Rendering rendering =
       row.make(scene, Parameters(row.name, row.parameters, {}), {})->render({.layers = true});
   const Rgba exact = exact_pixel(GetParam(), scene.background);
   // An ulp of a float just below 1: both sides were rounded once.
@@ -72,4 +73,4 @@ INSTANTIATE_TEST_SUITE_P(
         StackCase{"sheet=needles", 8, 0.3}));
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

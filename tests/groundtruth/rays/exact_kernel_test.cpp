@@ -13,7 +13,7 @@
 #include "scene/view_depth.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
@@ -29,14 +29,14 @@ Number tiny() { return Number(0x1p-100) * Number(0x1p-100); }
 
 Kernel::Ray_3 exact_ray(const PictureRay& ray) {
   const Number x = Number(ray.x) + tiny(), y = Number(ray.y) - tiny() * tiny();
-  if (ray.projection == Projection::perspective) return {Point(0, 0, 0), Point(x, y, 1)};
+  if (ray.projection == scene::Projection::perspective) return {Point(0, 0, 0), Point(x, y, 1)};
   return {Point(x, y, 0), Point(x, y, 1)};
 }
 
 /// False when the triangle lies wholly to one side of the ray by a margin that rounding cannot
 /// reach.
 bool is_near(const PictureRay& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const bool perspective = ray.projection == Projection::perspective;
+  const bool perspective = ray.projection == scene::Projection::perspective;
   Box3 box;
   for (const Vec3& v : {a, b, c}) {
     const double depth = perspective ? v.z : 1;
@@ -47,11 +47,11 @@ bool is_near(const PictureRay& ray, const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 /// Crossings by brute force.
-Triangles brute_force(const Scene& scene, const ViewFrame& frame, const PictureRay& ray) {
+Triangles brute_force(const scene::Scene& scene, const ViewFrame& frame, const PictureRay& ray) {
   Triangles found;
   const Kernel::Ray_3 line = exact_ray(ray);
   for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
-    const TriangleMesh& mesh = scene.objects[o].mesh();
+    const geometry::TriangleMesh& mesh = scene.objects[o].mesh();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto corner = [&](int k) {
         return frame.from_world(mesh.positions[mesh.triangles[t][k]]);
@@ -75,22 +75,22 @@ Triangles by_finder(const CrossingFinder& finder, const PictureRay& ray) {
 }
 
 /// A ray through a world point.
-PictureRay ray_at(const Scene& scene, const Vec3& x) {
-  const CameraFrame frame = camera_frame(scene.camera);
+PictureRay ray_at(const scene::Scene& scene, const Vec3& x) {
+  const scene::CameraFrame frame = scene::camera_frame(scene.camera);
   const double scale =
-      scene.camera.projection == Projection::perspective ? view_depth(frame, x) : 1.0;
-  const double pixel = 2 * half_height(scene.camera) / scene.height * scale;
+      scene.camera.projection == scene::Projection::perspective ? scene::view_depth(frame, x) : 1.0;
+  const double pixel = 2 * scene::half_height(scene.camera) / scene.height * scale;
   return ViewFrame(scene).ray(scene.width / 2.0 + glm::dot(frame.right, x - frame.eye) / pixel,
                               scene.height / 2.0 - glm::dot(frame.up, x - frame.eye) / pixel);
 }
 
-std::vector<PictureRay> rays_of(const Scene& scene) {
+std::vector<PictureRay> rays_of(const scene::Scene& scene) {
   std::vector<PictureRay> rays;
   const ViewFrame frame(scene);
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) rays.push_back(frame.ray(x + 0.5, y + 0.5));
-  for (const SceneObject& object : scene.objects) {
-    const TriangleMesh& mesh = object.mesh();
+  for (const scene::SceneObject& object : scene.objects) {
+    const geometry::TriangleMesh& mesh = object.mesh();
     for (const Vec3& vertex : mesh.positions) rays.push_back(ray_at(scene, vertex));
     for (const auto& triangle : mesh.triangles)
       rays.push_back(
@@ -100,8 +100,8 @@ std::vector<PictureRay> rays_of(const Scene& scene) {
 }
 
 /// A sheet of n × n cells over [-1, 1]², moved by `shift` in x and y, at z ± wave.
-TriangleMesh sheet(std::uint32_t n, double z, double wave, double shift = 0) {
-  TriangleMesh mesh;
+geometry::TriangleMesh sheet(std::uint32_t n, double z, double wave, double shift = 0) {
+  geometry::TriangleMesh mesh;
   for (std::uint32_t j = 0; j <= n; ++j)
     for (std::uint32_t i = 0; i <= n; ++i)
       mesh.positions.push_back(
@@ -116,8 +116,8 @@ TriangleMesh sheet(std::uint32_t n, double z, double wave, double shift = 0) {
 }
 
 /// Triangles a thousand to a billion times as long as wide.
-TriangleMesh slivers() {
-  TriangleMesh mesh = random_triangles(60, 5);
+geometry::TriangleMesh slivers() {
+  geometry::TriangleMesh mesh = random_triangles(60, 5);
   for (std::uint32_t t = 0; t < 60; ++t) {
     const double width = std::pow(10.0, -3 - double(t % 7));
     mesh.positions[3 * t + 2] =
@@ -128,10 +128,11 @@ TriangleMesh slivers() {
 
 struct Case {
   const char* name;
-  std::vector<TriangleMesh> meshes;
+  std::vector<geometry::TriangleMesh> meshes;
 };
 
-class AgreementExactKernel : public ::testing::TestWithParam<std::tuple<std::size_t, Projection>> {
+class AgreementExactKernel
+    : public ::testing::TestWithParam<std::tuple<std::size_t, scene::Projection>> {
  public:
   static std::vector<Case> cases() {
     return {{"random", {random_triangles(60, 3)}},
@@ -146,11 +147,11 @@ class AgreementExactKernel : public ::testing::TestWithParam<std::tuple<std::siz
 
 TEST_P(AgreementExactKernel, FindsTheSameCrossings) {
   const auto& [index, projection] = GetParam();
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 16;
   scene.camera = {.projection = projection, .eye = {0, 0, 4}, .fov = 30, .height = 2};
   const Case chosen = cases()[index];
-  for (const TriangleMesh& mesh : chosen.meshes) scene.objects.push_back({"", mesh});
+  for (const geometry::TriangleMesh& mesh : chosen.meshes) scene.objects.push_back({"", mesh});
   const CrossingFinder finder(scene, Precision::exact);
   std::size_t crossings = 0;
   for (const PictureRay& ray : rays_of(scene)) {
@@ -164,12 +165,13 @@ TEST_P(AgreementExactKernel, FindsTheSameCrossings) {
 INSTANTIATE_TEST_SUITE_P(
     Scenes, AgreementExactKernel,
     ::testing::Combine(::testing::Range<std::size_t>(0, 6),
-                       ::testing::Values(Projection::perspective, Projection::orthographic)),
+                       ::testing::Values(scene::Projection::perspective,
+                                         scene::Projection::orthographic)),
     [](const auto& parameters) {
       return std::string(AgreementExactKernel::cases()[std::get<0>(parameters.param)].name) +
-             (std::get<1>(parameters.param) == Projection::perspective ? "_perspective"
-                                                                       : "_orthographic");
+             (std::get<1>(parameters.param) == scene::Projection::perspective ? "_perspective"
+                                                                              : "_orthographic");
     });
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -9,7 +9,7 @@
 #include "groundtruth/levels/ray_polynomial.h"
 #include "tests/groundtruth/levels.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 TEST(UnitRayPolynomial, FindsTheRootsOfAProduct) {
@@ -35,12 +35,12 @@ TEST(UnitRayPolynomial, CountsAZeroEndAsPositive) {
   EXPECT_TRUE(found.empty());
 }
 
-class PropertyIsosurface : public ::testing::TestWithParam<ReconstructionRow> {};
-INSTANTIATE_TEST_SUITE_P(All, PropertyIsosurface, ::testing::ValuesIn(reconstructions),
+class PropertyIsosurface : public ::testing::TestWithParam<fields::ReconstructionRow> {};
+INSTANTIATE_TEST_SUITE_P(All, PropertyIsosurface, ::testing::ValuesIn(fields::reconstructions),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(PropertyIsosurface, GridAlignedRaysCrossAPlaneOnce) {
-  const LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
+  const fields::LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
   // Rays through samples, cell faces and level faces, both ways; the plane on each of those, too.
   for (const double value : {1.5, 1.7, 3.0, 3.25, 3.5, 4.125})
     for (const double y : {1.5, 2.0, 2.25, 3.75, 4.0, 6.0, 6.5})
@@ -58,7 +58,7 @@ TEST_P(PropertyIsosurface, GridAlignedRaysCrossAPlaneOnce) {
 
 TEST_P(PropertyIsosurface, RaysThroughFacesCrossAPlaneOnce) {
   // In the planes between cells and along the diagonals of their edges.
-  const LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
+  const fields::LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
   for (const Vec3 direction : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(1, 1, 1), Vec3(2, 1, 0)})
     for (const Vec3 through : {Vec3(3.25, 4.25, 4.25), Vec3(3, 4, 4), Vec3(2, 2, 2.5)}) {
       const double value = through.x + 0.125;
@@ -67,7 +67,7 @@ TEST_P(PropertyIsosurface, RaysThroughFacesCrossAPlaneOnce) {
 }
 
 TEST_P(PropertyIsosurface, RandomRaysAgreeWithBisection) {
-  const LevelField field = nested(wavy, GetParam());
+  const fields::LevelField field = nested(wavy, GetParam());
   constexpr double value = 0.05, step = 1.0 / 512;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0.7, 7.3);
@@ -100,19 +100,20 @@ TEST_P(PropertyIsosurface, RandomRaysAgreeWithBisection) {
 
 TEST_P(PropertyIsosurface, APlateauAtTheValueIsBoundedAndNotFilled) {
   const auto plateau = [](const Vec3& x) { return std::min(x.x - 4, 0.0); };
-  const LevelField field({sampled(Vec3(0), 1, 9, plateau)}, GetParam());
+  const fields::LevelField field({sampled(Vec3(0), 1, 9, plateau)}, GetParam());
   EXPECT_EQ(exact_crossings(field, 0, {Vec3(-1, 3.3, 3.7), Vec3(1, 0, 0)}), std::vector<double>{5});
 }
 
 TEST_P(PropertyIsosurface, ValuesOutOfRangeHaveNoSurface) {
-  const LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
+  const fields::LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
   EXPECT_TRUE(surface_cells(field, 100).empty());
   EXPECT_TRUE(surface_cells(field, -100).empty());
 }
 
 TEST(UnitIsosurface, ASphereIsEnteredAndLeft) {
   const auto distance = [](const Vec3& x) { return glm::length(x - 4.0); };
-  const LevelField field({sampled(Vec3(0), 0.125, 65, distance)}, find_reconstruction("blend"));
+  const fields::LevelField field({sampled(Vec3(0), 0.125, 65, distance)},
+                                 fields::find_reconstruction("blend"));
   const auto at = exact_crossings(field, 2, {Vec3(-2, 4, 4), Vec3(1, 0, 0)});
   ASSERT_EQ(at.size(), 2u);
   // Along the axis through samples the reconstruction is linear: |x - 4| up to float.
@@ -121,4 +122,4 @@ TEST(UnitIsosurface, ASphereIsEnteredAndLeft) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

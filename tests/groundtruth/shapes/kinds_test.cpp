@@ -8,7 +8,7 @@
 #include "groundtruth/sums/ray_sums.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
@@ -27,16 +27,16 @@ void PrintTo(Kind kind, std::ostream* out) { *out << name_of(kind); }
 
 bool is_solid(Kind kind) { return kind == Kind::tubes || kind == Kind::spheres; }
 
-SceneObject lines_object(LineSet set, Kind kind, double radius) {
-  using Profile = LineObject::Profile;
-  return {"lines", LineObject{std::move(set), radius,
-                              kind == Kind::tubes ? Profile::tube : Profile::ribbon}};
+scene::SceneObject lines_object(geometry::LineSet set, Kind kind, double radius) {
+  using Profile = scene::LineObject::Profile;
+  return {"lines", scene::LineObject{std::move(set), radius,
+                                     kind == Kind::tubes ? Profile::tube : Profile::ribbon}};
 }
 
-SceneObject points_object(PointSet set, Kind kind, double radius) {
-  using Profile = PointObject::Profile;
-  return {"points", PointObject{std::move(set), radius,
-                                kind == Kind::spheres ? Profile::sphere : Profile::disc}};
+scene::SceneObject points_object(geometry::PointSet set, Kind kind, double radius) {
+  using Profile = scene::PointObject::Profile;
+  return {"points", scene::PointObject{std::move(set), radius,
+                                       kind == Kind::spheres ? Profile::sphere : Profile::disc}};
 }
 
 /// The indices 0 … count - 1, shuffled unless the seed is 0.
@@ -50,9 +50,9 @@ std::vector<std::size_t> order_of(std::size_t count, std::uint32_t shuffle_seed)
 
 /// Random triangles, their outlines or their corners, in any order; all are moved by x ↦ scale x +
 /// shift.
-SceneObject random_object(Kind kind, std::uint32_t shuffle_seed, double scale = 1,
-                          double shift = 0) {
-  TriangleMesh mesh = random_triangles(100, 4);
+scene::SceneObject random_object(Kind kind, std::uint32_t shuffle_seed, double scale = 1,
+                                 double shift = 0) {
+  geometry::TriangleMesh mesh = random_triangles(100, 4);
   for (Vec3& x : mesh.positions) x = x * scale + shift;
   if (kind == Kind::triangles) {
     const auto triangles = mesh.triangles;
@@ -61,7 +61,7 @@ SceneObject random_object(Kind kind, std::uint32_t shuffle_seed, double scale = 
     return {"triangles", mesh};
   }
   if (kind == Kind::ribbons || kind == Kind::tubes) {
-    LineSet set;
+    geometry::LineSet set;
     for (const std::size_t k : order_of(mesh.triangles.size(), shuffle_seed)) {
       for (const std::uint32_t corner : mesh.triangles[k]) {
         set.positions.push_back(mesh.positions[corner]);
@@ -71,7 +71,7 @@ SceneObject random_object(Kind kind, std::uint32_t shuffle_seed, double scale = 
     }
     return lines_object(std::move(set), kind, 0.05 * scale);
   }
-  PointSet set;
+  geometry::PointSet set;
   for (const std::size_t k : order_of(mesh.positions.size(), shuffle_seed)) {
     set.positions.push_back(mesh.positions[k]);
     set.colors.push_back(mesh.colors[k]);
@@ -79,16 +79,17 @@ SceneObject random_object(Kind kind, std::uint32_t shuffle_seed, double scale = 
   return points_object(std::move(set), kind, 0.15 * scale);
 }
 
-Scene random_scene(Kind kind, std::uint32_t shuffle_seed = 0, double scale = 1, double shift = 0) {
-  Scene scene;
+scene::Scene random_scene(Kind kind, std::uint32_t shuffle_seed = 0, double scale = 1,
+                          double shift = 0) {
+  scene::Scene scene;
   scene.width = scene.height = 48;
   scene.camera = {.eye = Vec3(0, 0, 6) * scale + shift, .target = Vec3(shift)};
   scene.objects = {random_object(kind, shuffle_seed, scale, shift)};
   return scene;
 }
 
-Rendering trace(const Scene& scene) {
-  const MethodRow& row = raytrace_method();
+scene::Rendering trace(const scene::Scene& scene) {
+  const scene::MethodRow& row = raytrace_method();
   return row.make(scene, Parameters(row.name, row.parameters, {}), {})->render({.layers = true});
 }
 
@@ -98,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, PropertyEveryKind, ::testing::ValuesIn(all_kinds
                          [](const auto& kind) { return name_of(kind.param); });
 
 TEST_P(PropertyEveryKind, SamePictureForAnyOrderOfPrimitives) {
-  const Rendering picture = trace(random_scene(GetParam()));
+  const scene::Rendering picture = trace(random_scene(GetParam()));
   EXPECT_GT(picture.stats.fragments, 1000u);
   EXPECT_EQ(trace(random_scene(GetParam(), 7)).image.pixels, picture.image.pixels);
 }
@@ -137,17 +138,17 @@ struct Pile {
   /// Of a tube or sphere: less than half the distance of two.
   double radius() const { return is_solid(kind) ? 0.75 / count() : 1; }
 
-  SceneObject object() const {
+  scene::SceneObject object() const {
     if (kind == Kind::triangles) return sheets();
     if (kind == Kind::discs || kind == Kind::spheres) {
-      PointSet set;
+      geometry::PointSet set;
       for (int i = 0; i < count(); ++i) {
         set.positions.emplace_back(0, 0, z(i));
         set.colors.push_back(color(i));
       }
       return points_object(std::move(set), kind, radius());
     }
-    LineSet set;
+    geometry::LineSet set;
     for (int i = 0; i < count(); ++i) {
       set.positions.insert(set.positions.end(), {{-1, 0, z(i)}, {1, 0, z(i)}});
       set.colors.insert(set.colors.end(), 2, color(i));
@@ -156,10 +157,10 @@ struct Pile {
     return lines_object(std::move(set), kind, radius());
   }
 
-  SceneObject sheets() const {
-    TriangleMesh mesh;
+  scene::SceneObject sheets() const {
+    geometry::TriangleMesh mesh;
     for (int i = 0; i < count(); ++i) {
-      const TriangleMesh sheet = full_layer(z(i), color(i));
+      const geometry::TriangleMesh sheet = full_layer(z(i), color(i));
       const auto first = std::uint32_t(mesh.positions.size());
       mesh.positions.insert(mesh.positions.end(), sheet.positions.begin(), sheet.positions.end());
       mesh.colors.insert(mesh.colors.end(), sheet.colors.begin(), sheet.colors.end());
@@ -184,11 +185,11 @@ INSTANTIATE_TEST_SUITE_P(Kinds, UnitPile,
 
 TEST_P(UnitPile, HundredThousandLayersAreTheClosedForm) {
   const Pile pile = GetParam();
-  Scene scene = orthographic_scene(2, 2);
+  scene::Scene scene = orthographic_scene(2, 2);
   scene.camera.height = pile.radius() / 2;  // the picture lies within what is drawn
   scene.background = Vec3(0);
   scene.objects = {pile.object()};
-  const Rendering rendering = trace(scene);
+  const scene::Rendering rendering = trace(scene);
   for (const std::uint32_t layers : rendering.layers.pixels)
     ASSERT_EQ(layers, std::uint32_t(Pile::crossings));
 
@@ -207,7 +208,7 @@ TEST_P(UnitPile, HundredThousandLayersAreTheClosedForm) {
 TEST(UnitRaySums, TenThousandLayersStayWithinAPartInATrillion) {
   constexpr int n = 10000;
   const float alpha = 1e-3f;
-  const Scene scene = stack(n, 2, 2, [&](int) { return Rgba(1, 0.5, 0.25, alpha); });
+  const scene::Scene scene = stack(n, 2, 2, [&](int) { return Rgba(1, 0.5, 0.25, alpha); });
   const RaySums sums = RayProbe(scene).at(0.5, 0.5);
   const long double t = std::exp(n * std::log1p(-static_cast<long double>(alpha)));
   EXPECT_NEAR(sums.transmittance, double(t), 1e-12);
@@ -215,4 +216,4 @@ TEST(UnitRaySums, TenThousandLayersStayWithinAPartInATrillion) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

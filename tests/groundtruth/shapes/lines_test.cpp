@@ -5,13 +5,14 @@
 #include "groundtruth/traversal/crossing_finder.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
 
-LineObject line(const std::vector<Vec3>& points, double radius, LineObject::Profile profile) {
-  LineObject object{{}, radius, profile};
+scene::LineObject line(const std::vector<Vec3>& points, double radius,
+                       scene::LineObject::Profile profile) {
+  scene::LineObject object{{}, radius, profile};
   object.set.positions = points;
   object.set.offsets = {0, points.size()};
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -21,11 +22,11 @@ LineObject line(const std::vector<Vec3>& points, double radius, LineObject::Prof
 
 TEST(UnitRibbon, StraightRibbonIsARectangleLitAsATube) {
   // From x = -1 to 1 at depth 10, half width 0.5; 64 pixels over 2 units.
-  Scene scene = orthographic_scene(64, 64);
+  scene::Scene scene = orthographic_scene(64, 64);
   scene.camera.eye = {0, 0, 10};
-  scene.lighting = Lighting::headlight;
+  scene.lighting = scene::Lighting::headlight;
   scene.objects = {
-      {"", line({{-1, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}, 0.5, LineObject::Profile::ribbon)}};
+      {"", line({{-1, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}, 0.5, scene::LineObject::Profile::ribbon)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   for (int y = 0; y < 64; ++y)
@@ -46,10 +47,11 @@ TEST(UnitRibbon, StraightRibbonIsARectangleLitAsATube) {
 
 TEST(UnitRibbon, ALineTowardsTheEyeIsDarkerByTheSineOfItsAngle) {
   // The line rises towards the eye at 60°: of |m · v| half remains at its middle.
-  Scene scene = orthographic_scene(2, 2);
-  scene.lighting = Lighting::headlight;
+  scene::Scene scene = orthographic_scene(2, 2);
+  scene.lighting = scene::Lighting::headlight;
   const double rise = std::sqrt(3.0);
-  scene.objects = {{"", line({{-1, 0, -rise}, {1, 0, rise}}, 0.5, LineObject::Profile::ribbon)}};
+  scene.objects = {
+      {"", line({{-1, 0, -rise}, {1, 0, rise}}, 0.5, scene::LineObject::Profile::ribbon)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   const PictureRay ray = finder.frame().ray(1.25, 1);
@@ -70,8 +72,8 @@ std::vector<Vec3> spiral() {
 }
 
 TEST(PropertyRibbon, JointsAreCrossedOnce) {
-  Scene scene = orthographic_scene(200, 200);
-  scene.objects = {{"", line(spiral(), 0.03, LineObject::Profile::ribbon)}};
+  scene::Scene scene = orthographic_scene(200, 200);
+  scene.objects = {{"", line(spiral(), 0.03, scene::LineObject::Profile::ribbon)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   int once = 0;
@@ -91,11 +93,11 @@ TEST(PropertyRibbon, JointsAreCrossedOnce) {
 
 TEST(PropertyRibbon, RaysThroughCornersAndMiddlesOfAJointCrossOnce) {
   // A band of straight segments of irregular lengths whose joints lie on pixel centres.
-  Scene scene = orthographic_scene(64, 64);
+  scene::Scene scene = orthographic_scene(64, 64);
   std::vector<Vec3> points;
   for (const double x : {0.5, 3.5, 4.5, 9.5, 20.5, 21.5, 40.5, 60.5})
     points.emplace_back(x / 32 - 1, 0.5 / 32, -0.1 * x);
-  scene.objects = {{"", line(points, 8.0 / 32, LineObject::Profile::ribbon)}};
+  scene.objects = {{"", line(points, 8.0 / 32, scene::LineObject::Profile::ribbon)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   std::uint64_t total = 0;
@@ -111,11 +113,11 @@ TEST(PropertyRibbon, RaysThroughCornersAndMiddlesOfAJointCrossOnce) {
 TEST(UnitTube, StraightTubeIsACylinderWithRoundEnds) {
   // Along x from -0.5 to 0.5, radius 0.25, over three segments: half chords √(r² - q²) with q the
   // distance from the axis, or from an end.
-  Scene scene = orthographic_scene(64, 64);
-  scene.lighting = Lighting::headlight;
+  scene::Scene scene = orthographic_scene(64, 64);
+  scene.lighting = scene::Lighting::headlight;
   const double radius = 0.25;
   scene.objects = {{"", line({{-0.5, 0, 0}, {-0.25, 0, 0}, {0, 0, 0}, {0.5, 0, 0}}, radius,
-                             LineObject::Profile::tube)}};
+                             scene::LineObject::Profile::tube)}};
   const CrossingFinder finder(scene, Precision::exact);
   const double unit = finder.frame().units_per_length();
   std::vector<Crossing> crossings;
@@ -138,9 +140,9 @@ TEST(UnitTube, StraightTubeIsACylinderWithRoundEnds) {
 }
 
 TEST(UnitTube, AlongTheRayItIsAChordFromEndToEnd) {
-  Scene scene = orthographic_scene(1, 1);
+  scene::Scene scene = orthographic_scene(1, 1);
   scene.objects = {
-      {"", line({{0, 0, 1}, {0, 0, 0.5}, {0, 0, -1}}, 0.25, LineObject::Profile::tube)}};
+      {"", line({{0, 0, 1}, {0, 0, 0.5}, {0, 0, -1}}, 0.25, scene::LineObject::Profile::tube)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   finder.find(finder.frame().ray(0.5, 0.5), crossings);
@@ -162,7 +164,7 @@ bool within(const std::vector<Vec3>& points, double radius, const Vec3& x) {
 TEST(AgreementTube, EntersAndLeavesTheSolidByTurns) {
   // A thick knot that meets itself: between crossings the ray is inside or outside by turns, and
   // marching along it agrees.
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 40;
   scene.camera.fov = 40;
   std::vector<Vec3> points;
@@ -172,7 +174,7 @@ TEST(AgreementTube, EntersAndLeavesTheSolidByTurns) {
                         (1 + 0.3 * std::cos(3 * a)) * std::sin(2 * a), 0.3 * std::sin(3 * a));
   }
   const double radius = 0.22;
-  scene.objects = {{"", line(points, radius, LineObject::Profile::tube)}};
+  scene.objects = {{"", line(points, radius, scene::LineObject::Profile::tube)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   std::size_t deepest = 0;
@@ -199,4 +201,4 @@ TEST(AgreementTube, EntersAndLeavesTheSolidByTurns) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

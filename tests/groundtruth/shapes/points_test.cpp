@@ -7,14 +7,14 @@
 #include "groundtruth/traversal/crossing_finder.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
 
-PointObject points(const std::vector<Vec3>& positions, double radius,
-                   PointObject::Profile profile) {
-  PointObject object{{}, radius, profile};
+scene::PointObject points(const std::vector<Vec3>& positions, double radius,
+                          scene::PointObject::Profile profile) {
+  scene::PointObject object{{}, radius, profile};
   object.set.positions = positions;
   object.set.colors.assign(positions.size(), Rgba(1, 0.5, 0.25, 0.5));
   return object;
@@ -23,10 +23,10 @@ PointObject points(const std::vector<Vec3>& positions, double radius,
 TEST(UnitDisc, RimRunsThroughPixelCentresAndIsCrossedOnItsLeftHalf) {
   // One unit is one pixel: the rim passes the centres at (±3, ±4), (±4, ±3), (±5, 0), (0, ±5)
   // exactly, of which those with negative x count.
-  Scene scene = orthographic_scene(16, 16);
+  scene::Scene scene = orthographic_scene(16, 16);
   scene.camera.height = 16;
-  scene.lighting = Lighting::headlight;
-  scene.objects = {{"", points({{0.5, -0.5, 1}}, 5, PointObject::Profile::disc)}};
+  scene.lighting = scene::Lighting::headlight;
+  scene.objects = {{"", points({{0.5, -0.5, 1}}, 5, scene::PointObject::Profile::disc)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   for (int y = 0; y < 16; ++y)
@@ -55,11 +55,11 @@ TEST(AgreementDisc, RoundingDecidesNothing) {
   for (int i = 0; i < 2000; ++i) {
     const double angle = 0.01 + 2 * std::numbers::pi * i / 2000;
     const PictureRay ray{center.x + radius * std::cos(angle), center.y + radius * std::sin(angle),
-                         Projection::orthographic};
+                         scene::Projection::orthographic};
     double squared = 0, rounded_squared = 0;
-    const bool exact = CrossingTest(ray, 2, Precision::exact).crosses_disc(center, radius, squared);
+    const bool exact = RayPredicate(ray, 2, Precision::exact).crosses_disc(center, radius, squared);
     const bool rounded =
-        CrossingTest(ray, 2, Precision::rounded).crosses_disc(center, radius, rounded_squared);
+        RayPredicate(ray, 2, Precision::rounded).crosses_disc(center, radius, rounded_squared);
     const Integer x = integer(center.x) - integer(ray.x), y = integer(center.y) - integer(ray.y);
     ASSERT_EQ(exact, x * x + y * y < integer(radius) * integer(radius)) << angle;
     inside += exact;
@@ -72,11 +72,11 @@ TEST(AgreementDisc, RoundingDecidesNothing) {
 TEST(UnitSphere, NestedSpheresAreEnteredAndLeftInTurn) {
   // Radii 1, 1/2, 1/4, seen along z at distance q from the centre: half chords √(r² - q²), and
   // |n · v| = half chord / r.
-  Scene scene = orthographic_scene(64, 64);
+  scene::Scene scene = orthographic_scene(64, 64);
   scene.camera.height = 2;
-  scene.lighting = Lighting::headlight;
+  scene.lighting = scene::Lighting::headlight;
   for (const double radius : {0.25, 1.0, 0.5})
-    scene.objects.push_back({"", points({{0, 0, 0}}, radius, PointObject::Profile::sphere)});
+    scene.objects.push_back({"", points({{0, 0, 0}}, radius, scene::PointObject::Profile::sphere)});
   const CrossingFinder finder(scene, Precision::exact);
   const double unit = finder.frame().units_per_length();
   std::vector<Crossing> crossings;
@@ -102,11 +102,11 @@ TEST(UnitSphere, NestedSpheresAreEnteredAndLeftInTurn) {
 
 TEST(UnitSphere, ATinyFarSphereIsPrecise) {
   // Radius 1e-4 at distance 300: its depth to 1e-9 of the radius; float has it wrong by 0.16.
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 101;
   scene.camera = {.eye = {0, 0, 300}, .target = {0, 0, 0}, .fov = 4e-5};
   const double radius = 1e-4;
-  scene.objects = {{"", points({{0, 0, 0}}, radius, PointObject::Profile::sphere)},
+  scene.objects = {{"", points({{0, 0, 0}}, radius, scene::PointObject::Profile::sphere)},
                    {"", full_layer(-1, Rgba(1))}};
   const CrossingFinder finder(scene, Precision::exact);
   const double unit = finder.frame().units_per_length();
@@ -126,10 +126,10 @@ TEST(UnitSphere, ATinyFarSphereIsPrecise) {
 }
 
 TEST(UnitSphere, AnEyeWithinSeesTheFarSide) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 8;
   scene.camera = {.eye = {0.25, 0, 0}, .target = {0, 0, 0}};
-  scene.objects = {{"", points({{0, 0, 0}}, 1, PointObject::Profile::sphere)}};
+  scene.objects = {{"", points({{0, 0, 0}}, 1, scene::PointObject::Profile::sphere)}};
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
   for (int i = 0; i < 8; ++i) {
@@ -140,4 +140,4 @@ TEST(UnitSphere, AnEyeWithinSeesTheFarSide) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

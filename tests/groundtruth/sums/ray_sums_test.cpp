@@ -7,7 +7,7 @@
 #include "groundtruth/methods/raytrace.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
@@ -16,10 +16,10 @@ TEST(UnitRaySums, StackInClosedForm) {
   // n layers of α = 1/4 and g = i / n at equal distances, given in any order.
   const int n = 16;
   for (const std::uint32_t shuffle : {0u, 5u}) {
-    Scene scene = stack(
+    scene::Scene scene = stack(
         n, 3, 3, [](int i) { return Rgba(float(i) / n, 0, 0, 0.25f); }, shuffle);
-    for (SceneObject& object : scene.objects) {
-      const Vertices& vertices = object.vertices();
+    for (scene::SceneObject& object : scene.objects) {
+      const geometry::Vertices& vertices = object.vertices();
       object.vertices().importance.assign(4, vertices.colors[0].r);
     }
     const RayProbe probe(scene);
@@ -48,11 +48,11 @@ TEST(UnitRaySums, StackInClosedForm) {
 }
 
 TEST(PropertyRaySums, TransmittanceIsTheExponentialOfOpticalDepth) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 16;
   scene.objects = {{"", random_triangles(300, 3)}};
   const RayProbe probe(scene);
-  const Rendering picture =
+  const scene::Rendering picture =
       raytrace_method()
           .make(scene, Parameters("raytrace", raytrace_method().parameters, {}), {})
           ->render({.layers = true});
@@ -73,4 +73,4 @@ TEST(PropertyRaySums, TransmittanceIsTheExponentialOfOpticalDepth) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

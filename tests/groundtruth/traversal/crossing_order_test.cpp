@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using Depths = std::function<double(std::mt19937&)>;
@@ -54,4 +54,4 @@ TEST(PropertyCrossingOrder, SortsLikeTheComparison) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

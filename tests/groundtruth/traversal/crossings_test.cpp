@@ -10,17 +10,17 @@
 #include "scene/view_depth.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
 using namespace testing;
 
 /// Picture coordinates (pixels) of a world point.
-Vec2 picture_point(const Scene& scene, const Vec3& x) {
-  const CameraFrame frame = camera_frame(scene.camera);
+Vec2 picture_point(const scene::Scene& scene, const Vec3& x) {
+  const scene::CameraFrame frame = scene::camera_frame(scene.camera);
   const double scale =
-      scene.camera.projection == Projection::perspective ? view_depth(frame, x) : 1;
-  const double pixel = 2 * half_height(scene.camera) / scene.height * scale;
+      scene.camera.projection == scene::Projection::perspective ? scene::view_depth(frame, x) : 1;
+  const double pixel = 2 * scene::half_height(scene.camera) / scene.height * scale;
   return {scene.width / 2.0 + glm::dot(frame.right, x - frame.eye) / pixel,
           scene.height / 2.0 - glm::dot(frame.up, x - frame.eye) / pixel};
 }
@@ -28,10 +28,10 @@ Vec2 picture_point(const Scene& scene, const Vec3& x) {
 TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
   // Eight sheets of 95 × 95 cells, ten pixels wide, whose grid lines run through pixel centres from
   // 25.5 to 975.5: a top-left rule covers 950² pixels of each.
-  Scene scene = orthographic_scene(1000, 1000);
+  scene::Scene scene = orthographic_scene(1000, 1000);
   scene.camera.height = 1000;
   for (int layer = 0; layer < 8; ++layer) {
-    TriangleMesh sheet;
+    geometry::TriangleMesh sheet;
     for (int j = 0; j <= 95; ++j)
       for (int i = 0; i <= 95; ++i)
         sheet.positions.push_back({25.5 + 10 * i - 500, 500 - 25.5 - 10 * j, -layer});
@@ -57,10 +57,10 @@ TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
   EXPECT_EQ(total, 7220000u);
 }
 
-class PropertyClosedMesh : public ::testing::TestWithParam<Projection> {
+class PropertyClosedMesh : public ::testing::TestWithParam<scene::Projection> {
  protected:
-  Scene scene() const {
-    Scene scene;
+  scene::Scene scene() const {
+    scene::Scene scene;
     scene.width = scene.height = 500;
     scene.camera = {.projection = GetParam(), .eye = {1.3, 0.7, 3}, .fov = 45, .height = 2.5};
     scene.objects = {{"sphere", sphere(5, Rgba(1))}};
@@ -69,9 +69,9 @@ class PropertyClosedMesh : public ::testing::TestWithParam<Projection> {
 };
 
 TEST_P(PropertyClosedMesh, RaysThroughVerticesAndEdgesCrossTwiceOrNever) {
-  const Scene world = scene();
+  const scene::Scene world = scene();
   const CrossingFinder finder(world, Precision::exact);
-  const TriangleMesh& mesh = world.objects[0].mesh();
+  const geometry::TriangleMesh& mesh = world.objects[0].mesh();
   std::vector<Crossing> crossings;
   std::uint64_t twice = 0, rays = 0;
   const auto aim = [&](const Vec3& target) {
@@ -94,8 +94,8 @@ TEST(UnitCrossings, RoundedSignsDoNotSuffice) {
   // the tie rule then takes the ray to lie on the wrong side.
   const double e = 0x1p-52;
   const Vec3 a(1 + 2 * e, 1 + 3 * e, 1), b(-1, -(1 + e), 1), right(1, -1, 1), left(-1, 1, 1);
-  const PictureRay ray{0, 0, Projection::orthographic};
-  const CrossingTest exact(ray, 2, Precision::exact), rounded(ray, 2, Precision::rounded);
+  const PictureRay ray{0, 0, scene::Projection::orthographic};
+  const RayPredicate exact(ray, 2, Precision::exact), rounded(ray, 2, Precision::rounded);
   EdgeFunctions edges;
   EXPECT_FALSE(exact.crosses(a, b, right, edges));
   EXPECT_TRUE(exact.crosses(a, b, left, edges));
@@ -104,11 +104,12 @@ TEST(UnitCrossings, RoundedSignsDoNotSuffice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cameras, PropertyClosedMesh,
-                         ::testing::Values(Projection::perspective, Projection::orthographic));
+                         ::testing::Values(scene::Projection::perspective,
+                                           scene::Projection::orthographic));
 
 /// Meshes in float: as good as exact inside triangles, not at their edges.
 TEST(UnitCrossings, FastFindsTheSameInsideTrianglesAndMiscountsVertices) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 64;
   scene.objects = {{"", sphere(3, Rgba(1))}};
   const CrossingFinder exact(scene, Precision::exact), fast(scene, Precision::fast);
@@ -137,7 +138,7 @@ TEST(UnitCrossings, FastFindsTheSameInsideTrianglesAndMiscountsVertices) {
 }
 
 TEST(UnitCrossings, CoincidentSheetsAreAllKept) {
-  Scene scene = orthographic_scene(4, 4);
+  scene::Scene scene = orthographic_scene(4, 4);
   for (int i = 0; i < 32; ++i) scene.objects.push_back({"", full_layer(0.25, Rgba(1))});
   const CrossingFinder finder(scene, Precision::exact);
   std::vector<Crossing> crossings;
@@ -147,7 +148,7 @@ TEST(UnitCrossings, CoincidentSheetsAreAllKept) {
 }
 
 TEST(UnitCrossings, NothingBehindTheEyeCounts) {
-  Scene scene = orthographic_scene(2, 2);
+  scene::Scene scene = orthographic_scene(2, 2);
   scene.camera.eye = {0, 0, 0};
   scene.camera.target = {0, 0, -1};
   for (const double z : {1.0, 1e-5, -1e-5, -1.0})
@@ -162,7 +163,7 @@ TEST(UnitCrossings, NothingBehindTheEyeCounts) {
 
 TEST(UnitCrossings, AFarAwayEyeMissesNothing) {
   // 1e6 away with a matching field of view: the rays are almost parallel.
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 64;
   scene.camera = {.eye = {0, 0, 1e6}, .target = {0, 0, 0}, .fov = 1e-4};
   scene.objects = {{"", full_layer(0, Rgba(1))}, {"", full_layer(-0.5, Rgba(1))}};
@@ -176,7 +177,7 @@ TEST(UnitCrossings, AFarAwayEyeMissesNothing) {
 }
 
 TEST(PropertyPacket, RaysFindTogetherWhatEachFindsAlone) {
-  Scene scene;
+  scene::Scene scene;
   scene.width = scene.height = 96;
   scene.objects = {{"", random_triangles(3000, 9)}, {"", sphere(3, Rgba(1))}};
   const CrossingFinder finder(scene, Precision::exact);
@@ -199,21 +200,21 @@ TEST(PropertyPacket, RaysFindTogetherWhatEachFindsAlone) {
 
 TEST(PropertyOpaque, RaysEndWithTheFirstCrossingOfAnOpaqueObjectWhateverItsKind) {
   // Boxes behind an opaque crossing are not visited: the list has to be what it was up to there.
-  PointObject points;
+  scene::PointObject points;
   for (const Vec3& corner : random_triangles(10, 4).positions)
     points.set.positions.push_back(corner);
   points.set.colors.assign(points.set.positions.size(), Rgba(0.5));
   points.radius = 0.3;
-  points.profile = PointObject::Profile::disc;
-  PointObject spheres = points;
-  spheres.profile = PointObject::Profile::sphere;
-  Scene scene;
+  points.profile = scene::PointObject::Profile::disc;
+  scene::PointObject spheres = points;
+  spheres.profile = scene::PointObject::Profile::sphere;
+  scene::Scene scene;
   scene.width = scene.height = 64;
   scene.objects = {
       {"", random_triangles(300, 9)}, {"", random_triangles(30, 5)}, {"", points}, {"", spheres}};
   std::vector<Crossing> ends, all;
   for (std::uint32_t opaque = 0; opaque < scene.objects.size(); ++opaque) {
-    Scene context = scene;
+    scene::Scene context = scene;
     context.objects[opaque].opaque = true;
     const CrossingFinder ending(context, Precision::exact), transparent(scene, Precision::exact);
     std::size_t hidden = 0;
@@ -234,4 +235,4 @@ TEST(PropertyOpaque, RaysEndWithTheFirstCrossingOfAnOpaqueObjectWhateverItsKind)
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pellucid::test {
+namespace pellucid::integrators::test {
 namespace {
 
 std::vector<double> seeds(const LineSeeds& lines, int count) {
@@ -58,4 +58,4 @@ TEST(UnitLineSeeds, NoImportanceIsEvenlySpread) {
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::integrators::test

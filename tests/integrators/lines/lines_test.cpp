@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "fields/make_field.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
-LineRequest request_for(const VectorField& field, double duration) {
+LineRequest request_for(const fields::VectorField& field, double duration) {
   LineRequest request;
   request.field = &field;
   request.seeds = seeds_on(segment_seed({0.2, 1, 0}, {1, 1, 0.3}), 7);
@@ -20,9 +20,9 @@ LineRequest request_for(const VectorField& field, double duration) {
 }
 
 TEST(UnitLines, StreamLinesOfTheSaddleAreHyperbolas) {
-  const auto field = make_field("saddle");
+  const auto field = fields::make_field("saddle");
   const LineRequest request = request_for(*field, 2);
-  const LineSet lines = integrate_lines("stream-lines", request).lines;
+  const geometry::LineSet lines = integrate_lines("stream-lines", request).lines;
   ASSERT_EQ(lines.line_count(), 7u);
   for (std::size_t k = 0; k < 7; ++k) {
     EXPECT_EQ(lines.positions[lines.offsets[k]], request.seeds[k]);
@@ -35,17 +35,17 @@ TEST(UnitLines, StreamLinesOfTheSaddleAreHyperbolas) {
 TEST(UnitLines, PathAndStreamAndStreakDifferInAnUnsteadyField) {
   // v = (cos t, sin t, 0): stream lines at time 0 are straight, path lines circles that start along
   // x; the streak line from x₀ at time T joins x₀ + ∫ v from T - age to T.
-  const auto field = make_field("drift");
+  const auto field = fields::make_field("drift");
   LineRequest request = request_for(*field, 2);
   request.seeds = {{0, 0, 0}};
   for (const Vec3& x : integrate_lines("stream-lines", request).lines.positions)
     EXPECT_NEAR(x.y, 0, 1e-12);
-  const LineSet paths = integrate_lines("path-lines", request).lines;
+  const geometry::LineSet paths = integrate_lines("path-lines", request).lines;
   for (std::size_t i = 0; i < paths.positions.size(); ++i) {
     const double t = paths.scalars.at("t")[i];
     EXPECT_LE(glm::distance(paths.positions[i], Vec3(std::sin(t), 1 - std::cos(t), 0)), 1e-8);
   }
-  const LineSet streaks = integrate_lines("streak-lines:releases=40", request).lines;
+  const geometry::LineSet streaks = integrate_lines("streak-lines:releases=40", request).lines;
   ASSERT_EQ(streaks.positions.size(), 41u);
   for (std::size_t i = 0; i < streaks.positions.size(); ++i) {
     const double begin = 2 - streaks.scalars.at("t")[i];
@@ -55,9 +55,9 @@ TEST(UnitLines, PathAndStreamAndStreakDifferInAnUnsteadyField) {
 }
 
 TEST(UnitLines, VerticesKeepTheirDistance) {
-  const auto field = make_field("rotation");
+  const auto field = fields::make_field("rotation");
   const LineRequest request = request_for(*field, 3);
-  const LineSet lines = integrate_lines("stream-lines:step=0.05", request).lines;
+  const geometry::LineSet lines = integrate_lines("stream-lines:step=0.05", request).lines;
   for (std::size_t i = 1; i < lines.positions.size(); ++i) {
     const bool begins = lines.scalars.at("t")[i] == 0;
     const double apart = glm::distance(lines.positions[i], lines.positions[i - 1]);
@@ -66,13 +66,13 @@ TEST(UnitLines, VerticesKeepTheirDistance) {
 }
 
 TEST(PropertyLines, TheSameToTheLastBitForAnyNumberOfThreads) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   for (const LineIntegratorRow& row : line_integrators()) {
     LineRequest request = request_for(*field, 3);
     request.seeds = seeds_in({{0, 0, 0}, {6, 6, 6}}, 4, 3, 2);
-    const LineSet parallel = integrate_lines(row.name, request).lines;
+    const geometry::LineSet parallel = integrate_lines(row.name, request).lines;
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const LineSet serial = integrate_lines(row.name, request).lines;
+    const geometry::LineSet serial = integrate_lines(row.name, request).lines;
     EXPECT_EQ(parallel.positions, serial.positions) << row.name;
     EXPECT_EQ(parallel.offsets, serial.offsets) << row.name;
     EXPECT_EQ(parallel.scalars, serial.scalars) << row.name;
@@ -88,7 +88,7 @@ TEST(UnitLines, SeedsFillCurvesAndBoxes) {
 }
 
 TEST(UnitLines, WrongCallsAreRefused) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   LineRequest request = request_for(*field, 1);
   EXPECT_THROW(integrate_lines("steam-lines", request), InputError);
   EXPECT_THROW(integrate_lines("stream-lines:step=0", request), InputError);
@@ -99,4 +99,4 @@ TEST(UnitLines, WrongCallsAreRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

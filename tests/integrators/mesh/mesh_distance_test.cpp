@@ -8,12 +8,12 @@
 #include "core/error.h"
 #include "tests/integrators/closed_forms.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 /// n x n squares over [0, width]², cut in two, at this height.
-TriangleMesh square(double width, double height, std::uint32_t n) {
-  TriangleMesh mesh;
+geometry::TriangleMesh square(double width, double height, std::uint32_t n) {
+  geometry::TriangleMesh mesh;
   for (std::uint32_t j = 0; j <= n; ++j)
     for (std::uint32_t i = 0; i <= n; ++i)
       mesh.positions.emplace_back(width * i / n, width * j / n, height);
@@ -37,7 +37,7 @@ TEST(UnitMeshDistance, ParallelSquaresAreAsFarApartAsTheirPlanes) {
 
 TEST(UnitMeshDistance, WhatOneMeshLacksShowsFromTheOther) {
   constexpr std::uint32_t n = 64;
-  const TriangleMesh part = square(0.5, 0, n), whole = square(1, 0, n);
+  const geometry::TriangleMesh part = square(0.5, 0, n), whole = square(1, 0, n);
   const auto [from_part, from_whole] = mesh_distance(part, whole, 1 << 16);
   EXPECT_NEAR(from_part.max, 0, 1e-15);
   // Over the strips right of and above the part d is its distance to the edge, over the corner to
@@ -49,7 +49,7 @@ TEST(UnitMeshDistance, WhatOneMeshLacksShowsFromTheOther) {
 }
 
 TEST(UnitMeshDistance, AMeshWithoutAreaIsRefused) {
-  TriangleMesh line;
+  geometry::TriangleMesh line;
   line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   line.triangles = {{0, 1, 2}};
   EXPECT_THROW(mesh_distance(line, square(1, 0, 1), 10), InputError);
@@ -58,8 +58,10 @@ TEST(UnitMeshDistance, AMeshWithoutAreaIsRefused) {
 
 TEST(AgreementSurface, DistanceToAFinerRunIsThatToTheExactSurface) {
   for (const testing::ClosedForm& form : testing::closed_forms()) {
-    const TriangleMesh coarse = testing::sweep(form, "hultquist:tolerance=1e-2").surface.mesh;
-    const TriangleMesh fine = testing::sweep(form, "hultquist:tolerance=1e-4").surface.mesh;
+    const geometry::TriangleMesh coarse =
+        testing::sweep(form, "hultquist:tolerance=1e-2").surface.mesh;
+    const geometry::TriangleMesh fine =
+        testing::sweep(form, "hultquist:tolerance=1e-4").surface.mesh;
     const auto [from_coarse, from_fine] = mesh_distance(coarse, fine, 1 << 16);
     const double exact = testing::largest_distance(form, coarse);
     // The finer run is off by at most its tolerance. Both end at the same border, which the
@@ -71,4 +73,4 @@ TEST(AgreementSurface, DistanceToAFinerRunIsThatToTheExactSurface) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

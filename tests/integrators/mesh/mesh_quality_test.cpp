@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
-TriangleMesh two_triangles() {
-  TriangleMesh mesh;
+geometry::TriangleMesh two_triangles() {
+  geometry::TriangleMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {1.5, std::sqrt(0.75), 0}};
   mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
   return mesh;
@@ -24,7 +24,7 @@ TEST(UnitMeshQuality, EquilateralTrianglesAreTheBest) {
 }
 
 TEST(UnitMeshQuality, FindsEveryFault) {
-  TriangleMesh mesh = two_triangles();
+  geometry::TriangleMesh mesh = two_triangles();
   mesh.triangles.push_back({1, 2, 0});  // a third one on the edges of the first
   EXPECT_EQ(measure_quality(mesh).non_manifold_edges, 1u);
   EXPECT_FALSE(measure_quality(mesh).manifold);
@@ -45,7 +45,7 @@ TEST(UnitMeshQuality, FindsEveryFault) {
 }
 
 TEST(UnitMeshQuality, TwoTrianglesInOneVertexAreTwoSheetsAndNoManifold) {
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
   EXPECT_EQ(measure_quality(mesh).sheets, 2u);
@@ -53,10 +53,10 @@ TEST(UnitMeshQuality, TwoTrianglesInOneVertexAreTwoSheetsAndNoManifold) {
 }
 
 TEST(UnitMeshQuality, NormalsAreComparedWithFacets) {
-  TriangleMesh mesh = two_triangles();
+  geometry::TriangleMesh mesh = two_triangles();
   mesh.normals.assign(4, Vec3(0, std::sin(0.1), std::cos(0.1)));
   EXPECT_NEAR(measure_quality(mesh).normal_degrees.p50, 0.1 * 57.29577951, 1e-6);
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

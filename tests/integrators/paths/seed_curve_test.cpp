@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 void expect_tangent_is_derivative(const SeedCurve& curve) {
@@ -83,4 +83,4 @@ TEST(UnitSeedCurve, CurvesOfNoLengthAreRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -9,7 +9,7 @@
 #include "integrators/paths/counting_sampler.h"
 #include "tests/integrators/test_fields.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 using testing::boxed;
@@ -36,7 +36,7 @@ const Vec3 abc_end_1(1.887611046492209, 1.911433906176317, 1.728439620240521);
 const Vec3 abc_end_10(-4.100131563534621, 1.161312073414934, -2.922645438554284);
 
 double error_at_1(const ButcherTableau& row, double step) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   TrajectoryOptions options = dopri5(1, 1e300);  // every step is accepted: steps of one size
   options.stepper = &row;
   options.max_step = step;
@@ -75,7 +75,7 @@ TEST(PropertySteppers, TableausAreConsistent) {
 }
 
 TEST(UnitTrajectory, Dopri5KeepsItsToleranceOnAbc) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const TrajectoryOptions options = dopri5(10, 1e-8);
   CountingSampler sampler(*field);
   Trajectory path(options, abc_start, Vec3(0), sampler);
@@ -122,7 +122,7 @@ TEST(UnitTrajectory, HillsStreamFunctionIsKept) {
 
 TEST(UnitTrajectory, VariationIsTheDerivativeOfTheFlow) {
   // Saddle: ∂x/∂x₀ = diag(e^t, e^-t, 1), exactly.
-  const auto field = make_field("saddle");
+  const auto field = fields::make_field("saddle");
   TrajectoryOptions options = dopri5(2);
   options.companion = Companion::variation;
   const auto sampler = field->sampler();
@@ -133,7 +133,7 @@ TEST(UnitTrajectory, VariationIsTheDerivativeOfTheFlow) {
 }
 
 TEST(UnitTrajectory, GhostsAgreeWithTheVariation) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const auto direction = [&](Companion companion, double t) {
     TrajectoryOptions options = dopri5(5);
     options.companion = companion;
@@ -163,7 +163,7 @@ TEST(UnitTrajectory, EndsAtTheEdgeOfTheDomain) {
 }
 
 TEST(UnitTrajectory, EveryEndHasItsReason) {
-  const auto end_of = [](const VectorField& field, const TrajectoryOptions& options) {
+  const auto end_of = [](const fields::VectorField& field, const TrajectoryOptions& options) {
     const auto sampler = field.sampler();
     Trajectory path(options, {0.5, 0, 0}, Vec3(0), *sampler);
     path.reach(options.duration, *sampler);
@@ -173,7 +173,7 @@ TEST(UnitTrajectory, EveryEndHasItsReason) {
   const auto still = everywhere([](const Vec3&) { return Vec3(0); });
   const FunctionField hole([](const Vec3& x, double, Vec3& v) {
     v = Vec3(1, 0, 0);
-    return x.x > 0.75 ? SampleStatus::not_finite : SampleStatus::ok;
+    return x.x > 0.75 ? fields::SampleStatus::not_finite : fields::SampleStatus::ok;
   });
   EXPECT_EQ(end_of(uniform, dopri5(1)), EndReason::duration);
   EXPECT_EQ(end_of(still, dopri5(1)), EndReason::stagnated);
@@ -221,4 +221,4 @@ TEST(UnitTrajectory, ScalesOfVelocityAndPlaceDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -10,7 +10,7 @@
 #include "tests/integrators/closed_forms.h"
 #include "tests/integrators/test_fields.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 using testing::boxed;
@@ -34,7 +34,7 @@ void expect_sound(const IntegratedSurface& surface, std::string_view integrator)
   for (const Vec3& n : surface.mesh.normals) ASSERT_NEAR(glm::length(n), 1, 1e-9) << integrator;
 }
 
-IntegratedSurface sweep(const VectorField& field, std::string_view integrator,
+IntegratedSurface sweep(const fields::VectorField& field, std::string_view integrator,
                         const SeedCurve& seed = segment_seed({-1, -1, 0}, {1, -1, 0.1}),
                         double duration = 3) {
   return integrate_surface(integrator, {&field, seed, duration, 0, false, {}});
@@ -99,7 +99,7 @@ TEST(UnitExtremes, HolesOfNoNumbers) {
   const FunctionField field([](const Vec3& x, double, Vec3& v) {
     v = Vec3(0, 1, 0);
     if (glm::length(x) < 0.4) v.x = std::numeric_limits<double>::quiet_NaN();
-    return std::isnan(v.x) ? SampleStatus::not_finite : SampleStatus::ok;
+    return std::isnan(v.x) ? fields::SampleStatus::not_finite : fields::SampleStatus::ok;
   });
   for (const char* integrator : adaptive) {
     const auto surface = sweep(field, integrator);
@@ -152,7 +152,7 @@ TEST(UnitExtremes, VelocitiesOfAnySize) {
 }
 
 TEST(UnitExtremes, BudgetsEndTheWork) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const SeedCurve seed = segment_seed({2.64, 3.14, 3.14}, {3.64, 3.14, 3.14});
   const auto ends = [&](const std::string& integrator) {
     const auto surface = integrate_surface(integrator, {field.get(), seed, 5, 0, false, {}});
@@ -173,14 +173,14 @@ TEST(UnitExtremes, BudgetsEndTheWork) {
 }
 
 TEST(UnitExtremes, RepeatedPointsOfTheSeedCurve) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const std::vector<Vec3> points{{2, 3, 3}, {2, 3, 3}, {2.5, 3, 3}, {2.5, 3, 3}, {2.5, 3.5, 3.2}};
   for (const char* integrator : adaptive)
     expect_sound(sweep(*field, integrator, polyline_seed(points), 2), integrator);
 }
 
 TEST(UnitExtremes, WrongCallsAreRefused) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const SeedCurve seed = segment_seed({0, 0, 0}, {1, 0, 0});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double duration : {0., -1., nan, std::numeric_limits<double>::infinity()})
@@ -196,4 +196,4 @@ TEST(UnitExtremes, WrongCallsAreRefused) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -10,7 +10,7 @@
 #include "integrators/surfaces/surface_error.h"
 #include "tests/integrators/closed_forms.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 using testing::closed_forms;
@@ -50,7 +50,7 @@ TEST(PropertyTriangleLinks, TurningAndSplittingKeepAManifold) {
       links.turn(edge);
     expect_consistent(links, triangles, vertices);
   }
-  TriangleMesh mesh;
+  geometry::TriangleMesh mesh;
   for (std::uint32_t i = 0; i < vertices; ++i) mesh.positions.emplace_back(i, i * i, 0);
   mesh.triangles = triangles;
   const MeshQuality quality = measure_quality(mesh);
@@ -68,18 +68,18 @@ TEST(UnitTriangleLinks, AnEdgeIsNotMadeTwice) {
 }
 
 /// Where the front leans along the flow, its triangles would be turned over.
-SurfaceRequest abc_request(const VectorField& field, double duration) {
+SurfaceRequest abc_request(const fields::VectorField& field, double duration) {
   return {&field, segment_seed({3.1, 3.1, 0.1}, {3.1, 3.1, 6.1}), duration, 0, false, {}};
 }
 
 TEST(PropertyFacets, NoneOfTheAbcSurfaceStandsOffIt) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const SurfaceRequest request = abc_request(*field, 9);
   for (const IntegratorRow& row : integrators()) {
     if (!row.promises.refines) continue;
     for (const char* fineness : {"tolerance=0.002", "threshold=0.1"}) {
       const std::string integrator = fmt::format("{}:{}", row.name, fineness);
-      const TriangleMesh mesh = integrate_surface(integrator, request).mesh;
+      const geometry::TriangleMesh mesh = integrate_surface(integrator, request).mesh;
       const MeshQuality quality = measure_quality(mesh);
       // Normals of vertices are exact, by the variational equation, and all facets are asked.
       EXPECT_LE(quality.normal_degrees.max, 30) << integrator;
@@ -114,7 +114,7 @@ TEST(PropertyFacets, AnyAngleCanBeAskedFor) {
 
 TEST(PropertyFacets, NoEdgeIsSplitTwiceInTheSamePlace) {
   // These surfaces stay whole and lean most where they end.
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const double pi = std::numbers::pi;
   const SurfaceRequest request{
       field.get(), segment_seed({pi, pi, pi - 3}, {pi, pi, pi + 3}), 9, 0, false, {}};
@@ -131,7 +131,7 @@ TEST(PropertyFacets, NoEdgeIsSplitTwiceInTheSamePlace) {
 
 TEST(UnitFacets, MendingComesToAnEnd) {
   // Whole to the end, this surface asks for more vertices on its border than it has.
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   const auto surface =
       integrate_surface("hultquist:threshold=0.1,rip=1e-8", abc_request(*field, 9));
   EXPECT_LE(surface.stats.ends.at(EndReason::vertex), 5000 + surface.mesh.positions.size() / 100);
@@ -139,7 +139,7 @@ TEST(UnitFacets, MendingComesToAnEnd) {
 }
 
 TEST(UnitFacets, OverTheSeamOfAClosedCurve) {
-  const auto field = make_field("rotation:omega=1,c=1");
+  const auto field = fields::make_field("rotation:omega=1,c=1");
   const SurfaceRequest request{field.get(), circle_seed({1, 0, 0}, {0, 1, 0}, 0.3), 2, 0, false,
                                {}};
   const auto surface = integrate_surface("hultquist:threshold=0.2,facet-angle=6", request);
@@ -150,4 +150,4 @@ TEST(UnitFacets, OverTheSeamOfAClosedCurve) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

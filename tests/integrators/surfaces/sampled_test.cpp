@@ -12,7 +12,7 @@
 #include "integrators/surfaces/integrate_surface.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 constexpr double duration = 0.8;
@@ -40,7 +40,7 @@ std::string write_samples(const testing::TemporaryFolder& folder,
 }
 
 std::string write_abc(const testing::TemporaryFolder& folder) {
-  const auto abc = make_field("abc");
+  const auto abc = fields::make_field("abc");
   const auto sampler = abc->sampler();
   return write_samples(folder, [&](const Vec3& x) {
     Vec3 v;
@@ -59,15 +59,15 @@ double largest_deviation(double velocity_error) {
 TEST(AgreementSampled, SurfacesAreWithinTheReportedErrorOfTheAnalyticOnes) {
   const testing::TemporaryFolder folder;
   const std::string file = write_abc(folder);
-  const auto abc = make_field("abc");
+  const auto abc = fields::make_field("abc");
   const SeedCurve seed = segment_seed({2.6, 3, 3}, {3.4, 3, 3});
-  const auto positions = [&](const VectorField& field) {
+  const auto positions = [&](const fields::VectorField& field) {
     const SurfaceRequest request{&field, seed, duration, 0, false, {}};
     return integrate_surface("fixed-front:particles=40,rows=4", request).mesh.positions;
   };
   const std::vector<Vec3> truth = positions(*abc);
   for (const char* sampler : {"linear", "c1"}) {
-    const auto field = make_field(file + ":sampler=" + sampler);
+    const auto field = fields::make_field(file + ":sampler=" + sampler);
     const std::vector<Vec3> sampled = positions(*field);
     ASSERT_EQ(sampled.size(), truth.size());
     double largest = 0;
@@ -80,12 +80,12 @@ TEST(AgreementSampled, SurfacesAreWithinTheReportedErrorOfTheAnalyticOnes) {
   }
 }
 
-IntegratedSurface sweep(const VectorField& field, const std::string& integrator,
+IntegratedSurface sweep(const fields::VectorField& field, const std::string& integrator,
                         const SeedCurve& seed) {
   return integrate_surface(integrator, {&field, seed, duration, 0, false, {}});
 }
 
-std::uint64_t evaluations(const VectorField& field, const std::string& integrator,
+std::uint64_t evaluations(const fields::VectorField& field, const std::string& integrator,
                           const SeedCurve& seed) {
   return sweep(field, integrator, seed).stats.evaluations;
 }
@@ -95,8 +95,8 @@ Vec3 swirl(const Vec3& x) { return {-x.y, x.x, 0.3}; }
 TEST(UnitSampledSteps, NoKinksNoShortSteps) {
   // Samples of a linear field are the field: they take the steps that its formula takes.
   const testing::TemporaryFolder folder;
-  const auto samples = make_field(write_samples(folder, swirl, -3));
-  const auto formula = make_field("formula:u=-y,v=x,w=0.3");
+  const auto samples = fields::make_field(write_samples(folder, swirl, -3));
+  const auto formula = fields::make_field("formula:u=-y,v=x,w=0.3");
   const SeedCurve seed = segment_seed({0.5, 0.1, -0.1}, {1, 0.2, 0.1});
   // So loose that the field alone would allow steps of many cells.
   const std::string integrator = "fixed-front:particles=20,rows=4,normals=none,accuracy=1e-3";
@@ -110,7 +110,7 @@ TEST(UnitSampledSteps, HalfACellWhereThereAreKinks) {
   const SeedCurve seed = segment_seed({2.6, 3, 3}, {3.4, 3, 3});
   const std::string file = write_abc(folder), integrator = "fixed-front:particles=20,rows=4";
   for (const char* sampler : {"linear", "c1"}) {
-    const auto field = make_field(file + ":sampler=" + sampler);
+    const auto field = fields::make_field(file + ":sampler=" + sampler);
     const auto of = [&](const char* cells) {
       return evaluations(*field, integrator + cells, seed);
     };
@@ -124,7 +124,7 @@ TEST(UnitSampledSteps, NoneOverAHole) {
   // One sample that is no number makes a hole of two cells' width in the way of all particles.
   const testing::TemporaryFolder folder;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto field = make_field(write_samples(
+  const auto field = fields::make_field(write_samples(
       folder, [&](const Vec3& x) { return glm::length(x) < 1e-9 ? Vec3(nan) : Vec3(10, 0, 0); },
       -3));
   const auto surface = sweep(*field, "fixed-front:particles=9,rows=1",
@@ -136,7 +136,7 @@ TEST(UnitSampledSteps, NoneOverAHole) {
 TEST(UnitSampledSteps, NoneOutOfTheSamplesAndInAgain) {
   // Circles that bulge out of the box: a long step could miss that.
   const testing::TemporaryFolder folder;
-  const auto field = make_field(write_samples(folder, swirl, -3));
+  const auto field = fields::make_field(write_samples(folder, swirl, -3));
   const auto surface = integrate_surface(
       "fixed-front:particles=9,rows=40",
       {field.get(), segment_seed({2.9, -1.2, -2}, {2.9, -1.4, -2}), 2, 0, false, {}});
@@ -144,4 +144,4 @@ TEST(UnitSampledSteps, NoneOutOfTheSamplesAndInAgain) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

@@ -9,7 +9,7 @@
 #include "integrators/surfaces/surface_error.h"
 #include "tests/integrators/closed_forms.h"
 
-namespace pellucid {
+namespace pellucid::integrators {
 namespace {
 
 using testing::closed_forms;
@@ -111,7 +111,7 @@ TEST_P(PropertySurfaces, EveryParticleEndsForAReason) {
 
 TEST_P(PropertySurfaces, VerticesCarryTheirParameters) {
   const auto swept = sweep(GetParam(), "hultquist:threshold=0.2");
-  const TriangleMesh& mesh = swept.surface.mesh;
+  const geometry::TriangleMesh& mesh = swept.surface.mesh;
   for (const char* name : {"s", "t", "time", "speed"})
     ASSERT_EQ(mesh.scalars.at(name).size(), mesh.positions.size());
   const auto sampler = swept.field->sampler();
@@ -142,7 +142,7 @@ TEST(UnitSurface, CrossingASeparatrixGivesTwoSheets) {
        {"hultquist:tolerance=1e-2", "adaptive-front:particles=9,tolerance=1e-2"}) {
     ClosedForm form{"", "saddle", testing::wave_seed(-1, 1, 0.2, 3), 5, false, testing::wave};
     const auto swept = sweep(form, integrator);
-    const TriangleMesh& mesh = swept.surface.mesh;
+    const geometry::TriangleMesh& mesh = swept.surface.mesh;
     EXPECT_EQ(measure_quality(mesh).sheets, 2u) << integrator;
     EXPECT_LE(swept.surface.stats.particles, 2000u) << integrator;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -164,9 +164,9 @@ TEST(UnitSurface, PathIsNotStream) {
 
 TEST(UnitSurface, StartTimeShiftsTheField) {
   ClosedForm form = closed_forms()[4];
-  const auto field = make_field(form.field);
+  const auto field = fields::make_field(form.field);
   SurfaceRequest request{field.get(), form.seed, 1, 2, true, {}};
-  const TriangleMesh mesh = integrate_surface("hultquist", request).mesh;
+  const geometry::TriangleMesh mesh = integrate_surface("hultquist", request).mesh;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const double t = mesh.scalars.at("t")[i], s = mesh.scalars.at("s")[i];
     EXPECT_EQ(mesh.scalars.at("time")[i], t + 2);
@@ -180,7 +180,7 @@ TEST(UnitSurface, StartTimeShiftsTheField) {
 /// stagnation points, but the surface between them is stretched, not torn: trajectories depend
 /// continuously on their seeds.
 TEST(UnitSurface, StretchingDoesNotTearTheAbcSurface) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   constexpr double pi = 3.14159265358979323846;
   const SurfaceRequest request{
       field.get(), segment_seed({pi, pi, pi - 3}, {pi, pi, pi + 3}), 5, 0, false, {}};
@@ -196,7 +196,7 @@ TEST(UnitSurface, StretchingDoesNotTearTheAbcSurface) {
 }
 
 TEST(UnitSurface, ClosedSeedsMakeTubes) {
-  const auto field = make_field("rotation:omega=1,c=1");
+  const auto field = fields::make_field("rotation:omega=1,c=1");
   for (const char* integrator : {"hultquist:threshold=0.05", "hultquist:tolerance=1e-3",
                                  "adaptive-front:particles=20,threshold=0.1", "fixed-front"}) {
     SurfaceRequest request{field.get(), circle_seed({1, 0, 0}, {0, 1, 0}, 0.3), 2, 0, false, {}};
@@ -208,7 +208,7 @@ TEST(UnitSurface, ClosedSeedsMakeTubes) {
 }
 
 TEST(UnitSurface, GhostNormalsAgreeWithVariationalOnes) {
-  const auto field = make_field("abc");
+  const auto field = fields::make_field("abc");
   SurfaceRequest request{
       field.get(), segment_seed({2.64, 3.14, 3.14}, {3.64, 3.14, 3.14}), 4, 0, false, {}};
   const auto normals = [&](const std::string& how) {
@@ -225,9 +225,9 @@ TEST(UnitSurface, GhostNormalsAgreeWithVariationalOnes) {
 TEST(PropertyThreads, MeshesAreTheSameToTheLastBitForAnyNumberOfThreads) {
   const ClosedForm form = closed_forms()[0];
   for (const IntegratorRow& row : integrators()) {
-    const TriangleMesh parallel = sweep(form, row.name).surface.mesh;
+    const geometry::TriangleMesh parallel = sweep(form, row.name).surface.mesh;
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const TriangleMesh serial = sweep(form, row.name).surface.mesh;
+    const geometry::TriangleMesh serial = sweep(form, row.name).surface.mesh;
     EXPECT_EQ(parallel.positions, serial.positions) << row.name;
     EXPECT_EQ(parallel.normals, serial.normals) << row.name;
     EXPECT_EQ(parallel.triangles, serial.triangles) << row.name;
@@ -247,11 +247,11 @@ TEST(AgreementSurface, MeasuredErrorIsThatOfTheClosedForm) {
 
 TEST(AgreementSurface, AbcWithoutCKeepsItsInvariants) {
   // With C = 0, H = B sin x + A cos z is kept, and y = y₀ + H t.
-  const auto field = make_field("abc:C=0");
+  const auto field = fields::make_field("abc:C=0");
   const double A = std::sqrt(3.), B = std::sqrt(2.);
   SurfaceRequest request{
       field.get(), segment_seed({2.64, 3.14, 3.14}, {3.64, 3.14, 3.3}), 4, 0, false, {}};
-  const TriangleMesh mesh = integrate_surface("hultquist", request).mesh;
+  const geometry::TriangleMesh mesh = integrate_surface("hultquist", request).mesh;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3 seed = request.seed.point_at(mesh.scalars.at("s")[i]), x = mesh.positions[i];
     const double H = B * std::sin(seed.x) + A * std::cos(seed.z);
@@ -261,4 +261,4 @@ TEST(AgreementSurface, AbcWithoutCKeepsItsInvariants) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::integrators

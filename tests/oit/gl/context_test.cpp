@@ -6,7 +6,7 @@
 #include "oit/gl/program.h"
 #include "tests/oit/test_scenes.h"
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
 using testing::HasSubstr;
@@ -56,15 +56,15 @@ TEST(UnitContext, IncludesAreExpanded) {
 }
 
 TEST(UnitContext, APictureTooLargeIsRefusedBeforeItIsAllocated) {
-  const Scene scene = stack(1 << 20, 1, {{1, 1, 1, 1}});
+  const scene::Scene scene = stack(1 << 20, 1, {{1, 1, 1, 1}});
   EXPECT_THROW(render(method("weighted-average"), scene), InputError);
 }
 
 // Renderers whose contexts take turns on one thread keep to their own objects.
 TEST(UnitContext, RenderersDoNotDisturbEachOther) {
   const std::vector<Rgba> red = {{1, 0, 0, 0.5f}}, green = {{0, 1, 0, 0.5f}};
-  const Scene first = stack(3, 3, red), second = stack(2, 2, green);
-  const MethodRow& row = method("linked-list");
+  const scene::Scene first = stack(3, 3, red), second = stack(2, 2, green);
+  const scene::MethodRow& row = method("linked-list");
   const auto a = row.make(first, {}, {});
   {
     const auto b = row.make(second, {}, {});
@@ -76,8 +76,8 @@ TEST(UnitContext, RenderersDoNotDisturbEachOther) {
 
 // Where EGL has a driver its pictures are those of OSMesa, up to another order of sums.
 TEST(AgreementContext, EglDrawsWhatOsmesaDraws) {
-  const Scene scene = stack(9, 5, random_layers(8, 0.9f, 12));
-  for (const MethodRow& row : oit_methods()) {
+  const scene::Scene scene = stack(9, 5, random_layers(8, 0.9f, 12));
+  for (const scene::MethodRow& row : oit_methods()) {
     const Parameters parameters(row.name, row.parameters, {});
     const Image expected = row.make(scene, parameters, {.gl = "osmesa"})->render({}).image;
     Image image;
@@ -91,4 +91,4 @@ TEST(AgreementContext, EglDrawsWhatOsmesaDraws) {
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

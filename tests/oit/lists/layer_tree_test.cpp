@@ -32,7 +32,7 @@ uint load_order(uint id) { return memory.extra[id]; }
 
 }  // namespace glsl
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -202,4 +202,4 @@ TEST(UnitLayerTree, TheNearestLayerTakesAFragment) {
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

@@ -3,16 +3,16 @@
 
 #include "tests/oit/test_scenes.h"
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
-void expect_exact_stack(const MethodRow& row, int n, double tolerance = 1e-5) {
+void expect_exact_stack(const scene::MethodRow& row, int n, double tolerance = 1e-5) {
   SCOPED_TRACE(std::string(row.name) + " layers " + std::to_string(n));
   auto layers = random_layers(n, n < 100 ? 1.0f : 10.0f / float(n), 1);
-  Scene scene = stack(3, 2, layers);
+  scene::Scene scene = stack(3, 2, layers);
   // Submitted in an order of no meaning; the sheets' depths decide.
   std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(2));
-  const Rendering rendering = render(row, scene, {}, true);
+  const scene::Rendering rendering = render(row, scene, {}, true);
   EXPECT_EQ(rendering.stats.max_layers, unsigned(n));
   EXPECT_EQ(rendering.stats.fragments, std::uint64_t(n) * 6);
   EXPECT_EQ(rendering.stats.dropped, 0u);
@@ -21,19 +21,19 @@ void expect_exact_stack(const MethodRow& row, int n, double tolerance = 1e-5) {
 }
 
 TEST(UnitMethods, OneLayerIsTheTruthInEveryMethod) {
-  for (const MethodRow& row : oit_methods())
+  for (const scene::MethodRow& row : oit_methods())
     for (const float alpha : {0.0f, 1e-8f, 0.3f, 0.9999f, 1 - 1e-7f, 1.0f}) {
       SCOPED_TRACE(std::string(row.name) + " alpha " + std::to_string(alpha));
       const std::vector<Rgba> layers = {{0.9f, 0.2f, 0.4f, alpha}};
-      const Scene scene = stack(5, 3, layers);
-      const Rendering rendering = render(row, scene);
+      const scene::Scene scene = stack(5, 3, layers);
+      const scene::Rendering rendering = render(row, scene);
       // 1e-4 of opacity is what the clamp at 0.9999 takes off an opaque layer.
       EXPECT_LE(max_difference(rendering.image, composite(layers, scene.background)), 1.001e-4);
     }
 }
 
 TEST(UnitMethods, ExactMethodsCompositeAStack) {
-  for (const MethodRow& row : oit_methods()) {
+  for (const scene::MethodRow& row : oit_methods()) {
     if (!row.promises.exact) continue;
     for (const int n : {2, 7, 16, 17, 33, 100}) expect_exact_stack(row, n);
   }
@@ -48,16 +48,16 @@ TEST(UnitMethods, LinkedListsHaveNoDepthLimit) {
 TEST(UnitMethods, LinkedListsOfManyLengthsSideBySide) {
   const int counts[] = {5000, 1, 17, 300, 0, 16, 4096, 40};
   const auto layers = random_layers(5000, 0.002f, 17);
-  Scene scene = empty_scene(8, 1);
+  scene::Scene scene = empty_scene(8, 1);
   scene.camera.height = 1;  // a pixel is one unit wide, the first from -4 to -3
   for (int column = 0; column < 8; ++column)
     for (int i = 0; i < counts[column]; ++i) {
-      SceneObject strip = sheet(1 - i / 4000.0, layers[std::size_t(i)]);
+      scene::SceneObject strip = sheet(1 - i / 4000.0, layers[std::size_t(i)]);
       for (Vec3& x : strip.mesh().positions) x.x = column - (x.x < 0 ? 4 : 3);
       scene.objects.push_back(std::move(strip));
     }
   std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(4));
-  const Rendering rendering = render(method("linked-list"), scene, {}, true);
+  const scene::Rendering rendering = render(method("linked-list"), scene, {}, true);
   for (int column = 0; column < 8; ++column) {
     EXPECT_EQ(rendering.layers.at(column, 0), unsigned(counts[column]));
     const std::vector<Rgba> seen(layers.begin(), layers.begin() + counts[column]);
@@ -72,35 +72,35 @@ TEST(SlowMethods, LinkedListsSortAHundredThousandLayers) {
 }
 
 TEST(UnitMethods, CoincidentLayersAreOrderedByObject) {
-  for (const MethodRow& row : oit_methods()) {
+  for (const scene::MethodRow& row : oit_methods()) {
     if (!row.promises.exact) continue;
     SCOPED_TRACE(row.name);
     const auto layers = random_layers(20, 0.5f, 2);
-    Scene scene = empty_scene(3, 3);
+    scene::Scene scene = empty_scene(3, 3);
     for (const Rgba& layer : layers) scene.objects.push_back(sheet(0, layer));
-    const Rendering rendering = render(row, scene);
+    const scene::Rendering rendering = render(row, scene);
     EXPECT_LE(max_difference(rendering.image, composite(layers, scene.background)), 1e-5);
   }
 }
 
 TEST(UnitMethods, SliversOfDepthAreToldApart) {
-  for (const MethodRow& row : oit_methods()) {
+  for (const scene::MethodRow& row : oit_methods()) {
     if (!row.promises.exact) continue;
     SCOPED_TRACE(row.name);
     // A millionth of their distance apart, about one ulp of a float world depth.
     const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};
-    Scene scene = empty_scene(3, 3);
+    scene::Scene scene = empty_scene(3, 3);
     scene.camera.eye.z = 1;
     scene.objects = {sheet(0.25, layers[1]), sheet(0.25 + 1e-6, layers[0])};
-    const Rendering rendering = render(row, scene);
+    const scene::Rendering rendering = render(row, scene);
     EXPECT_LE(max_difference(rendering.image, composite(layers, scene.background)), 1e-5);
   }
 }
 
 TEST(UnitMethods, PeelingReportsWhatItsBudgetLeaves) {
   const auto layers = random_layers(9, 0.5f, 4);
-  const Scene scene = stack(3, 2, layers);
-  const Rendering rendering = render(method("depth-peeling"), scene, {{"peels", "4"}}, true);
+  const scene::Scene scene = stack(3, 2, layers);
+  const scene::Rendering rendering = render(method("depth-peeling"), scene, {{"peels", "4"}}, true);
   EXPECT_EQ(rendering.stats.fragments, 9u * 6);
   EXPECT_EQ(rendering.stats.stored, 4u * 6);
   EXPECT_EQ(rendering.stats.dropped, 5u * 6);
@@ -112,8 +112,9 @@ TEST(UnitMethods, PeelingReportsWhatItsBudgetLeaves) {
 // Two layers to a peel: of nine, the third from either side on is left.
 TEST(UnitMethods, DualPeelingLeavesTheMiddleToItsBudget) {
   const auto layers = random_layers(9, 0.5f, 4);
-  const Scene scene = stack(3, 2, layers);
-  const Rendering rendering = render(method("dual-depth-peeling"), scene, {{"peels", "2"}}, true);
+  const scene::Scene scene = stack(3, 2, layers);
+  const scene::Rendering rendering =
+      render(method("dual-depth-peeling"), scene, {{"peels", "2"}}, true);
   EXPECT_EQ(rendering.stats.fragments, 9u * 6);
   EXPECT_EQ(rendering.stats.stored, 4u * 6);
   EXPECT_EQ(rendering.stats.dropped, 5u * 6);
@@ -130,7 +131,7 @@ TEST(UnitMethods, WeightedSumIsItsFormula) {
     color += double(layer.a) * Vec3(layer);
     opacity += layer.a;
   }
-  const Scene scene = stack(2, 2, layers);
+  const scene::Scene scene = stack(2, 2, layers);
   const glm::dvec4 expected(color + (1 - opacity) * scene.background, opacity);
   EXPECT_LE(max_difference(render(method("weighted-sum"), scene).image, expected), 1e-6);
 }
@@ -138,8 +139,8 @@ TEST(UnitMethods, WeightedSumIsItsFormula) {
 // Layers in bins of their own, read at the far edge, have the exact optical depth.
 TEST(UnitMethods, BinsOfOneLayerEachAreExact) {
   const auto layers = random_layers(10, 0.9f, 6);
-  const Scene scene = stack(2, 2, layers);
-  const Rendering rendering =
+  const scene::Scene scene = stack(2, 2, layers);
+  const scene::Rendering rendering =
       render(method("binning"), scene, {{"bins", "1024"}, {"mode", "constant"}});
   EXPECT_LE(max_difference(rendering.image, composite(layers, scene.background)), 1e-5);
 }
@@ -147,7 +148,7 @@ TEST(UnitMethods, BinsOfOneLayerEachAreExact) {
 // With one bin every layer has the same transmittance in front of it.
 TEST(UnitMethods, OneBinIsAnAverage) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};
-  const Scene scene = stack(1, 1, layers);
+  const scene::Scene scene = stack(1, 1, layers);
   const glm::dvec4 expected(0.375 + 0.25 * 0.1, 0.375 + 0.25 * 0.5, 0.25 * 0.9, 0.75);
   const RawOptions options = {{"bins", "1"}, {"mode", "constant"}};
   EXPECT_LE(max_difference(render(method("binning"), scene, options).image, expected), 1e-5);
@@ -165,7 +166,7 @@ TEST(UnitMethods, ALinearBinIsARamp) {
     colors += w * Vec3(layers[std::size_t(i)]);
     weights += w;
   }
-  const Scene scene = stack(2, 2, layers);
+  const scene::Scene scene = stack(2, 2, layers);
   const double alpha = 1 - std::exp(-total);
   const glm::dvec4 expected(alpha * colors / weights + (1 - alpha) * scene.background, alpha);
   const RawOptions options = {{"bins", "1"}, {"mode", "linear"}};
@@ -175,7 +176,7 @@ TEST(UnitMethods, ALinearBinIsARamp) {
 
 TEST(UnitMethods, BuffersOfLayersAreExactUpToTheirLayers) {
   const auto layers = random_layers(8, 0.9f, 15);
-  Scene scene = stack(3, 3, layers);
+  scene::Scene scene = stack(3, 3, layers);
   std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(3));
   for (const char* name : {"k-buffer", "mlab"}) {
     const Image image = render(method(name), scene, {{"layers", "8"}}).image;
@@ -185,7 +186,7 @@ TEST(UnitMethods, BuffersOfLayersAreExactUpToTheirLayers) {
 
 TEST(UnitMethods, KBufferAveragesItsTail) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.25f}, {0, 0, 1, 0.5f}};
-  const Scene scene = stack(3, 3, layers);
+  const scene::Scene scene = stack(3, 3, layers);
   const Image image = render(method("k-buffer"), scene, {{"layers", "1"}}).image;
   // The tail: opacities 1/4 and 1/2 weight the colours, 3/8 of the background shine through.
   const std::vector<Rgba> merged = {{1, 0, 0, 0.5f}, {0, 1 / 3.f, 2 / 3.f, 0.625f}};
@@ -194,7 +195,7 @@ TEST(UnitMethods, KBufferAveragesItsTail) {
 
 TEST(UnitMethods, KBufferKeepsCoincidentLayers) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}, {0, 0, 1, 0.5f}};
-  Scene scene = empty_scene(3, 3);
+  scene::Scene scene = empty_scene(3, 3);
   for (const Rgba& layer : layers) scene.objects.push_back(sheet(0, layer));
   const Image image = render(method("k-buffer"), scene).image;
   EXPECT_NEAR(image.at(1, 1).a, 0.875, 1e-6);
@@ -203,7 +204,7 @@ TEST(UnitMethods, KBufferKeepsCoincidentLayers) {
 // Merged are then only neighbours, the farther under the nearer.
 TEST(UnitMethods, MultiLayerBlendingIsExactFromFrontToBack) {
   const auto layers = random_layers(40, 0.3f, 18);
-  const Scene scene = stack(3, 3, layers);
+  const scene::Scene scene = stack(3, 3, layers);
   const Image image = render(method("mlab"), scene, {{"layers", "2"}}).image;
   EXPECT_LE(max_difference(image, composite(layers, scene.background)), 1e-5);
 }
@@ -214,8 +215,8 @@ TEST(UnitMethods, MultiLayerBlendingMergesTheFarthest) {
       {1, 0, 0, 0.5f}, {0, 1, 0, 0.25f}, {0, 0, 1, 0.5f}, {1, 1, 0, 0.75f}};
   const auto difference = [&](std::initializer_list<std::size_t> submitted,
                               std::initializer_list<std::size_t> seen) {
-    const Scene all = stack(3, 3, layers);
-    Scene scene = all;
+    const scene::Scene all = stack(3, 3, layers);
+    scene::Scene scene = all;
     for (std::size_t i = 0; i < 4; ++i) scene.objects[i] = all.objects[submitted.begin()[i]];
     std::vector<Rgba> expected;
     for (const std::size_t i : seen) expected.push_back(layers[i]);
@@ -233,7 +234,7 @@ TEST(UnitMethods, MultiLayerBlendingMergesTheFarthest) {
 // Two layers: the mean over pixels nears the truth like 1 / sqrt(samples * pixels).
 TEST(UnitMethods, StochasticSamplesConverge) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};
-  const Scene scene = stack(32, 32, layers);
+  const scene::Scene scene = stack(32, 32, layers);
   const Image image = render(method("stochastic"), scene, {{"samples", "64"}}).image;
   glm::dvec4 mean(0);
   for (const Rgba& pixel : image.pixels) mean += glm::dvec4(pixel) / 1024.0;
@@ -248,7 +249,7 @@ TEST(UnitMethods, MomentsOfFewLayersAreExactWithoutTheMassAtZ) {
   for (const char* basis : {"power", "trigonometric"})
     for (const int n : {2, 3, 4}) {
       const std::vector<Rgba> layers(all.begin(), all.begin() + n);
-      const Scene scene = stack(2, 2, layers);
+      const scene::Scene scene = stack(2, 2, layers);
       const RawOptions options = {
           {"overestimation", "0"}, {"moments", std::to_string(2 * n)}, {"basis", basis}};
       // So many moments of n layers leave no choice; the bias and roundings cost the digits.
@@ -261,9 +262,9 @@ TEST(UnitMethods, MomentsOfFewLayersAreExactWithoutTheMassAtZ) {
 
 TEST(UnitMethods, LayersOfOneColourAndOpacityAreTheTruthForAverages) {
   const std::vector<Rgba> layers(12, Rgba(0.3f, 0.6f, 0.2f, 0.25f));
-  const Scene scene = stack(4, 4, layers);
+  const scene::Scene scene = stack(4, 4, layers);
   for (const char* name : {"weighted-average", "weighted-blended", "fourier", "binning"}) {
-    const Rendering rendering = render(method(name), scene);
+    const scene::Rendering rendering = render(method(name), scene);
     EXPECT_LE(max_difference(rendering.image, composite(layers, scene.background)), 1e-5) << name;
   }
 }
@@ -277,7 +278,7 @@ TEST(UnitMethods, WeightedAverageIsItsFormula) {
     opacities += layer.a;
   }
   const double transmittance = std::pow(1 - opacities / 9, 9);
-  const Scene scene = stack(2, 2, layers);
+  const scene::Scene scene = stack(2, 2, layers);
   const glm::dvec4 expected(
       (1 - transmittance) * colors / opacities + transmittance * scene.background,
       1 - transmittance);
@@ -288,7 +289,7 @@ TEST(UnitMethods, WeightedAverageIsItsFormula) {
 // the last layer apart, which the series takes for neighbours.
 TEST(UnitMethods, FourierConvergesThroughManyBands) {
   const auto layers = random_layers(4, 0.8f, 8);
-  const Scene scene = stack(2, 2, layers);
+  const scene::Scene scene = stack(2, 2, layers);
   const glm::dvec4 exact = composite(layers, scene.background);
   double previous = 1;
   for (const char* bands : {"1", "15", "64"}) {
@@ -305,7 +306,7 @@ TEST(UnitMethods, FourierConvergesThroughManyBands) {
 // Erratum: read behind the step, the series does not converge where opacities differ.
 TEST(UnitMethods, FourierAsPublishedHasAFloor) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.9f}, {0, 1, 0, 0.1f}};
-  const Scene scene = stack(2, 2, layers);
+  const scene::Scene scene = stack(2, 2, layers);
   const Image image = render(method("fourier"), scene, {{"bands", "64"}}).image;
   EXPECT_GT(max_difference(image, composite(layers, scene.background)), 5e-3);
 }
@@ -313,8 +314,8 @@ TEST(UnitMethods, FourierAsPublishedHasAFloor) {
 TEST(UnitMethods, FourierOfASubsetIsThatOfAllWhenTrianglesRepeat) {
   // Each sheet's triangles twice: every second one is the same scene at half the optical depth.
   const auto layers = random_layers(6, 0.5f, 9);
-  Scene scene = stack(4, 4, layers);
-  for (SceneObject& object : scene.objects) {
+  scene::Scene scene = stack(4, 4, layers);
+  for (scene::SceneObject& object : scene.objects) {
     auto& t = object.mesh().triangles;
     t = {t[0], t[0], t[1], t[1]};
   }
@@ -327,10 +328,10 @@ TEST(UnitMethods, FourierOfASubsetIsThatOfAllWhenTrianglesRepeat) {
 // the nearest layer in front of the farthest.
 TEST(UnitMethods, FourierTellsTheNearestFromTheFarthest) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.9f}, {0, 1, 0, 0.9f}};
-  const Scene scene = stack(2, 2, layers);
-  const Rendering rendering = render(method("fourier"), scene, {{"bands", "15"}});
+  const scene::Scene scene = stack(2, 2, layers);
+  const scene::Rendering rendering = render(method("fourier"), scene, {{"bands", "15"}});
   EXPECT_GT(rendering.image.at(0, 0).r, rendering.image.at(0, 0).g);
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

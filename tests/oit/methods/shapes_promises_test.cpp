@@ -5,55 +5,55 @@
 
 #include "tests/oit/test_scenes.h"
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
 /// What draws an object of one segment, or of one point.
 struct Kind {
   const char* name;
-  SceneObject (*make)(const Vec3& a, const Vec3& b, double radius, const Rgba& color);
+  scene::SceneObject (*make)(const Vec3& a, const Vec3& b, double radius, const Rgba& color);
 };
 
-SceneObject segment(const Vec3& a, const Vec3& b, double radius, const Rgba& color) {
-  LineSet set;
+scene::SceneObject segment(const Vec3& a, const Vec3& b, double radius, const Rgba& color) {
+  geometry::LineSet set;
   set.positions = {a, b};
   set.offsets = {0, 2};
   set.colors = {color, color};
-  SceneObject object;
-  object.shape = LineObject{std::move(set), radius, LineObject::Profile::ribbon};
+  scene::SceneObject object;
+  object.shape = scene::LineObject{std::move(set), radius, scene::LineObject::Profile::ribbon};
   return object;
 }
 
-SceneObject point(const Vec3& a, const Vec3& b, double radius, const Rgba& color) {
-  PointSet set;
+scene::SceneObject point(const Vec3& a, const Vec3& b, double radius, const Rgba& color) {
+  geometry::PointSet set;
   set.positions = {0.5 * (a + b)};
   set.colors = {color};
-  SceneObject object;
-  object.shape = PointObject{std::move(set), radius, PointObject::Profile::disc};
+  scene::SceneObject object;
+  object.shape = scene::PointObject{std::move(set), radius, scene::PointObject::Profile::disc};
   return object;
 }
 
 class PropertyShapes : public ::testing::TestWithParam<Kind> {
  protected:
   /// Over the whole picture, and beyond, at z.
-  static SceneObject cover(double z, const Rgba& color) {
+  static scene::SceneObject cover(double z, const Rgba& color) {
     return GetParam().make({-50, 0, z}, {50, 0, z}, 50, color);
   }
 
   /// Front to back at equal distances between z = 1 and z = -1.
-  static Scene stack_of(int width, int height, const std::vector<Rgba>& layers) {
-    Scene scene = empty_scene(width, height);
+  static scene::Scene stack_of(int width, int height, const std::vector<Rgba>& layers) {
+    scene::Scene scene = empty_scene(width, height);
     for (std::size_t i = 0; i < layers.size(); ++i)
       scene.objects.push_back(cover(1 - 2 * double(i) / double(layers.size()), layers[i]));
     return scene;
   }
 
   /// Many of any place, size, colour and opacity before a perspective camera.
-  static Scene cloud(int width, int height, int count, unsigned seed) {
+  static scene::Scene cloud(int width, int height, int count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto any = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-    Scene scene = empty_scene(width, height);
+    scene::Scene scene = empty_scene(width, height);
     scene.camera = {.eye = {0, 0, 3}, .target = {0, 0, 0}};
     for (int i = 0; i < count; ++i) {
       const Vec3 a = any(), b = any();
@@ -65,10 +65,10 @@ class PropertyShapes : public ::testing::TestWithParam<Kind> {
 };
 
 TEST_P(PropertyShapes, OrderOfPrimitivesChangesNoMoreThanPromised) {
-  const Scene scene = cloud(37, 23, 60, 4);
-  Scene shuffled = scene;
+  const scene::Scene scene = cloud(37, 23, 60, 4);
+  scene::Scene shuffled = scene;
   std::shuffle(shuffled.objects.begin(), shuffled.objects.end(), std::mt19937(5));
-  for (const MethodRow& row : oit_methods())
+  for (const scene::MethodRow& row : oit_methods())
     EXPECT_LE(max_difference(render(row, scene).image, render(row, shuffled).image),
               row.promises.order_independent ? 0 : row.promises.order_spread)
         << row.name;
@@ -77,8 +77,8 @@ TEST_P(PropertyShapes, OrderOfPrimitivesChangesNoMoreThanPromised) {
 TEST_P(PropertyShapes, OneLayerIsTheTruthInAnyPictureSize) {
   const std::vector<Rgba> layer = {{0.9f, 0.2f, 0.4f, 0.3f}};
   for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {13, 1}, {31, 33}}) {
-    const Scene scene = stack_of(width, height, layer);
-    for (const MethodRow& row : oit_methods())
+    const scene::Scene scene = stack_of(width, height, layer);
+    for (const scene::MethodRow& row : oit_methods())
       EXPECT_LE(max_difference(render(row, scene).image, composite(layer, scene.background)), 1e-5)
           << row.name << ' ' << width << " x " << height;
   }
@@ -86,9 +86,9 @@ TEST_P(PropertyShapes, OneLayerIsTheTruthInAnyPictureSize) {
 
 TEST_P(PropertyShapes, ExactMethodsCompositeAStack) {
   const auto layers = random_layers(20, 1, 3);
-  Scene scene = stack_of(3, 2, layers);
+  scene::Scene scene = stack_of(3, 2, layers);
   std::shuffle(scene.objects.begin(), scene.objects.end(), std::mt19937(2));
-  for (const MethodRow& row : oit_methods())
+  for (const scene::MethodRow& row : oit_methods())
     if (row.promises.exact) {
       EXPECT_LE(max_difference(render(row, scene).image, composite(layers, scene.background)), 1e-5)
           << row.name;
@@ -96,22 +96,22 @@ TEST_P(PropertyShapes, ExactMethodsCompositeAStack) {
 }
 
 TEST_P(PropertyShapes, OpacityZeroIsTheBackground) {
-  Scene scene = cloud(16, 16, 40, 9);
-  for (SceneObject& object : scene.objects)
+  scene::Scene scene = cloud(16, 16, 40, 9);
+  for (scene::SceneObject& object : scene.objects)
     for (Rgba& color : object.vertices().colors) color.a = 0;
-  for (const MethodRow& row : oit_methods())
+  for (const scene::MethodRow& row : oit_methods())
     EXPECT_LE(max_difference(render(row, scene).image, glm::dvec4(scene.background, 0)), 1e-7)
         << row.name;
 }
 
 // Red and green over a background of blue: no method may make blue of them, or white.
 TEST_P(PropertyShapes, ColoursStayInTheirHull) {
-  Scene scene = cloud(19, 13, 80, 7);
+  scene::Scene scene = cloud(19, 13, 80, 7);
   scene.background = {0, 0, 1};
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     for (Rgba& color : scene.objects[i].vertices().colors)
       color = {float(i % 2), float(1 - i % 2), 0, color.a};
-  for (const MethodRow& row : oit_methods()) {
+  for (const scene::MethodRow& row : oit_methods()) {
     if (!row.promises.convex_hull) continue;
     for (const Rgba& pixel : render(row, scene).image.pixels) {
       EXPECT_NEAR(pixel.r + pixel.g + pixel.b, 1, 1e-5) << row.name;
@@ -121,10 +121,10 @@ TEST_P(PropertyShapes, ColoursStayInTheirHull) {
 }
 
 TEST_P(PropertyShapes, EveryFragmentIsSeenByEveryMethod) {
-  const Scene scene = cloud(24, 17, 50, 11);
+  const scene::Scene scene = cloud(24, 17, 50, 11);
   const auto expected = render(method("linked-list"), scene, {}, true).stats.fragments;
   EXPECT_GT(expected, 100u);
-  for (const MethodRow& row : oit_methods())
+  for (const scene::MethodRow& row : oit_methods())
     EXPECT_EQ(render(row, scene, {}, true).stats.fragments, expected) << row.name;
 }
 
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(Of, PropertyShapes,
                          [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

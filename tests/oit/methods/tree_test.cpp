@@ -6,17 +6,17 @@
 #include "fields/make_field.h"
 #include "tests/oit/test_scenes.h"
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
 /// The square that a uniform flow along x sweeps from a segment along y, in [-1/2, 1/2]^2 at z. Its
 /// mesh covers less than the lines do, so that a picture tells which of them was drawn.
-SceneObject swept_square(double z, const Vec3& color, double opacity) {
-  SceneObject object = sheet(z, Rgba(color, opacity));
+scene::SceneObject swept_square(double z, const Vec3& color, double opacity) {
+  scene::SceneObject object = sheet(z, Rgba(color, opacity));
   for (Vec3& x : object.mesh().positions) x = Vec3(1e-3 * x.x, 1e-3 * x.y, x.z);
-  FlowSource source;
-  source.field = make_field("formula:u=1,v=0,w=0");
-  source.seed = segment_seed(Vec3(-0.5, -0.5, z), Vec3(-0.5, 0.5, z));
+  scene::FlowSource source;
+  source.field = fields::make_field("formula:u=1,v=0,w=0");
+  source.seed = integrators::segment_seed(Vec3(-0.5, -0.5, z), Vec3(-0.5, 0.5, z));
   source.duration = 1;
   source.appearance.color = color;
   source.appearance.opacity = opacity;
@@ -25,8 +25,8 @@ SceneObject swept_square(double z, const Vec3& color, double opacity) {
 }
 
 /// Squares from front to back at z = 1/2 … -1/2 in a picture of 32 × 32 pixels of 1/16.
-Scene squares(const std::vector<Rgba>& front_to_back) {
-  Scene scene = empty_scene(32, 32);
+scene::Scene squares(const std::vector<Rgba>& front_to_back) {
+  scene::Scene scene = empty_scene(32, 32);
   for (std::size_t i = 0; i < front_to_back.size(); ++i)
     scene.objects.push_back(swept_square(0.5 - double(i) / double(front_to_back.size()),
                                          Vec3(front_to_back[i]), front_to_back[i].a));
@@ -37,8 +37,8 @@ const RawOptions few_lines = {{"lines", "400"}, {"lines-per-frame", "80"}};
 
 TEST(AgreementTree, MeshesAreTheExactLists) {
   const std::vector<Rgba> layers = random_layers(300, 0.1f, 21);
-  const Scene scene = stack(5, 3, layers);
-  const Rendering tree = render(method("tree"), scene, {}, true);
+  const scene::Scene scene = stack(5, 3, layers);
+  const scene::Rendering tree = render(method("tree"), scene, {}, true);
   EXPECT_LE(max_difference(tree.image, composite(layers, scene.background)), 2e-5);
   EXPECT_EQ(tree.stats.max_layers, 300u);
   EXPECT_EQ(tree.stats.fragments, 300u * 15);
@@ -46,7 +46,7 @@ TEST(AgreementTree, MeshesAreTheExactLists) {
 
 // Shuffled objects, a pixel's layers at equal depths among them.
 TEST(AgreementTree, OrderOfMeshesChangesNothing) {
-  Scene scene = stack(9, 7, random_layers(60, 0.8f, 22));
+  scene::Scene scene = stack(9, 7, random_layers(60, 0.8f, 22));
   const Image before = render(method("tree"), scene).image;
   std::mt19937 random(23);
   std::shuffle(scene.objects.begin(), scene.objects.end(), random);
@@ -55,8 +55,8 @@ TEST(AgreementTree, OrderOfMeshesChangesNothing) {
 
 TEST(UnitTree, LinesTileTheSurface) {
   const std::vector<Rgba> layers = {{0.9f, 0.1f, 0.2f, 0.4f}, {0.1f, 0.8f, 0.3f, 0.5f}};
-  const Scene scene = squares(layers);
-  const Rendering tree = render(method("tree"), scene, few_lines, true);
+  const scene::Scene scene = squares(layers);
+  const scene::Rendering tree = render(method("tree"), scene, few_lines, true);
   const glm::dvec4 inside = composite(layers, scene.background);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
@@ -73,10 +73,10 @@ TEST(UnitTree, LinesTileTheSurface) {
 
 // One layer of the mean colour and the mean opacity: equal numbers of lines on both squares.
 TEST(UnitTree, EpsilonInfiniteIsOneLayer) {
-  const Scene scene = squares({{1, 0, 0, 0.4f}, {0, 1, 0, 0.6f}});
+  const scene::Scene scene = squares({{1, 0, 0, 0.4f}, {0, 1, 0, 0.6f}});
   RawOptions options = few_lines;
   options["epsilon2"] = "inf";
-  const Rendering tree = render(method("tree"), scene, options, true);
+  const scene::Rendering tree = render(method("tree"), scene, options, true);
   EXPECT_EQ(tree.stats.max_layers, 1u);
   const glm::dvec4 expected = composite({{0.5f, 0.5f, 0, 0.5f}}, scene.background);
   for (int c = 0; c < 4; ++c) EXPECT_NEAR(tree.image.at(16, 16)[c], expected[c], 1e-5);
@@ -84,10 +84,10 @@ TEST(UnitTree, EpsilonInfiniteIsOneLayer) {
 
 // Every fragment is a layer: so many lines of opacity 0.01 as cover a pixel's centre.
 TEST(UnitTree, EpsilonZeroKeepsEveryFragment) {
-  const Scene scene = squares({{1, 0, 0, 0.01f}});
+  const scene::Scene scene = squares({{1, 0, 0, 0.01f}});
   RawOptions options = few_lines;
   options["epsilon2"] = "0";
-  const Rendering tree = render(method("tree"), scene, options, true);
+  const scene::Rendering tree = render(method("tree"), scene, options, true);
   std::uint64_t layers = 0;
   for (const std::uint32_t n : tree.layers.pixels) layers += n;
   EXPECT_EQ(layers, tree.stats.fragments);
@@ -97,7 +97,7 @@ TEST(UnitTree, EpsilonZeroKeepsEveryFragment) {
 }
 
 TEST(UnitTree, FramesAreRecorded) {
-  const Scene scene = squares({{1, 0, 0, 0.5f}});
+  const scene::Scene scene = squares({{1, 0, 0, 0.5f}});
   const auto frames = render(method("tree"), scene, few_lines).stats.frames;
   ASSERT_EQ(frames.size(), 5u);
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -111,7 +111,7 @@ TEST(UnitTree, FramesAreRecorded) {
 }
 
 TEST(UnitTree, EndsAtTheFirstBudgetReached) {
-  const Scene scene = squares({{1, 0, 0, 0.5f}});
+  const scene::Scene scene = squares({{1, 0, 0, 0.5f}});
   const auto count = [&](std::string_view key, std::string_view value) {
     RawOptions options = few_lines;
     options[std::string(key)] = value;
@@ -126,4 +126,4 @@ TEST(UnitTree, EndsAtTheFirstBudgetReached) {
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

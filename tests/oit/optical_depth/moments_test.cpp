@@ -24,7 +24,7 @@ using namespace glm;
 
 }  // namespace glsl
 
-namespace pellucid::test {
+namespace pellucid::oit::test {
 namespace {
 
 struct Mass {
@@ -277,4 +277,4 @@ TYPED_TEST(UnitMoments, OfOneLayerTellBeforeFromBehind) {
 }
 
 }  // namespace
-}  // namespace pellucid::test
+}  // namespace pellucid::oit::test

@@ -5,13 +5,13 @@
 #include "scene/appearance/colormap.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 using namespace testing;
 
 TEST(UnitAppearance, NormalsAreAreaWeighted) {
-  TriangleMesh mesh = sphere(3, Rgba(1));
+  geometry::TriangleMesh mesh = sphere(3, Rgba(1));
   mesh.normals.clear();
   ensure_normals(mesh);
   // On a regular subdivision of the sphere the mean of the facets deviates by 2.8° at most.
@@ -37,4 +37,4 @@ TEST(UnitColormap, FourColoursPartTheRangeInThree) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

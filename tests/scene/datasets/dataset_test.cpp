@@ -10,14 +10,14 @@
 #include "core/error.h"
 #include "scene/datasets/stack.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 /// Of a data set that is a shape.
-const Vertices& vertices(const Dataset& data) {
-  if (const auto* mesh = std::get_if<TriangleMesh>(&data)) return *mesh;
-  if (const auto* lines = std::get_if<LineSet>(&data)) return *lines;
-  return std::get<PointSet>(data);
+const geometry::Vertices& vertices(const Dataset& data) {
+  if (const auto* mesh = std::get_if<geometry::TriangleMesh>(&data)) return *mesh;
+  if (const auto* lines = std::get_if<geometry::LineSet>(&data)) return *lines;
+  return std::get<geometry::PointSet>(data);
 }
 
 void expect_same_shape(const Dataset& a, const Dataset& b) {
@@ -88,7 +88,7 @@ TEST(UnitDataset, PointsAreAsManyAsAsked) {
 
 // The winds move on spheres: a line's radius is that of its seed up to the integrator's error.
 TEST(UnitDataset, WindsStayOnTheirSphere) {
-  const auto lines = std::get<LineSet>(make_dataset("ecmwf:count=20"));
+  const auto lines = std::get<geometry::LineSet>(make_dataset("ecmwf:count=20"));
   for (std::size_t k = 0; k < lines.line_count(); ++k)
     for (std::size_t i = lines.offsets[k]; i < lines.offsets[k + 1]; ++i)
       EXPECT_NEAR(glm::length(lines.positions[i]), glm::length(lines.positions[lines.offsets[k]]),
@@ -102,7 +102,7 @@ TEST(UnitDataset, UnknownNamesAndValuesAreRefused) {
 
 /// The sheets' depths, in the order in which they are drawn.
 std::vector<double> depths(const std::string& options) {
-  const auto mesh = std::get<TriangleMesh>(make_dataset("stack:" + options));
+  const auto mesh = std::get<geometry::TriangleMesh>(make_dataset("stack:" + options));
   std::vector<double> z;
   for (std::size_t i = 0; i < mesh.positions.size(); i += 4) z.push_back(mesh.positions[i].z);
   return z;
@@ -124,8 +124,8 @@ TEST(UnitStack, SheetsLieWhereTheirParametersSay) {
 
 TEST(UnitStack, EverySheetCoversTheSquareOnce) {
   for (const char* sheet : {"square", "grid", "needles"}) {
-    const auto mesh =
-        std::get<TriangleMesh>(make_dataset(std::string("stack:layers=1,sheet=") + sheet));
+    const auto mesh = std::get<geometry::TriangleMesh>(
+        make_dataset(std::string("stack:layers=1,sheet=") + sheet));
     double area = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vec3 n =
@@ -138,4 +138,4 @@ TEST(UnitStack, EverySheetCoversTheSquareOnce) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

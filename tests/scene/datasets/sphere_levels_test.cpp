@@ -8,16 +8,17 @@
 #include "scene/datasets/dataset.h"
 #include "tests/support/temporary_folder.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 TEST(UnitSphereLevels, WrittenVelocitiesGiveTheSameScalars) {
   const testing::TemporaryFolder folder;
   const auto levels = make_velocity_levels("sphere-levels:levels=2,rings=2");
-  write_vdb_levels(folder / "v.vdb", "velocity", std::span<const VectorLevel>(levels));
+  fields::write_vdb_levels(folder / "v.vdb", "velocity",
+                           std::span<const fields::VectorLevel>(levels));
   for (const char* scalar : {"q", "magnitude", "speed"}) {
-    const auto expected = scalars_of(levels, scalar);
-    const auto read = read_vdb_levels(folder / "v.vdb", scalar);
+    const auto expected = fields::scalars_of(levels, scalar);
+    const auto read = fields::read_vdb_levels(folder / "v.vdb", scalar);
     ASSERT_EQ(read.size(), expected.size());
     for (std::size_t i = 0; i < read.size(); ++i) {
       EXPECT_EQ(read[i].width, expected[i].width);
@@ -41,4 +42,4 @@ TEST(UnitSphereLevels, AreNested) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -11,7 +11,7 @@
 
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 using namespace testing;
@@ -99,8 +99,8 @@ TEST(UnitElements, SmoothingALineIsABinomialFilter) {
 }
 
 /// n x n squares of two triangles over [0, 1]^2.
-TriangleMesh grid(std::uint32_t n) {
-  TriangleMesh mesh;
+geometry::TriangleMesh grid(std::uint32_t n) {
+  geometry::TriangleMesh mesh;
   for (std::uint32_t j = 0; j <= n; ++j)
     for (std::uint32_t i = 0; i <= n; ++i)
       mesh.positions.emplace_back(double(i) / n, double(j) / n, 0);
@@ -153,7 +153,7 @@ TEST(PropertyElements, VerticesMixPatchesContinuously) {
 }
 
 TEST(PropertyElements, PiecesThatDoNotHangTogetherShareNothing) {
-  TriangleMesh far = grid(4);
+  geometry::TriangleMesh far = grid(4);
   for (Vec3& x : far.positions) x.x += 10;
   const Elements e = surface_elements(scene_of({{"a", grid(4)}, {"b", far}}), 1);
   EXPECT_EQ(e.count(), 2u);
@@ -165,7 +165,7 @@ TEST(PropertyElements, PiecesThatDoNotHangTogetherShareNothing) {
 
 TEST(PropertyElements, AnyMeshIsCut) {
   // More patches than triangles; triangles of no area, three at one edge; no triangle at all.
-  TriangleMesh odd;
+  geometry::TriangleMesh odd;
   odd.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {5, 5, 5}};
   odd.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {5, 5, 5}, {1, 1, 2}};
   const Elements e = surface_elements(scene_of({{"odd", odd}}), 100);
@@ -173,9 +173,9 @@ TEST(PropertyElements, AnyMeshIsCut) {
   EXPECT_LE(e.count(), 5u);
   for (const float v : vertex_opacities(e, std::vector<float>(e.count(), 0.5f)))
     EXPECT_NEAR(v, 0.5f, 1e-6f);
-  EXPECT_EQ(surface_elements(scene_of({{"none", TriangleMesh()}}), 100).count(), 0u);
+  EXPECT_EQ(surface_elements(scene_of({{"none", geometry::TriangleMesh()}}), 100).count(), 0u);
   EXPECT_EQ(surface_elements(scene_of({{"soup", random_triangles(20, 3)}}), 5).count(), 20u);
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -4,7 +4,7 @@
 #include "scene/appearance/colormap.h"
 #include "tests/scene/files/scene_file_folder.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 using ::testing::AllOf;
@@ -14,7 +14,7 @@ using namespace testing;
 class UnitIsosurfaceFile : public SceneFileTest {};
 
 TEST_F(UnitIsosurfaceFile, AnIsosurfaceKeepsTheReconstructionItNames) {
-  for (const ReconstructionRow& row : reconstructions) {
+  for (const fields::ReconstructionRow& row : fields::reconstructions) {
     const Scene scene = with(R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
         "scalar": "magnitude", "reconstruction": ")" +
                              std::string(row.name) + R"("}})");
@@ -29,10 +29,10 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeAMesh) {
         "scalar": "magnitude", "mesh": true)" +
            keys + R"(}, "color": [1, 0, 0], "opacity": 0.25})";
   };
-  const TriangleMesh whole = with(text("")).objects.front().mesh();
+  const geometry::TriangleMesh whole = with(text("")).objects.front().mesh();
   EXPECT_EQ(whole.normals.size(), whole.positions.size());
   EXPECT_EQ(whole.colors.front(), Rgba(1, 0, 0, 0.25));
-  const TriangleMesh cut =
+  const geometry::TriangleMesh cut =
       with(text(R"(, "hole": {"center": [0, 0, 0], "radius": 1.5})")).objects.front().mesh();
   EXPECT_LT(cut.triangles.size(), whole.triangles.size());
   for (const auto& triangle : cut.triangles)
@@ -54,7 +54,7 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
   EXPECT_EQ(surface.coloring->scalar.fraction(Vec3(3, 0.5, 0)),
             *surface.field->value(Vec3(3, 0.5, 0)) / 1.8);
   EXPECT_EQ(surface.coloring->color(0.5), map(0.5));
-  const TriangleMesh mesh =
+  const geometry::TriangleMesh mesh =
       with(text(R"("speed", "map": "four-color", "range": [0, 1.8])", R"(, "mesh": true)"))
           .objects.front()
           .mesh();
@@ -103,7 +103,8 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceFadesByAScalarOfItsData) {
 }
 
 TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeCutAlongABody) {
-  write_mesh(folder_ / "body.ply", sphere(4, Rgba(1)));  // facets within 0.005 of the unit sphere
+  geometry::write_mesh(folder_ / "body.ply",
+                       sphere(4, Rgba(1)));  // facets within 0.005 of the unit sphere
   const auto text = [](const std::string& hole) {
     return R"({"isosurface": {"dataset": "sphere-levels:levels=1", "value": 0.9,
         "scalar": "magnitude", "hole": )" +
@@ -116,7 +117,7 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeCutAlongABody) {
     EXPECT_TRUE(surface.cuts_away(1.24 * direction));
     EXPECT_FALSE(surface.cuts_away(1.26 * direction));
   }
-  write_mesh(folder_ / "open.ply", rectangle(0, 1, 0, 1, 0, Rgba(1)));
+  geometry::write_mesh(folder_ / "open.ply", rectangle(0, 1, 0, 1, 0, Rgba(1)));
   EXPECT_THAT(refusal(text(R"({"mesh": "open.ply"})")),
               AllOf(HasSubstr("hole.mesh"), HasSubstr("closed mesh")));
   EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "radius": 1})")), HasSubstr("radius"));
@@ -124,4 +125,4 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeCutAlongABody) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

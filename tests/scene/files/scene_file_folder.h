@@ -19,18 +19,18 @@ class SceneFileTest : public ::testing::Test {
   void SetUp() override {
     std::string pattern = (std::filesystem::temp_directory_path() / "pellucid-XXXXXX").string();
     folder_ = ::mkdtemp(pattern.data());
-    TriangleMesh mesh = full_layer(0, Rgba(0.25, 0.5, 0.75, 0.125));
+    geometry::TriangleMesh mesh = full_layer(0, Rgba(0.25, 0.5, 0.75, 0.125));
     mesh.scalars["speed"] = {0, 1, 2, 4};
-    write_mesh(folder_ / "sheet.ply", mesh);
+    geometry::write_mesh(folder_ / "sheet.ply", mesh);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  Scene load(const std::string& text) const {
+  scene::Scene load(const std::string& text) const {
     std::ofstream(folder_ / "scene.json") << text;
-    return load_scene(folder_ / "scene.json");
+    return scene::load_scene(folder_ / "scene.json");
   }
   /// A scene with the given objects and further top-level keys ("\"key\": value, …").
-  Scene with(const std::string& objects, const std::string& keys = "") const {
+  scene::Scene with(const std::string& objects, const std::string& keys = "") const {
     return load(R"({"format": "pellucid-scene", "version": 1, )" + keys +
                 (keys.empty() ? "" : ", ") + R"("objects": [)" + objects + "]}");
   }

@@ -4,7 +4,7 @@
 #include "scene/appearance/colormap.h"
 #include "tests/scene/files/scene_file_folder.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 using ::testing::AllOf;
@@ -68,7 +68,7 @@ TEST_F(UnitSceneFile, ASurfaceIsIntegrated) {
   const Scene scene = with(
       R"({"surface": {"field": "formula:u=1,v=0,w=0", "integrator": "hultquist:threshold=0.1",
           "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 2}, "opacity": 0.4})");
-  const TriangleMesh& mesh = scene.objects[0].mesh();
+  const geometry::TriangleMesh& mesh = scene.objects[0].mesh();
   // Uniform flow sweeps the rectangle [0, 2] × [0, 1].
   const Box3 box = mesh.bounds();
   EXPECT_LE(glm::length(box.min - Vec3(0)), 1e-9);
@@ -78,11 +78,11 @@ TEST_F(UnitSceneFile, ASurfaceIsIntegrated) {
 }
 
 TEST_F(UnitSceneFile, LinesAndPointsHaveAWidthAndAProfile) {
-  LineSet lines;
+  geometry::LineSet lines;
   lines.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
   lines.offsets = {0, 3};
   lines.scalars["speed"] = {0, 1, 2};
-  write_lines(folder_ / "lines.vtp", lines);
+  geometry::write_lines(folder_ / "lines.vtp", lines);
   const Scene scene = with(
       R"({"lines": "lines.vtp", "radius": 0.1, "profile": "tube", "color": {"by": "speed"}, "opacity": 0.5},
          {"points": "sheet.ply", "radius": 0.25, "opaque": true},
@@ -216,4 +216,4 @@ TEST_F(UnitSceneFile, ReadsHalosAndCameraPaths) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

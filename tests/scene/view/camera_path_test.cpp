@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 TEST(UnitCameraPath, AnOrbitGoesRoundTheTargetCounterclockwise) {
@@ -51,4 +51,4 @@ TEST(UnitCameraPath, SmallTurnsAreMeasured) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -10,7 +10,7 @@
 #include "scene/view_depth.h"
 #include "tests/support/scenes.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 using namespace testing;
@@ -114,4 +114,4 @@ TEST(UnitUnitScale, IsThePowerOfTwoThatFitsTheUnitBox) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 #include "scene/view_depth.h"
 
-namespace pellucid {
+namespace pellucid::scene {
 namespace {
 
 constexpr double radius = 0.25;
@@ -76,4 +76,4 @@ TEST(UnitDepthRange, HoldsTheWidthsOfLinesAndPoints) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::scene

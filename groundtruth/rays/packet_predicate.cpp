@@ -1,4 +1,4 @@
-#include "groundtruth/rays/packet_test.h"
+#include "groundtruth/rays/packet_predicate.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,10 +6,10 @@
 #include <immintrin.h>
 #endif
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
-constexpr std::size_t width = PacketTest::width;
+constexpr std::size_t width = PacketPredicate::width;
 
 /// Edge functions of eight rays, and which rays they decide by themselves (bit i: ray i).
 struct PacketEdges {
@@ -30,7 +30,7 @@ struct Lanes {
 
 using Triangle = std::array<ShearedVertex, 3>;
 
-/// The sums and products of CrossingTest, in the same order, so that no bit differs.
+/// The sums and products of RayPredicate, in the same order, so that no bit differs.
 [[gnu::always_inline]] inline void compute(const Lanes& rays, const Triangle& triangle,
                                            PacketEdges& out) {
   const auto& [a, b, c] = triangle;
@@ -84,23 +84,24 @@ Decide* fastest() { return __builtin_cpu_supports("avx2") ? decide_avx2 : decide
 Decide* fastest() { return decide_anywhere; }
 #endif
 
-ShearedVertex sheared(const Vec3& a, Projection projection) {
-  return {a.x, a.y, projection == Projection::perspective ? a.z : 1};
+ShearedVertex sheared(const Vec3& a, scene::Projection projection) {
+  return {a.x, a.y, projection == scene::Projection::perspective ? a.z : 1};
 }
 
 }  // namespace
 
-void PacketTest::set(std::size_t lane, const CrossingTest& test) {
-  tests_[lane] = &test;
-  x_[lane] = test.ray().x;
-  y_[lane] = test.ray().y;
-  bound_[lane] = test.bound();
+void PacketPredicate::set(std::size_t lane, const RayPredicate& predicate) {
+  predicates_[lane] = &predicate;
+  x_[lane] = predicate.ray().x;
+  y_[lane] = predicate.ray().y;
+  bound_[lane] = predicate.bound();
 }
 
-std::uint32_t PacketTest::crosses(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t lanes,
-                                  std::array<EdgeFunctions, width>& edges) const {
+std::uint32_t PacketPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
+                                       std::uint32_t lanes,
+                                       std::array<EdgeFunctions, width>& edges) const {
   static Decide* const decide = fastest();
-  const Projection projection = tests_.front()->ray().projection;
+  const scene::Projection projection = predicates_.front()->ray().projection;
   PacketEdges all;
   decide({x_.data(), y_.data(), bound_.data()},
          {sheared(a, projection), sheared(b, projection), sheared(c, projection)}, all);
@@ -115,9 +116,9 @@ std::uint32_t PacketTest::crosses(const Vec3& a, const Vec3& b, const Vec3& c, s
   for (std::uint32_t rest = lanes & ~(all.inside | all.outside); rest != 0; rest &= rest - 1) {
     const int i = std::countr_zero(rest);
     edges[i] = edges_of(i);
-    if (tests_[i]->crosses_uncertain(a, b, c, edges[i])) crossed |= 1u << i;
+    if (predicates_[i]->crosses_uncertain(a, b, c, edges[i])) crossed |= 1u << i;
   }
   return crossed;
 }
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

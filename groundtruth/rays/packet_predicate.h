@@ -1,22 +1,22 @@
 #pragma once
-// CrossingTest for the rays of a packet at once.
+// RayPredicate for the rays of a packet at once.
 
 #include <array>
 #include <cstdint>
 
 #include "groundtruth/rays/exact_sign.h"
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 
-/// Decides which of up to eight rays cross a triangle: to the last bit what their CrossingTests
+/// Decides which of up to eight rays cross a triangle: to the last bit what their RayPredicates
 /// say one by one, with the edge functions of all rays computed side by side. All rays are of one
 /// camera.
-class PacketTest {
+class PacketPredicate {
  public:
   static constexpr std::size_t width = 8;
 
-  /// Takes a ray's test for the lane, lane 0 always; it has to stay where it is.
-  void set(std::size_t lane, const CrossingTest& test);
+  /// Takes a ray's predicate for the lane, lane 0 always; it has to stay where it is.
+  void set(std::size_t lane, const RayPredicate& predicate);
 
   /// The subset of `lanes` (bit i: lane i) whose rays cross the triangle; `edges` then holds their
   /// edge functions.
@@ -24,8 +24,8 @@ class PacketTest {
                         std::array<EdgeFunctions, width>& edges) const;
 
  private:
-  std::array<const CrossingTest*, width> tests_{};
+  std::array<const RayPredicate*, width> predicates_{};
   alignas(64) std::array<double, width> x_{}, y_{}, bound_{};
 };
 
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth

@@ -1,13 +1,14 @@
-#include "groundtruth/rays/packet_test.h"
+#include "groundtruth/rays/packet_predicate.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace pellucid {
+namespace pellucid::groundtruth {
 namespace {
 
-class PropertyPacketTest : public ::testing::TestWithParam<std::tuple<Projection, Precision>> {};
+class PropertyPacketPredicate
+    : public ::testing::TestWithParam<std::tuple<scene::Projection, Precision>> {};
 
 /// Coordinates of few values, so that rays meet edges and vertices and triangles degenerate, or of
 /// any.
@@ -16,7 +17,7 @@ double coordinate(std::mt19937& random, bool few) {
   return std::uniform_real_distribution<double>(-1, 1)(random);
 }
 
-TEST_P(PropertyPacketTest, SaysWhatTheTestOfEachRaySays) {
+TEST_P(PropertyPacketPredicate, SaysWhatTheTestOfEachRaySays) {
   const auto [projection, precision] = GetParam();
   std::mt19937 random(11);
   int crossed = 0, on_edges = 0;
@@ -26,14 +27,14 @@ TEST_P(PropertyPacketTest, SaysWhatTheTestOfEachRaySays) {
       return Vec3(coordinate(random, few), coordinate(random, few), 1 + random() % 2);
     };
     const Vec3 a = vertex(), b = vertex(), c = vertex();
-    std::vector<CrossingTest> tests;
-    for (std::size_t i = 0; i < PacketTest::width; ++i)
+    std::vector<RayPredicate> tests;
+    for (std::size_t i = 0; i < PacketPredicate::width; ++i)
       tests.emplace_back(PictureRay{coordinate(random, few), coordinate(random, few), projection},
                          2, precision);
-    PacketTest packet;
+    PacketPredicate packet;
     for (std::size_t i = 0; i < tests.size(); ++i) packet.set(i, tests[i]);
     const std::uint32_t lanes = random() % 256;
-    std::array<EdgeFunctions, PacketTest::width> together;
+    std::array<EdgeFunctions, PacketPredicate::width> together;
     const std::uint32_t found = packet.crosses(a, b, c, lanes, together);
     EXPECT_EQ(found & ~lanes, 0u);
     for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -52,10 +53,11 @@ TEST_P(PropertyPacketTest, SaysWhatTheTestOfEachRaySays) {
   EXPECT_GT(on_edges, 50);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cameras, PropertyPacketTest,
-    ::testing::Combine(::testing::Values(Projection::perspective, Projection::orthographic),
-                       ::testing::Values(Precision::rounded, Precision::exact)));
+INSTANTIATE_TEST_SUITE_P(Cameras, PropertyPacketPredicate,
+                         ::testing::Combine(::testing::Values(scene::Projection::perspective,
+                                                              scene::Projection::orthographic),
+                                            ::testing::Values(Precision::rounded,
+                                                              Precision::exact)));
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::groundtruth
