@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <tbb/global_control.h>
 
 #include <csignal>

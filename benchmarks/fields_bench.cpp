@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cost of one evaluation of every field, with and without its Jacobian; and of sampled fields
 // beside the barest code that does the same, in one run:
 //   bare_vdb         OpenVDB's BoxSampler on one reused accessor, world to index included

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // `raytrace` against Embree's bare all-hit traversal: the same rays over the same triangles as
 // built-in primitives, every hit recorded by a filter function, sorted and thrown away. Both are
 // timed in turn in one run with the same threads; `ratio` (median of the pairs) is what counts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // `raytrace` at the papers' sizes: the build of the hierarchy and one picture of 1000², with the
 // largest resident memory of the process meanwhile, the scene's own data included.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The same surfaces by Pellucid and by VTK's vtkStreamSurface, side by side in one run.
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersFlowPaths IOXML)
 add_executable(bench_integrators EXCLUDE_FROM_ALL integrators_bench.cpp)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How accurate the integrators are, number by number, as docs/integrators.md lists them: each row
 // prints what was measured. The tests hold the same closed forms to bounds.
 #include <benchmark/benchmark.h>

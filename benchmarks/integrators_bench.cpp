@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Integral surfaces, on one thread:
 // - triangles per second of processor time, and that time against the field evaluations' alone: the
 //   very places that a run asks for are recorded, and asked for once more in the same order;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of docs/isosurface.md, each a pair measured in turn in one run:
 //
 // - picture/...: `raytrace` against `march:step=16` on the big field, 7.1 million samples, with the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Image metrics on 1000×1000 RGB. `scripts/make-metric-expectations.py --time` times scikit-image's
 // SSIM of the same pictures on the same machine.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each order-independent method against the sum of its bare passes: the same passes over the same
 // scene into the same render targets, with shaders that write constants. Both are timed in turn in
 // one run; `ratio` is what counts, since the times are those of whatever driver there is.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Exact compositing against VTK's dual depth peeling. It needs a display: xvfb-run serves.
 find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2)
 add_executable(bench_peeling EXCLUDE_FROM_ALL peeling_bench.cpp)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // `raytrace` and VTK's dual depth peeling, run to its end, draw the same scenes in turn: `ratio` is
 // VTK's time over raytrace's, median of the pairs; `rmse` is that of VTK's picture from the exact
 // one, which has none. VTK's OpenGL driver is the machine's (Mesa's llvmpipe under xvfb-run).

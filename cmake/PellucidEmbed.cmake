@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # pellucid_embed(TARGET NAMESPACE FILE…): makes each file's bytes available as
 #   std::string_view NAMESPACE::name(), name = the file's name with . and - as _
 # through the generated header "NAMESPACE.h" (in the target's binary folder), and all of them as

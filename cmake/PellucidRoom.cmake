@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # pellucid_room(NAME ORDER … ROOMS … LIBRARIES …): one static library per room from the room's .cpp
 # files. ORDER are its sub-rooms, and the files at its top by their stems, in the order in which data
 # passes: each includes only itself and those before it. ROOMS are the rooms to its left that it

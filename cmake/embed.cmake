@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Run by pellucid_embed: writes OUTPUT.h and OUTPUT.cpp with the bytes of FILES (absolute paths; named from ROOT on).
 # The assembler's .incbin copies megabytes at once where a C array would take minutes to compile.
 get_filename_component(header ${OUTPUT} NAME)

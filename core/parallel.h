@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Loops on TBB's threads. TBB's library is not instrumented, so the thread sanitizer does not see
 // that a loop's tasks follow its call and precede its return; here it is shown, and nothing else

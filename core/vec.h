@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The vector types that every room shares. World quantities are double; float is for pictures and
 // for what a float method draws.

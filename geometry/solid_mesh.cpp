@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sign of a distance by the parity of crossings with a ray, its size by CGAL's bounding box
 // tree. Of CGAL the headers alone are used: doubles need neither its libraries nor -frounding-math.
 #include "geometry/solid_mesh.h"

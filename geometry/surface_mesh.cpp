@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/surface_mesh.h"
 
 #include <OpenMesh/Core/Utils/vector_cast.hh>

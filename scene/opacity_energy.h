@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The energy of opacity optimization (Ament et al. 2017; Günther, Theisel and Gross 2017; equation
 // numbers of Baeza Rojo, Gross and Günther 2019), in double: fragments of a pixel are independent.

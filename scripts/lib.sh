@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Shared by the scripts beside it; sourced, after `set -euo pipefail`, from anywhere.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -29,13 +30,13 @@ install_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive $install
 }
 
-# build PRESET [TARGET…]
+# build PRESET [TARGET…]: with the further options of CMake in $PELLUCID_CMAKE_OPTIONS.
 build() {
   local preset=$1
   shift
   say "building (preset $preset)"
   mkdir -p build
   local log=build/configure-$preset.log
-  cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  cmake --preset "$preset" ${PELLUCID_CMAKE_OPTIONS:-} >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
   cmake --build --preset "$preset" ${1:+--target "$@"}
 }

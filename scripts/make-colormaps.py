@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes scene/appearance/colormap_tables.inc from Matplotlib's colour maps (256 sRGB bytes triples each).
 
 viridis, magma, inferno, plasma (Smith, van der Walt; CC0), cividis (Nuñez et al. 2018; CC0), turbo

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes tests/compare/data/metrics.json: what scikit-image says about pairs of pictures.
 
 The pictures are formulas that tests/compare/metric_pairs.h repeats in the same order of operations,

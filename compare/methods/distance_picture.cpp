@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/methods/distance_picture.h"
 
 #include <cmath>

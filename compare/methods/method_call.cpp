@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/methods/method_call.h"
 
 #include <fmt/format.h>

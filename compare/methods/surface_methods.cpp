@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/methods/surface_methods.h"
 
 #include <fmt/format.h>

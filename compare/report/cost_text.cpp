@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The costs, step by step, as Markdown, LaTeX and CSV.
 #include <fmt/format.h>
 

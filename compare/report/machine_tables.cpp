@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables for programs: CSV and JSON.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables for people: Markdown and LaTeX.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/results/measure_columns.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/run/run_study.h"
 
 #include <fmt/format.h>

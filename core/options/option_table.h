@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The options of an algorithm are a struct with their defaults, in units that its comments name. A
 // table binds the names that a user types to the struct's members; the defaults that are printed

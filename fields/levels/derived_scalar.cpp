@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scalars of a sampled velocity. The Q-criterion is that of Li and Chen, Multi-Resolution
 // Isosurface Rendering (2023), Eq. 1 (J. C. R. Hunt, A. A. Wray, P. Moin, CTR-S88 (1988)): for a
 // flow without divergence, half of |Ω|² - |S|². As there, derivatives inside a level are central

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields/readers/meta_image_field.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Includes OpenVDB: for vdb_field.cpp alone.
 

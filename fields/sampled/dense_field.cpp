@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields/sampled/dense_field.h"
 
 #include <fmt/format.h>

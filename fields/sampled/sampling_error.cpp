@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields/sampled/sampling_error.h"
 
 #include <array>

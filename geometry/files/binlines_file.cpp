@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // .binlines, as LineVis reads and writes it (github.com/chrismile/LineVis, BinLinesLoader): 32-bit
 // little-endian numbers and floats,
 //

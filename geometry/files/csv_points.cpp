@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points as comma-separated values: the first line names the columns, x y z (or ParaView's Points:0
 // Points:1 Points:2) among them; every other column is an attribute.
 

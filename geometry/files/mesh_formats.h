@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One reader and one writer per file format; mesh_file.cpp picks by the file's ending.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ. tinyobjloader reads a number that it cannot parse as 0; this reader refuses such a
 // file and names the line.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The PLY format (Greg Turk, 1994): a text header that declares elements and their properties, then
 // the values in text or in binary of either byte order. Debian packages no reader that keeps

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The points of an OpenVDB file: of each of its point grids, whatever its codecs. Numbers become
 // scalars of their name; Houdini's colour `Cd` becomes red, green and blue.
 

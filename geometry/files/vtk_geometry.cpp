@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // VTK's files: polygons and polylines of .vtp and legacy .vtk, the cells of an unstructured grid.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/levels/ray_polynomial.h"
 
 #include <algorithm>

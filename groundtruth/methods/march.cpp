@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Isosurfaces by front-to-back ray marching with a step of dx / k of the finest cell that takes
 // part: Li, Chen, Multi-Resolution Isosurface Rendering (2023), Sect. 3.5; see LevelMarch for what
 // differs. Crossings are composited in double as `raytrace` composites them, with all other objects

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ground truth: all crossings of every ray, each once, decided with exact signs, and composited
 // front to back in double; see Raytracer.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A ray through each of a pixel's samples, all its crossings found in one traversal, ordered by
 // depth, object and primitive, and composited front to back in double.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/rays/exact_sign.h"
 
 #include <CGAL/Gmpzf.h>

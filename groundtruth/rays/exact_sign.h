@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // On which side of an edge does a ray pass? The one decision on which every crossing rests.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/rays/packet_predicate.h"
 
 #include <algorithm>

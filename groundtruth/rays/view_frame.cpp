@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/rays/view_frame.h"
 
 #include "scene/view/unit_scale.h"

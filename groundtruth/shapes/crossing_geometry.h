@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the finder of crossings asks of a kind of geometry. A new kind is a class of this interface
 // in files of its own and a line in crossing_geometry.cpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/shapes/ribbon_geometry.h"
 
 #include <algorithm>

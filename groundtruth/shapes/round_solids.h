@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rays against balls and round cylinders, in double and close to the solid, whatever the distance
 // of the eye.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/sums/ray_sums.h"
 
 #include <algorithm>

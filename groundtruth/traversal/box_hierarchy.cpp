@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/traversal/box_hierarchy.h"
 
 #include <fmt/format.h>

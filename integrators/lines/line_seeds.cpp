@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrators/lines/line_seeds.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The symmetric distance of two meshes, as P. Cignoni, C. Rocchini, R. Scopigno, "Metro: measuring
 // error on simplified surfaces", Computer Graphics Forum 17(2), 1998, samples it. Nearest triangles
 // come from CGAL's bounding box tree. The room's one file with CGAL, of which it takes the headers

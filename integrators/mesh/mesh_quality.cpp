@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrators/mesh/mesh_quality.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Coefficients: Hairer, Nørsett, Wanner, "Solving Ordinary Differential Equations I", 2nd ed. 1993:
 // RK4 table II.1.2, Dormand-Prince 5(4) table II.5.2 (error = b - b̂), its continuous extension
 // (6.12) in the form of the program DOPRI5 (weights d_i of CONTD5).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrators/paths/seed_curve.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Explicit Runge-Kutta integration with PI step size control and dense output after Hairer,
 // Nørsett, Wanner, "Solving Ordinary Differential Equations I", 2nd ed. 1993: II.4 (step size),
 // IV.2 of volume II, Eq. 2.43c (PI controller), II.6 (dense output).

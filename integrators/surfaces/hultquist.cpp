@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // J. P. M. Hultquist, "Constructing Stream Surfaces in Steady 3D Vector Fields", Proc. IEEE
 // Visualization 1992, 171-178: ribbons between neighbouring particles are tiled by the shorter
 // diagonal; where particles part a new one goes between them, where they meet the middle one is

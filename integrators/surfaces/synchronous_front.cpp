@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Front lines whose particles all advance by the same time: the simplest stream and path surfaces,
 // as compared in Tian & Günther, Fig. 4 ("advancing front line with fixed topology",
 // "with adaptive refinement"). In shear the front leans, and its triangles become needles: that is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/gl/driver_check.h"
 
 #include <fmt/format.h>

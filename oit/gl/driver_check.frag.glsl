@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One node of a list and one blended value: see driver_check.cpp.
 layout(binding = 0) uniform atomic_uint count;
 layout(binding = 0, r32ui) coherent uniform uimage2D head;

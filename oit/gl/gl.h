@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // OpenGL 4.5 core as a table of the entry points that this room uses. The table is filled by the
 // context (gl_context.h): no loader library works through OSMesa.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Owners of OpenGL names. Each is move-only and deletes what it owns; the context that made it has
 // to be current then.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <GL/osmesa.h>
 
 #include "oit/gl/gl_platform.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/lists/fragment_lists.h"
 
 #include <fmt/format.h>

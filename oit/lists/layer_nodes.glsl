@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pixels' trees in memory. Layer 0 stands for none.
 #include "oit/lists/layer_tree.glsl"
 

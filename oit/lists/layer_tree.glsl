@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of one pixel as a search tree over depth, for GLSL and, through GLM, for C++.
 // Whoever includes this defines load_…() and store_…().
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/lists/layer_trees.h"
 
 #include "core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Building the lists. After fragment.glsl.
 #include "oit/lists/fragment_list.glsl"
 

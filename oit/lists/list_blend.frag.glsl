@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Consumes the sorted lists that are left.
 #include "oit/lists/list_consumer.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is done with the sorted fragments of a pixel, front to back: they are composited, or, with the
 // define OPTIMIZE_OPACITY, lower the opacities of their elements.
 #include "oit/lists/list_sort.glsl"

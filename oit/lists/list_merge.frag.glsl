@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One level of the merge sort of the lists that are left: sorted runs of `length` nodes become runs
 // of twice as many.
 #include "oit/lists/list_sort.glsl"

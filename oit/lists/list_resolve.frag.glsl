@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts and consumes every pixel whose layers fit into registers and empties its list; counts the
 // layers of the others, which are left to the passes that follow. What these do is kept out of this
 // shader: on llvmpipe a branch costs its time whether it is taken or not.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorts and consumes the lists that are left, of at most `most_layers` layers, and empties them.
 #include "oit/lists/list_consumer.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sorting the list of one pixel by depth: runs of 16 nodes in registers, merged in place.
 #include "oit/lists/fragment_list.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Composites every pixel's layers from front to back. A pixel of so many that llvmpipe ends its
 // loop (after 65535 iterations, without an error) is counted.
 #include "oit/stage/composite.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts every pixel's layers, and those that lie nearer than the layer in front of them.
 #include "oit/lists/layer_nodes.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the fragments of every pixel's list into its tree, and takes them out of the list; a pixel
 // of many stops early and is counted.
 #include "oit/lists/fragment_list.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opacities of elements (see scene/elements/elements.h): the least of their fragments'.
 layout(binding = 7, r32ui) coherent uniform uimageBuffer element_opacities;  // the bits of a float
 

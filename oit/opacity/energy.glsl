@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #ifndef ENERGY
 #define ENERGY
 #include "oit/opacity/opacity_energy.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/opacity/importance_series.h"
 
 #include "oit/opacity/energy_block.h"

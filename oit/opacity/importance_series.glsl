@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #ifndef IMPORTANCE_SERIES
 #define IMPORTANCE_SERIES
 // The importance G(d) of a pixel as a Fourier series (Eq. 11 of Baeza Rojo et al. 2019), and the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #ifndef OPACITY_ENERGY
 #define OPACITY_ENERGY
 // The opacity of least energy, Eqs. 2 and 10 of Baeza Rojo et al. 2019, for GLSL and, through GLM,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What fragment.glsl declares for programs with the define OPTIMIZED_FRAGMENTS; appended to them.
 #include "oit/opacity/importance_series.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/optical_depth/fourier_projection.h"
 
 #include "oit/optical_depth/optical_depth_passes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #ifndef FOURIER_SAMPLE
 #define FOURIER_SAMPLE
 #include "oit/optical_depth/fourier_series.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #ifndef FOURIER_SERIES
 #define FOURIER_SERIES
 // A Fourier series of Dirac impulses and its integral, for GLSL and, through GLM, for C++.

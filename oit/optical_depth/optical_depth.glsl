@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opacity as optical depth, for GLSL and, through GLM, for C++.
 
 // -ln(1 - alpha). GLSL has no log1p: below 1e-2 a series keeps the digits that 1 - alpha loses

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The weight of a fragment's colour where its optical depth is known, for GLSL and, through GLM,
 // for C++. alpha < 1.
 //

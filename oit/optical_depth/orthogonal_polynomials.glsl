@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The polynomials that are orthogonal to a distribution of which moments are known, for GLSL and,
 // through GLM, for C++. Degrees are 4 at most. There are no loops: every index is a constant, so that
 // arrays live in registers, and where the degree is a constant the branches are gone, too.

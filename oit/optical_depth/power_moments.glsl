@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Optical depth in front of a depth from power moments, for GLSL and, through GLM, for C++:
 // Muenstermann, Krumpen, Klein and Peters 2018.
 //

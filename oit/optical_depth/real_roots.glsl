@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Roots of polynomials all of whose roots are real, for GLSL and, through GLM, for C++. The roots of
 // the derivative lie between them: Laguerre's method goes from those to either side, and while all
 // roots are real no step of it passes one. No angles: they lose the near roots' digits to a far one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A disc as the one triangle around it: a third of its area is cut away by the fragment shader, but
 // small discs take the time of their triangles. Points are fetched, so that each is stored once.
 #include "oit/shapes/view.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The element (see scene/elements/elements.h) of a fragment.
 uniform uint first_of_kind;  // of what is being drawn, among its kind of primitives
 #ifdef DISC

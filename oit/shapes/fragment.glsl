@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every method's geometry pass is given of a fragment, whatever the shape that it is of.
 #ifdef DISC
 #define OF_SHAPE flat

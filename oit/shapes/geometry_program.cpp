@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/geometry_program.h"
 
 #include "oit_glsl.h"

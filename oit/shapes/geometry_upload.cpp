@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/geometry_upload.h"
 
 #include "oit/shapes/batch.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A scene's shapes in buffers of the driver, written there directly: there is never a second copy.
 

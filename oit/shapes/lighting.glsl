@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The light at the eye: what scene/appearance/lighting.h says, c = |n . v|.
 vec3 lit(vec3 color, float c) {
 #ifdef PHONG

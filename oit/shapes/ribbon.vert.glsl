@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles of ribbons. The corners of a line's point have one even and one odd number.
 #include "oit/shapes/view.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the frame of the vertices to clip space, the same for every vertex of a picture.
 //
 // The frame: x right and y up in view units, the eye at 0; in place of z the depth d of the scene.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/view_space.h"
 
 namespace pellucid::oit {

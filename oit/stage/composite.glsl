@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last pass of every method: one layer of `color` and `opacity` over the background.
 layout(location = 0) out vec4 picture;
 

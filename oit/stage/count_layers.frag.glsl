@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Layers per pixel.
 #include "oit/shapes/fragment.glsl"
 

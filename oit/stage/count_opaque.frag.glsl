@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The opaque fragment that ends a pixel's layers is one of them.
 #include "oit/stage/composite.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compositing from front to back (Eq. 12 of Baeza Rojo et al. 2019).
 struct Composite {
   vec3 color;

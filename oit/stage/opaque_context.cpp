@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/opaque_context.h"
 
 #include "oit_glsl.h"

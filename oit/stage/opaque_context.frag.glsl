@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The depth test keeps the nearest, of equal depths the first.
 #include "oit/shapes/fragment.glsl"
 

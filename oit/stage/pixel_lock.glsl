@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Work on a pixel's images by one fragment at a time, where the driver has no fragment shader
 // interlock: a lock per pixel, by compare and swap. It is let go within the loop's body, so that
 // fragments of one pixel in one SIMD group get their turns. The lock orders nothing: who is first

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A hash as a source of random numbers, for GLSL and, through GLM, for C++: the 32-bit finalizer
 // "lowbias32" (Wellons 2018), whose every output bit depends on every input bit.
 uint hash(uint x) {

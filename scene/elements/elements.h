@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Object space of opacity optimization: the parts of lines and surfaces that have one opacity each
 // (Baeza Rojo et al. 2019, sections 2.2.4 and 4.1). Points are elements as they are.

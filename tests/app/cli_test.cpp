@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The command line as scripts see it: exit codes, one line on stderr, nothing half written.
 
 #include <gmock/gmock.h>

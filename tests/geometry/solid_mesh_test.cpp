@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a closed mesh bounds, against the closed form of a box.
 
 #include "geometry/solid_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Integral surfaces that are known in closed form: their distance is that of an implicit surface,
 // which owes nothing to any integrator.

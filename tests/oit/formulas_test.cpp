@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The formulas that the shaders run, compiled as C++ from the same text.
 #include <gtest/gtest.h>
 

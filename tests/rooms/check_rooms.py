@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Fails for an arrow that runs back up: check_rooms.py ROOT.
 
 The order of the rooms, and of what lies in each, stands in the rooms' CMakeLists.txt:

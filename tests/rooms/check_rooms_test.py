@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Each kind of arrow that runs back up, in a house of three rooms, is found by check_rooms.py."""
 
 import tempfile

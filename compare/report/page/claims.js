@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the study's source found, held against what was measured here.
 
 function verdict({ against }) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a study gives its source's costs: every method's memory and time, step by step, beside the source's.
 
 const shortTime = (ms) => (ms == null ? "–" : ms >= 100 ? ms.toFixed(0) : String(Number(ms.toPrecision(3))));

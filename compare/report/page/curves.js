@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers over numbers: what studies ask for along rays and over depths, and every number over a swept parameter.
 
 /** More curves than these in one plot can't be told apart. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers for people, and elements without markup in strings.
 
 /** make("dt", {class: "x", onclick: f}, "text", child, …) */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What only some methods can say of their own work: numbers, and pictures with a scale of their own.
 
 /** Whole numbers in full, others to four digits; very small and large ones as 1.23·10⁻⁵. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A minimal CommonJS: define(name, body) keeps a module, require(name) runs it once.
 const modules = {}, loaded = {};
 function define(name, body) { modules[name] = body; }

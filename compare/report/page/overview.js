@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What only shows across scenes: every method's error on each of them, and the cheapest method within an error bound.
 
 /** From transparent at 1e-6 to full at 1: how dark a cell of the overview is. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A card per method: picture, zoom-in and error map, its numbers below. A click flips the picture
 // and its zoom-in to the reference and back.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Three plots per scene: error against time, error against memory, and where the time goes.
 
 function themeColors() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the numbers come from: methods and papers, scenes, machine.
 
 function facts(entries) {

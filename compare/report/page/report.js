@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the page together from the data that the program has inserted.
 
 const data = JSON.parse(document.getElementById("data").textContent);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // All numbers of the study, sorted by a click on a column's head.
 
 const columns = [

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error against a cost, with the Pareto front, as a Vega specification.
 
 /** Equal pictures have no logarithm: they are drawn here. */

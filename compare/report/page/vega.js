@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What Vega's own index does, for the packages that the plots need.
 const vega = (() => {
   const { transforms } = require("vega-dataflow");

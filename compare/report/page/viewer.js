@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One picture as large as the window, to be flipped with the reference and walked through by keys.
 
 class Viewer {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The Arnold-Beltrami-Childress flow, an exact steady solution of Euler's equations with chaotic
 // stream lines: T. Dombre, U. Frisch, J. M. Greene, M. Hénon, A. Mehr, A. M. Soward, "Chaotic

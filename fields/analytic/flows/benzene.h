@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The electrostatic field of a benzene molecule, as point charges on its atoms: six carbons on a
 // ring of radius 1.39 Å with charge -q, six hydrogens at 2.48 Å with +q (bond lengths C-C 1.39 Å,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The pair of leading-edge vortices above a delta wing at an angle of attack: a model, not a
 // solution. The vortices are straight filaments of circulation ±Γ from the wing's apex at the

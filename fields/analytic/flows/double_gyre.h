@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Two counter-rotating gyres whose common border swings: S. C. Shadden, F. Lekien, J. E. Marsden,
 // "Definition and properties of Lagrangian coherent structures", Physica D 212 (2005), Sect. 6:

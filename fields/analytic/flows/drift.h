@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A uniform velocity that turns: every particle goes on a unit circle, (sin t, 1 - cos t, 0) from
 // its seed. All stream lines are straight: it tells path surfaces from stream surfaces.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Velocity induced by vortex filaments, or the magnetic field of a current along them.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Hill's spherical vortex, in the frame that moves with it: M. J. M. Hill, "On a spherical vortex",
 // Phil. Trans. R. Soc. A 185 (1894); P. G. Saffman, Vortex Dynamics (1992), Sect. 2.1. With

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A shear layer rolled up into a row of vortices, the end of its Kelvin-Helmholtz instability: the
 // exact steady solution of Euler's equations by J. T. Stuart, "On finite amplitude oscillations in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A saddle whose stretching turns to compression and back: particles go (x exp(sin t),
 // y exp(-sin t), z), and xy is kept.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Rigid rotation about the z axis with a constant drift along it. The stream surface of a radial
 // segment is a helicoid: (r cos ωt, r sin ωt, ct).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The wake of a hovering rotor: the tip vortices of its blades as helices that are carried down at
 // a constant pitch, the rigid wake of vortex theory (J. G. Leishman, Principles of Helicopter

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A planar saddle: particles go (x exp at, y exp -at, z), and xy is kept. The plane x = 0 separates
 // two families of stream lines.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Linear shear: particles go (x + (y + b)t, y, z). Fronts slant without bound.
 

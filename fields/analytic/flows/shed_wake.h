@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The flow past a sphere (sphere.h) with vortex rings in its wake, as if shed in turn to either
 // side. A model: it has what Q-criteria are made to find, at sizes that grow downstream, and solves

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Slow flow past a sphere with its wake: H. Lamb's solution of Oseen's equations (Phil. Mag. 21
 // (1911)), as in G. K. Batchelor, An Introduction to Fluid Dynamics (1967), Sect. 4.10. With the

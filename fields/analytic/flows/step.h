@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The separated shear flow behind a backward-facing step: a model, not a solution of the equations
 // of motion, with the features that a picture of such a flow shows. The step's edge is the origin,

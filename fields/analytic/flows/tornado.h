@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The synthetic tornado of Roger A. Crawfis, The Ohio State University: `gen_tornado` in
 // tornadoSrc.c, published on his data page and used by most of the field since. The names are his.

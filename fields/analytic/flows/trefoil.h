@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A magnetic flux rope knotted as a trefoil. Its axis is that of the n-foil knots of S.
 // Candelaresi, A. Brandenburg, "Decay of helical and nonhelical magnetic knots", Phys. Rev. E 84,

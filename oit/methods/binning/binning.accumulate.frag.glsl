@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Turns the optical depth of each bin into tau at the bin's far edge.
 layout(binding = 0, r32ui) uniform uimage2DArray bins;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/fragment.glsl"
 #include "oit/optical_depth/optical_weight.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/fourier/fourier.h"
 
 #include <glm/vec2.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stores the colour of a fragment that is among the nearest; sums up the others.
 #include "oit/shapes/fragment.glsl"
 #include "oit/methods/k_buffer/k_nearest.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/composite.glsl"
 #include "oit/stage/front_to_back.glsl"
 #include "oit/methods/k_buffer/k_nearest.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/k_buffer/k_buffer.h"
 
 #include "oit/stage/oit_renderer.h"

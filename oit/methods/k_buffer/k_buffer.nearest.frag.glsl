@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Inserts the depth: a place keeps the smaller of two, the larger goes on to the next.
 #include "oit/shapes/fragment.glsl"
 #include "oit/methods/k_buffer/k_nearest.glsl"

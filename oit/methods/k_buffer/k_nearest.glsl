@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The nearest depths of a pixel in ascending order, as bits of d; all ones: no fragment yet. A
 // place whose colour is there has bit 31 set, which no d >= 0 has.
 layout(binding = 0, r32ui) coherent uniform uimage2DArray depths;

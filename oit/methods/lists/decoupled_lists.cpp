@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/lists/decoupled_lists.h"
 
 #include "oit/lists/fragment_lists.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of a pixel from front to back.
 layout(binding = 0, r32ui) coherent uniform uimage2DArray depths;
 layout(binding = 1, rgba32f) coherent uniform image2DArray colors;

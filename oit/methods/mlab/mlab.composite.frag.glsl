@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/composite.glsl"
 #include "oit/methods/mlab/alpha_layers.glsl"
 

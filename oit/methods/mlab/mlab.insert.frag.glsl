@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Inserts the fragment among the pixel's layers; the one too many is merged into the last.
 #include "oit/shapes/fragment.glsl"
 #include "oit/methods/mlab/alpha_layers.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Blends the peeled layer under those before it.
 layout(binding = 0) uniform sampler2D layer;
 layout(binding = 1) uniform usampler2D layer_key;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The depth test keeps the nearest depth of what is left.
 #include "oit/shapes/fragment.glsl"
 #include "oit/methods/peeling/peel_key.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Of the fragments at the nearest depth, the depth test keeps the first in the order of submission.
 #include "oit/shapes/fragment.glsl"
 #include "oit/methods/peeling/peel_key.glsl"

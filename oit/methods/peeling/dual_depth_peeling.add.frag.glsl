@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Blends the nearest layer under those before it, the farthest over those behind it.
 layout(binding = 0) uniform usampler2D ends;
 layout(binding = 1) uniform sampler2D nearest_layer;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps the nearest and the farthest fragment of what is left; with the define COUNT_LEFT, passes all
 // that are left.
 #include "oit/shapes/fragment.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fragments are peeled in the order of compositing.
 layout(binding = 0) uniform usampler2D peeled;  // key of the last peeled fragment
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/fragment.glsl"
 
 layout(location = 0) out vec4 sums;  // sum of alpha C, sum of alpha

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Adds a sample to the sum.
 layout(binding = 0) uniform sampler2D nearest;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Draws a fragment with the probability of its opacity; the depth test keeps the nearest.
 #include "oit/shapes/fragment.glsl"
 #include "oit/stage/random.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The weights of McGuire and Bavoil 2013 without their factor alpha, for GLSL and, through GLM, for
 // C++. z: view depth, 0.1 to 500.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/composite.glsl"
 
 layout(binding = 0) uniform sampler2D sums;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Independent paths to one picture: the ray tracer, and every method of the table by OpenGL.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opacity optimization in object space: the least opacity of an element, and the same of exact sums
 // and of their series.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opacity optimization by OpenGL against the exact sums, and against the ray tracer with the same
 // series.
 

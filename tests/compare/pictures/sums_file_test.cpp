@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact sums in OpenEXR files: closed forms of stacks, and deep samples that composite to the
 // picture.
 

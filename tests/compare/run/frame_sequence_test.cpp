@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/run/frame_sequence.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Costs step by step beside the source's: made-up rows with known bottlenecks and ratios.
 
 #include "compare/study/costs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What each flow of the catalogue is known for: closed forms, kept quantities, symmetries, limits.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields/analytic/formula_field.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Levels of samples: derived scalars, the region tree and the reconstructions.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles on isosurfaces: closed forms of a plane and a sphere, across a jump of resolution.
 
 #include "fields/levels/surface_extraction.h"

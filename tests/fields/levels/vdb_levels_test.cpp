@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Levels from OpenVDB files: what they hold, and what is refused.
 
 #include <gmock/gmock.h>

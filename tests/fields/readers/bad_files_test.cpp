@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that are not what they should be: every one ends in an InputError that names it, or in a
 // field that can be sampled. None may crash, hang or print.
 

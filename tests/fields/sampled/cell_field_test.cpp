@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of cells that the common grid of the other tests does not hold.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where the samples of the grid files lie, and what is there, for all who write them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two samplers: what they reproduce, how smooth they are, how fast they converge, and whether
 // the reported sampling error is the true one.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What holds for every kind of file that a sampled field is read from.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that other programs wrote: VTK's grids, .binlines, comma-separated points.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Point grids as OpenVDB writes them, with and without codecs.
 
 #include <gmock/gmock.h>

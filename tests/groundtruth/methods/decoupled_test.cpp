@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opacity optimization: the closed form against minimization, pictures against closed forms, and
 // the Fourier series against the bound that it must keep.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Marched isosurfaces: closed forms, what holds for any step, agreement with exact crossings.
 
 #include "groundtruth/methods/march.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The scenes of the study of extremes: ground truth is within half an ulp of a float of their exact
 // picture.
 

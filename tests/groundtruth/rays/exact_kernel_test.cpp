@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A second, independent path to every crossing: CGAL's exact intersection of the same rays with the
 // same triangles by brute force. Where the finder perturbs a ray symbolically, this path moves it
 // by a number so small that only exact arithmetic tells it from zero.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Exact crossings with isosurfaces: closed forms, then bisection.
 
 #include <gtest/gtest.h>

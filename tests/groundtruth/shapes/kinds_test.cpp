@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What has to hold of every kind of object that rays cross: nothing depends on order, threads,
 // scale or place, and no number of layers is too large.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines as ribbons and as tubes: closed forms of their pictures.
 
 #include <gtest/gtest.h>

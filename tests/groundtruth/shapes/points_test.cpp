@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points as discs and as spheres: closed forms of their pictures.
 
 #include <gtest/gtest.h>

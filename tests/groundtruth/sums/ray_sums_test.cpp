@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sums along a ray: closed forms of stacks, and the picture itself.
 
 #include "groundtruth/sums/ray_sums.h"

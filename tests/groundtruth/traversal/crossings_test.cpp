@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each crossing once: rays aimed at edges and vertices of meshes with known numbers of crossings.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances between meshes against what geometry says they are.
 #include "integrators/mesh/mesh_distance.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Steppers and single trajectories against closed forms.
 #include "integrators/paths/trajectory.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where integrators break: every case ends, with a reason, and with a mesh that is sound and
 // finite.
 #include <gtest/gtest.h>

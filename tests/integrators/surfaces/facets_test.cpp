@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Facets that stand off the surface are mended: by turning edges, and by vertices on the surface.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

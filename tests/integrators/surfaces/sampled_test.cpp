@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Trajectories and surfaces in samples of a field against those in the field itself: they differ
 // by no more than the sampling error that is reported.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces against closed forms, and every row of the table against its promises.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

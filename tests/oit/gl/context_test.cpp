@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The GL layer: contexts, shader text, errors.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tree of a pixel's layers, compiled as C++ from the text that the shaders run.
 #include <gtest/gtest.h>
 

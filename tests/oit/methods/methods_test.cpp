@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms: stacks of sheets, whose composite is known exactly.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every row of the method table keeps what it promises, whatever the scene.
 #include <gtest/gtest.h>
 

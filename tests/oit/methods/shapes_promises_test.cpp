@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines and points keep the promises of every row, too.
 #include <gtest/gtest.h>
 

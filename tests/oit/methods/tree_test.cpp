@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The progressive tree over whole pictures.
 #include <gtest/gtest.h>
 

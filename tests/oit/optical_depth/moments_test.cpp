@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The optical depth from moments, as the shaders find it: compiled as C++ from the same text.
 #include <gtest/gtest.h>
 

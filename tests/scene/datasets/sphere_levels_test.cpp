@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Velocities on nested levels: how they nest, and what a file of them gives.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of lines and surfaces that share an opacity: closed forms of chains, and properties of
 // patches.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Isosurfaces of a scene file.
 
 #include "fields/levels/level_field.h"
