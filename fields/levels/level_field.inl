@@ -6,7 +6,7 @@ namespace pellucid::fields {
 template <class T>
 T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double value) const {
   const ScalarLevel& level = levels_[cell.level];
-  const auto [i, j, k] = cell.low;
+  const int i = cell.low[0], j = cell.low[1], k = cell.low[2];
   const std::array<T, 3> r{1.0 - s[0], 1.0 - s[1], 1.0 - s[2]};
   const auto line = [&](int b, int c) -> T {
     const double first = double(level.at(i, j + b, k + c)) - value;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Composites every pixel's layers from front to back. A pixel of so many that llvmpipe ends its
+// Composites every pixel's layers from front to back: Algorithm 2 of Tian and Guenther, whose stack the
+// links of the layers replace. A pixel of so many that llvmpipe ends its
 // loop (after 65535 iterations, without an error) is counted.
 #include "oit/stage/composite.glsl"
 #include "oit/stage/front_to_back.glsl"
