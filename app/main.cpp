@@ -71,6 +71,8 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace pellucid::app
 
+// What the last catch prints may throw: then there is nobody left to tell.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   return pellucid::app::run(argc, argv);

@@ -10,6 +10,7 @@
 #include "compare/pictures/image_file.h"
 #include "core/error.h"
 #include "core/options/names.h"
+#include "core/options/split.h"
 #include "fields/make_field.h"
 #include "geometry/files/mesh_file.h"
 #include "integrators/lines/integrate_lines.h"
@@ -31,16 +32,6 @@ struct TraceOptions {
   std::string error_picture;
   std::string against;
 };
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 Vec3 parse_point(std::string_view text) {
   const auto parts = split(text, ',');

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/methods/sweep.h"
 
-#include <sstream>
+#include "core/options/split.h"
 
 namespace pellucid::compare {
-namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
-
-}  // namespace
 
 std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::string& key,
-                                std::span<const std::string> values) {
+                                const std::vector<std::string>& values) {
   std::vector<RawOptions> combined;
   for (const RawOptions& set : sets)
     for (const std::string& value : values) {
@@ -28,9 +18,11 @@ std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::
 
 std::vector<MethodCall> sweep_of(const scene::MethodRow& row) {
   std::vector<RawOptions> sets(1);
-  for (const std::string& part : split(std::string(row.sweep), ',')) {
+  for (const std::string_view part : split(row.sweep, ',')) {
     const std::size_t equals = part.find('=');
-    sets = crossed(sets, part.substr(0, equals), split(part.substr(equals + 1), '|'));
+    if (equals == part.npos) continue;  // a row without a sweep
+    const auto values = split(part.substr(equals + 1), '|');
+    sets = crossed(sets, std::string(part.substr(0, equals)), {values.begin(), values.end()});
   }
   std::vector<MethodCall> calls;
   for (const RawOptions& options : sets)

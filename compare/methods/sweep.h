@@ -11,7 +11,7 @@ namespace pellucid::compare {
 
 /// Every combination of `sets` with a value for `key`: a sweep's Cartesian product.
 std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::string& key,
-                                std::span<const std::string> values);
+                                const std::vector<std::string>& values);
 
 /// The method in all combinations of MethodRow::sweep.
 std::vector<MethodCall> sweep_of(const scene::MethodRow& row);

@@ -108,7 +108,7 @@ Image assemble(const ImageSpec& spec, const ChannelPlan& plan, const std::vector
 }
 
 /// Encodes in memory, so that a full disk is met by our own write and nothing else.
-std::string encode(const fs::path& path, ImageSpec spec, TypeDesc type, const void* pixels) {
+std::string encode(const fs::path& path, ImageSpec spec, const TypeDesc& type, const void* pixels) {
   // Otherwise an EXR file holds the time of writing, and equal pictures give unequal files.
   spec.attribute("DateTime", "1970:01:01 00:00:00");
   std::vector<unsigned char> bytes;
@@ -120,7 +120,8 @@ std::string encode(const fs::path& path, ImageSpec spec, TypeDesc type, const vo
   return {bytes.begin(), bytes.end()};
 }
 
-void write_pixels(const fs::path& path, const ImageSpec& spec, TypeDesc type, const void* pixels) {
+void write_pixels(const fs::path& path, const ImageSpec& spec, const TypeDesc& type,
+                  const void* pixels) {
   write_text(path, encode(path, spec, type, pixels));
 }
 
@@ -193,6 +194,7 @@ void write_counts(const fs::path& path, const CountImage& counts) {
 
 std::uint8_t displayed_byte(float value) {
   if (!(value > 0)) return 0;  // NaN too
+  // Of a value >= 0, the nearest. NOLINTNEXTLINE(bugprone-incorrect-roundings)
   return std::uint8_t(std::min(value, 1.f) * 255 + 0.5f);
 }
 

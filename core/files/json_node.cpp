@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/json_node.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,15 +11,6 @@
 #include "core/options/names.h"
 
 namespace pellucid {
-namespace {
-
-std::string join(std::initializer_list<std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
-
-}  // namespace
 
 JsonNode::JsonNode(std::string file, const nlohmann::json& root)
     : file_(std::move(file)), value_(&root) {}
@@ -43,7 +34,7 @@ bool JsonNode::is_object() const { return value_->is_object(); }
 bool JsonNode::is_array() const { return value_->is_array(); }
 
 void JsonNode::accept_keys(std::initializer_list<std::string_view> known) const {
-  if (!value_->is_object()) refuse("an object with the keys " + join(known));
+  if (!value_->is_object()) refuse(fmt::format("an object with the keys {}", fmt::join(known, ", ")));
   for (const auto& item : value_->items())
     if (std::find(known.begin(), known.end(), item.key()) == known.end())
       fail(unknown_name("key", item.key(), std::vector<std::string_view>(known)));
@@ -97,7 +88,7 @@ std::string JsonNode::one_of(std::initializer_list<std::string_view> accepted) c
   if (value_->is_string())
     for (const std::string_view word : accepted)
       if (value_->get_ref<const std::string&>() == word) return std::string(word);
-  refuse(join(accepted));
+  refuse(fmt::format("{}", fmt::join(accepted, ", ")));
 }
 
 Vec3 JsonNode::vec3() const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/options/names.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -35,13 +37,8 @@ std::vector<std::string_view> nearest_first(std::string_view name,
 
 std::string unknown_name(std::string_view kind, std::string_view name,
                          std::span<const std::string_view> known) {
-  std::string message = "unknown " + std::string(kind) + " '" + std::string(name) + "'; known: ";
-  const auto sorted = nearest_first(name, known);
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i > 0) message += ", ";
-    message += sorted[i];
-  }
-  return message;
+  return fmt::format("unknown {} '{}'; known: {}", kind, name,
+                     fmt::join(nearest_first(name, known), ", "));
 }
 
 }  // namespace pellucid

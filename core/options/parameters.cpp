@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -10,34 +11,13 @@
 
 #include "core/error.h"
 #include "core/options/names.h"
+#include "core/options/split.h"
 
 namespace pellucid {
 namespace {
 
-std::vector<std::string_view> split_outside_parentheses(std::string_view text) {
-  std::vector<std::string_view> parts;
-  int depth = 0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    if (i == text.size() || (text[i] == ',' && depth == 0)) {
-      parts.push_back(text.substr(begin, i - begin));
-      begin = i + 1;
-    } else if (text[i] == '(') {
-      ++depth;
-    } else if (text[i] == ')') {
-      --depth;
-    }
-  }
-  return parts;
-}
-
 bool is_choice(std::string_view value, std::string_view choices) {
-  for (std::size_t begin = 0; begin <= choices.size();) {
-    const std::size_t end = std::min(choices.find('|', begin), choices.size());
-    if (choices.substr(begin, end - begin) == value) return true;
-    begin = end + 1;
-  }
-  return false;
+  return std::ranges::count(split(choices, '|'), value) > 0;
 }
 
 bool is_valid(const ParameterSpec& spec, std::string_view value) {
@@ -96,7 +76,7 @@ NameAndOptions parse_name_and_options(std::string_view text) {
   result.name = text.substr(0, colon);
   if (result.name.empty()) throw InputError(fmt::format("'{}': the name is empty", text));
   if (colon + 1 >= text.size()) return result;
-  for (const std::string_view part : split_outside_parentheses(text.substr(colon + 1))) {
+  for (const std::string_view part : split_outside_parentheses(text.substr(colon + 1), ',')) {
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos || equals == 0)
       throw InputError(fmt::format("'{}': option '{}' is not of the form key=value", text, part));
@@ -152,8 +132,7 @@ bool Parameters::flag(std::string_view name) const { return text(name) == "on"; 
 std::string Parameters::given() const {
   std::string joined;
   for (const auto& [key, value] : given_) {
-    if (!joined.empty()) joined += ',';
-    joined += key + '=' + value;
+    joined += fmt::format("{}{}={}", joined.empty() ? "" : ",", key, value);
   }
   return joined;
 }

@@ -46,7 +46,7 @@ void sample(const LevelField& field, double value, Lattice& lattice) {
           lattice.width));
     lattice.size[std::size_t(axis)] = int(cells) + 1;
   }
-  const auto [nx, ny, nz] = lattice.size;
+  const int nx = lattice.size[0], ny = lattice.size[1], nz = lattice.size[2];
   lattice.samples->SetNumberOfValues(vtkIdType(count));
   float* samples = lattice.samples->GetPointer(0);
   parallel_for(0, nz, [&](int k) {

@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "groundtruth/shapes/crossing_geometry.h"
+#include "groundtruth/shapes/point_geometry.h"
 
 namespace pellucid::groundtruth {
 
 /// Points as discs parallel to the picture, crossed at their centre's depth. Crossing::v is |n · v|
 /// of the sphere that a disc stands for: √(1 - c²) at the fraction c of its radius.
-class DiscGeometry final : public RayByRayGeometry {
+class DiscGeometry final : public PointGeometry {
  public:
   DiscGeometry(const scene::PointObject& points, std::uint32_t index,
                const GeometryContext& context);
 
-  std::uint32_t box_count() const override;
   Box3 box(std::uint32_t point) const override;
   void cross(std::uint32_t point, const SceneRay& ray,
              std::vector<Crossing>& crossings) const override;
-  Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
-  double importance(const Crossing& crossing) const override;
   double largest_coordinate() const override { return largest_; }
-  std::uint64_t bytes() const override { return 0; }
 
  private:
-  Vec3 center(std::uint32_t point) const { return frame_.from_world(set_.positions[point]); }
-
-  const geometry::PointSet& set_;
-  std::uint32_t index_;
-  const ViewFrame& frame_;
-  scene::Lighting lighting_;
-  double radius_;  // units
   double largest_;
 };
 

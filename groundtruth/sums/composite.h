@@ -14,11 +14,10 @@ struct Composite {
   std::uint32_t layers;
 };
 
-/// Front-to-back composite of `crossings` (sorted) over the background,
-///   C = Σ C_i α_i Π_{j<i} (1 - α_j) + C_bg Π (1 - α_i)
-/// (Baeza Rojo et al. 2019, Eq. 12), in double. It ends where the product falls below `stop_below`;
-/// what lies behind then counts as background, so that, colours within [0, 1], each channel errs by
-/// less than `stop_below`.
+/// Composites `crossings`, which are sorted from front to back, over the background in double
+/// (Baeza Rojo et al. 2019, Eq. 12; see FrontToBack). It ends where the transmittance falls below
+/// `stop_below`; what lies behind then counts as background, so that, colours within [0, 1], each
+/// channel errs by less than `stop_below`.
 Composite composite(const CrossingFinder& finder, std::span<const Crossing> crossings,
                     const Vec3& background, const Vec3& world_direction, double stop_below = 0);
 

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "groundtruth/shapes/crossing_geometry.h"
+#include "groundtruth/sums/front_to_back.h"
 
 namespace pellucid::groundtruth {
 namespace {
@@ -61,6 +62,7 @@ RaySums RayProbe::sums(const PictureRay& ray, std::span<const Crossing> crossing
   RaySums sums;
   sums.layers.reserve(crossings.size());
   double importance_sum = 0, optical_depth = 0;
+  FrontToBack composite;
   for (const Crossing& crossing : crossings) {
     const Fragment fragment = finder_.shade(crossing, direction);
     const double depth = crossing.depth / finder_.frame().units_per_length();
@@ -68,12 +70,12 @@ RaySums RayProbe::sums(const PictureRay& ray, std::span<const Crossing> crossing
     importance_sum += g * g;
     optical_depth -= std::log1p(-fragment.opacity);
     sums.layers.push_back({depth, depths_.normalized(depth), crossing.object, crossing.primitive,
-                           fragment.color, fragment.opacity, g, sums.transmittance, importance_sum,
-                           optical_depth});
-    sums.color += sums.transmittance * fragment.opacity * fragment.color;
-    sums.transmittance *= 1 - fragment.opacity;
+                           fragment.color, fragment.opacity, g, composite.transmittance,
+                           importance_sum, optical_depth});
+    composite.add(fragment.color, fragment.opacity);
   }
-  sums.color += sums.transmittance * scene_.background;
+  sums.color = composite.over(scene_.background);
+  sums.transmittance = composite.transmittance;
   return sums;
 }
 

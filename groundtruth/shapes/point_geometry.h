@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "groundtruth/shapes/crossing_geometry.h"
+
+namespace pellucid::groundtruth {
+
+/// What discs and spheres share: points of one radius, a primitive each, whose crossings have in
+/// Crossing::v the cosine of the angle between ray and normal, in [-1, 1].
+class PointGeometry : public RayByRayGeometry {
+ public:
+  std::uint32_t box_count() const final;
+  Fragment shade(const Crossing& crossing, const Vec3& world_direction) const final;
+  double importance(const Crossing& crossing) const final;
+  std::uint64_t bytes() const final { return 0; }
+
+ protected:
+  /// Throws InputError for 2^32 points or more.
+  PointGeometry(const scene::PointObject& points, std::uint32_t index,
+                const GeometryContext& context);
+
+  Vec3 center(std::uint32_t point) const { return frame_.from_world(set_.positions[point]); }
+  double radius() const { return radius_; }              // view units
+  std::uint32_t object_index() const { return index_; }  // in Scene::objects
+
+ private:
+  const geometry::PointSet& set_;
+  std::uint32_t index_;
+  const ViewFrame& frame_;
+  scene::Lighting lighting_;
+  double radius_;
+};
+
+}  // namespace pellucid::groundtruth
