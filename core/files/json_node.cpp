@@ -34,7 +34,8 @@ bool JsonNode::is_object() const { return value_->is_object(); }
 bool JsonNode::is_array() const { return value_->is_array(); }
 
 void JsonNode::accept_keys(std::initializer_list<std::string_view> known) const {
-  if (!value_->is_object()) refuse(fmt::format("an object with the keys {}", fmt::join(known, ", ")));
+  if (!value_->is_object())
+    refuse(fmt::format("an object with the keys {}", fmt::join(known, ", ")));
   for (const auto& item : value_->items())
     if (std::find(known.begin(), known.end(), item.key()) == known.end())
       fail(unknown_name("key", item.key(), std::vector<std::string_view>(known)));
