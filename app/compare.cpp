@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -17,17 +19,24 @@ namespace {
 
 struct CompareArguments {
   std::filesystem::path reference, test, diff;
-  std::optional<double> fail_rmse, fail_ssim, fail_max_error;
+  std::map<std::string_view, std::optional<double>> fail;  // by metric: its threshold
 };
 
-std::string ssim_text(const compare::Metrics& m) {
-  return m.ssim ? fmt::format("{:.6f}", *m.ssim) : "none: a side is below 11 pixels";
+/// "--fail-max-error".
+std::string threshold_option(const compare::MetricRow& metric) {
+  std::string name(metric.name);
+  std::ranges::replace(name, '_', '-');
+  return "--fail-" + name;
 }
 
 void print_metrics(std::string_view title, const compare::Metrics& m) {
-  fmt::print("{}\n  RMSE       {:.6g}\n  SSIM       {}\n  PSNR       {:.2f} dB\n", title, m.rmse,
-             ssim_text(m), m.psnr);
-  fmt::print("  max error  {:.6g} at ({}, {})\n", m.max_error.value, m.max_error.x, m.max_error.y);
+  fmt::print("{}\n", title);
+  for (std::size_t row = 0; row < compare::metrics().size(); ++row) {
+    const compare::MetricRow& metric = compare::metrics()[row];
+    fmt::print("  {:10} {}\n", metric.heading,
+               m[row] ? fmt::format("{:.6g}", *m[row]) : "none for pictures so small");
+  }
+  fmt::print("  its pixel  ({}, {})\n", m.max_error_x, m.max_error_y);
 }
 
 void print_comparison(const compare::Comparison& comparison, bool as_json) {
@@ -36,19 +45,22 @@ void print_comparison(const compare::Comparison& comparison, bool as_json) {
   print_metrics("8-bit values, as a screen shows them", comparison.displayed);
 }
 
-/// Like idiff: beyond a threshold the pictures count as different, and the command as failed.
+void check_threshold(const compare::MetricRow& metric, double threshold,
+                     const std::optional<double>& value) {
+  const bool higher = metric.better == compare::Better::higher;
+  if (!value)
+    throw InputError(fmt::format("{}: the pictures have no {}; accepted: larger ones",
+                                 threshold_option(metric), metric.heading));
+  if (higher ? *value < threshold : *value > threshold)
+    throw WorkError(fmt::format("{} {:.6g} is {} {} {}", metric.heading, *value,
+                                higher ? "below" : "above", threshold_option(metric), threshold));
+}
+
+/// As idiff does: beyond a threshold the pictures count as different, and the command as failed.
 void check_thresholds(const CompareArguments& arguments, const compare::Metrics& m) {
-  if (arguments.fail_rmse && m.rmse > *arguments.fail_rmse)
-    throw WorkError(
-        fmt::format("RMSE {:.6g} is above --fail-rmse {}", m.rmse, *arguments.fail_rmse));
-  if (arguments.fail_max_error && m.max_error.value > *arguments.fail_max_error)
-    throw WorkError(fmt::format("max error {:.6g} is above --fail-max-error {}", m.max_error.value,
-                                *arguments.fail_max_error));
-  if (!arguments.fail_ssim) return;
-  if (!m.ssim) throw InputError("--fail-ssim: accepted: pictures of at least 11×11 pixels");
-  if (*m.ssim < *arguments.fail_ssim)
-    throw WorkError(
-        fmt::format("SSIM {:.6g} is below --fail-ssim {}", *m.ssim, *arguments.fail_ssim));
+  for (const compare::MetricRow& metric : compare::metrics())
+    if (const std::optional<double>& threshold = arguments.fail.at(metric.name))
+      check_threshold(metric, *threshold, m.of(metric.name));
 }
 
 void run(const CompareArguments& arguments, const GlobalOptions& globals) {
@@ -71,10 +83,10 @@ void add_compare_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option(
       "--diff", arguments->diff,
       "Write the error map (.png, .exr): largest RGB error, logarithmic from 0.001 to 1");
-  command->add_option("--fail-rmse", arguments->fail_rmse, "Exit 1 when the RMSE is above this");
-  command->add_option("--fail-max-error", arguments->fail_max_error,
-                      "Exit 1 when any value differs by more than this");
-  command->add_option("--fail-ssim", arguments->fail_ssim, "Exit 1 when the SSIM is below this");
+  for (const compare::MetricRow& metric : compare::metrics())
+    command->add_option(threshold_option(metric), arguments->fail[metric.name],
+                        fmt::format("Exit 1 when the {} is {} this", metric.heading,
+                                    metric.better == compare::Better::higher ? "below" : "above"));
   command->footer("Exit code: 0 compared, within the thresholds; 1 beyond one; 2 wrong input.");
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

@@ -5,111 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/methods/methods.h"
-#include "compare/pictures/metrics.h"
-#include "compare/study/study.h"
+#include "app/listings.h"
+#include "core/error.h"
 #include "core/options/names.h"
-#include "fields/analytic/catalogue.h"
-#include "integrators/lines/integrate_lines.h"
-#include "integrators/surfaces/integrate_surface.h"
-#include "scene/datasets/dataset.h"
 
 namespace pellucid::app {
 namespace {
-
-nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const ParameterSpec& spec : parameters)
-    rows.push_back({{"name", spec.name},
-                    {"default", spec.default_value},
-                    {"accepted", spec.accepted()},
-                    {"unit", spec.unit},
-                    {"help", spec.help}});
-  return rows;
-}
-
-nlohmann::ordered_json list_methods() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const scene::MethodRow& row : compare::methods())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"equations", row.equations},
-                    {"bytes per pixel", row.bytes_per_pixel},
-                    {"sweep", row.sweep},
-                    {"exact", row.promises.exact},
-                    {"order-independent", row.promises.order_independent},
-                    {"order spread", row.promises.order_spread},
-                    {"convex hull", row.promises.convex_hull},
-                    {"fixed memory", row.promises.fixed_memory},
-                    {"parameters", to_json(row.parameters)}});
-  return rows;
-}
-
-nlohmann::ordered_json list_integrators() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const integrators::IntegratorRow& row : integrators::integrators())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"parameters", to_json(row.parameters)}});
-  for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"parameters", to_json(row.parameters)}});
-  return rows;
-}
-
-nlohmann::ordered_json list_fields() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const fields::FieldRow& row : fields::analytic_fields())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"formula", row.formula},
-                    {"steady", row.steady},
-                    {"parameters", to_json(row.parameters)}});
-  return rows;
-}
-
-nlohmann::ordered_json list_datasets() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const scene::DatasetRow& row : scene::datasets())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"scene key", row.on_levels ? "isosurface.dataset" : "dataset"},
-                    {"parameters", to_json(row.parameters)}});
-  return rows;
-}
-
-nlohmann::ordered_json list_metrics() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const compare::MetricRow& row : compare::metrics())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"definition", row.definition},
-                    {"citation", row.citation},
-                    {"unit", row.unit}});
-  return rows;
-}
-
-nlohmann::ordered_json list_all_studies() {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const compare::StudySummary& study : compare::list_studies())
-    rows.push_back({{"name", study.name}, {"title", study.title}, {"source", study.source}});
-  return rows;
-}
-
-struct Listing {
-  std::string_view name;
-  nlohmann::ordered_json (*make)();
-};
-
-constexpr Listing listings[] = {{"methods", list_methods}, {"integrators", list_integrators},
-                                {"fields", list_fields},   {"datasets", list_datasets},
-                                {"metrics", list_metrics}, {"studies", list_all_studies}};
 
 std::string text_of(const nlohmann::ordered_json& value) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
@@ -146,27 +47,52 @@ void print_markdown(const nlohmann::ordered_json& rows) {
                              text_of(row.contains("citation") ? row["citation"] : row["source"]));
 }
 
+/// The one row of that name. Throws InputError with the nearest names.
+nlohmann::ordered_json row_of(const Listing& listing, const nlohmann::ordered_json& rows,
+                              const std::string& name) {
+  std::vector<std::string> known;
+  for (const nlohmann::ordered_json& row : rows) {
+    if (row["name"] == name) return nlohmann::ordered_json::array({row});
+    known.push_back(row["name"]);
+  }
+  throw InputError(
+      unknown_name(listing.kind, name, std::vector<std::string_view>(known.begin(), known.end())));
+}
+
+struct ListArguments {
+  std::string what, name;
+  bool markdown = false;
+};
+
+void run(const ListArguments& arguments, const GlobalOptions& globals) {
+  const Listing& listing = find_row("listing", arguments.what, listings());
+  nlohmann::ordered_json rows = listing.make();
+  if (!arguments.name.empty()) rows = row_of(listing, rows, arguments.name);
+  if (globals.json)
+    std::cout << rows.dump(2) << '\n';
+  else if (arguments.markdown)
+    print_markdown(rows);
+  else
+    print(rows);
+}
+
 }  // namespace
 
 void add_list_command(CLI::App& app, GlobalOptions& globals) {
   std::string names;
-  for (const Listing& listing : listings)
+  for (const Listing& listing : listings())
     names += (names.empty() ? "" : ", ") + std::string(listing.name);
   CLI::App* command = app.add_subcommand("list", "List " + names);
-  const auto what = std::make_shared<std::string>();
-  command->add_option("WHAT", *what, names)->required();
-  const auto markdown = std::make_shared<bool>(false);
-  command->add_flag("--markdown", *markdown, "Print a Markdown table of names and sources");
+  const auto arguments = std::make_shared<ListArguments>();
+  command->add_option("WHAT", arguments->what, names)->required();
+  command->add_option("NAME", arguments->name, "One row of it; without: all");
+  command->add_flag("--markdown", arguments->markdown,
+                    "Print a Markdown table of names and sources");
+  command->footer(
+      "Examples:\n  pellucid list methods\n  pellucid list methods fourier --json\n"
+      "  pellucid list colormaps");
   add_global_options(*command, globals);
-  command->callback([what, markdown, &globals] {
-    const nlohmann::ordered_json rows = find_row("listing", *what, listings).make();
-    if (globals.json)
-      std::cout << rows.dump(2) << '\n';
-    else if (*markdown)
-      print_markdown(rows);
-    else
-      print(rows);
-  });
+  command->callback([arguments, &globals] { run(*arguments, globals); });
 }
 
 }  // namespace pellucid::app

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -40,8 +41,9 @@ void print_row(const compare::ResultRow& row) {
                                : fmt::format("{}/{}:{}", row.scene, row.method, row.parameters);
   if (!row.error.empty()) return fmt::print("{:40} failed: {}\n", name, row.error);
   const compare::Metrics& m = row.metrics.linear;
-  fmt::print("{:40} RMSE {:9.3e}  SSIM {}  {}\n", name, m.rmse,
-             m.ssim ? fmt::format("{:.4f}", *m.ssim) : "none  ", milliseconds_and_memory(row));
+  const std::optional<double> ssim = m.of("ssim");
+  fmt::print("{:40} RMSE {:9.3e}  SSIM {}  {}\n", name, m.of("rmse").value_or(NAN),
+             ssim ? fmt::format("{:.4f}", *ssim) : "none  ", milliseconds_and_memory(row));
   std::fflush(stdout);
 }
 

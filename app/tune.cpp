@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -49,9 +50,10 @@ void print_table(const compare::TuneOutcome& outcome) {
       continue;
     }
     const compare::Metrics& m = row.metrics.linear;
+    const std::optional<double> ssim = m.of("ssim");
     fmt::print("{:28} {:10.1f} {:9.1f} {:10.3e} {:>8}  {}\n", call_text(row),
-               1e3 * row.seconds.median, 1e-6 * double(row.total_bytes()), m.rmse,
-               m.ssim ? fmt::format("{:.4f}", *m.ssim) : "none",
+               1e3 * row.seconds.median, 1e-6 * double(row.total_bytes()),
+               m.of("rmse").value_or(NAN), ssim ? fmt::format("{:.4f}", *ssim) : "none",
                outcome.within_bound[i] ? "within the bound" : "");
   }
 }

@@ -9,6 +9,7 @@
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/ssim.h"
 #include "core/error.h"
+#include "core/options/names.h"
 #include "core/parallel.h"
 
 namespace pellucid::compare {
@@ -73,33 +74,55 @@ Difference difference(const Image& reference, const Image& test) {
       join);
 }
 
-double root_mean_square(const Difference& d, const Image& image) {
-  return std::sqrt(d.squares / (3.0 * double(image.pixels.size())));
+PicturePair pair_of(const Image& reference, const Image& test) {
+  check_pair(reference, test);
+  const Difference d = difference(reference, test);
+  return {reference,
+          test,
+          d.squares / (3.0 * double(reference.pixels.size())),
+          {d.largest, int(d.where % reference.width), int(d.where / reference.width)}};
 }
 
-MaxError largest(const Difference& d, const Image& image) {
-  return {d.largest, int(d.where % image.width), int(d.where / image.width)};
+std::optional<double> root_mean_square(const PicturePair& pair) {
+  return std::sqrt(pair.mean_square);
 }
 
-double decibels(double rmse) { return -20 * std::log10(rmse); }
+std::optional<double> decibels(const PicturePair& pair) {
+  return -20 * std::log10(*root_mean_square(pair));
+}
 
+std::optional<double> similarity(const PicturePair& pair) {
+  if (std::min(pair.test.width, pair.test.height) < ssim_window) return std::nullopt;
+  return mean_ssim(pair.reference, pair.test);
+}
+
+std::optional<double> largest(const PicturePair& pair) { return pair.max_error.value; }
+
+// The first three lead the columns of results.csv.
 constexpr MetricRow rows[] = {
-    {"rmse", "Root mean square error", "sqrt(mean (x - y)²) over all RGB values", "", "1", false,
-     [](const Metrics& m) { return std::optional(m.rmse); }},
-    {"ssim", "Structural similarity",
+    {"rmse", "Root mean square error", "RMSE", "sqrt(mean (x - y)²) over all RGB values", "", "1",
+     Better::lower, NumberStyle::scientific, root_mean_square},
+    {"ssim", "Structural similarity", "SSIM",
      "11×11 Gaussian window, σ = 1.5, K₁ = 0.01, K₂ = 0.03, L = 1, population covariance; mean "
-     "over "
-     "RGB and over the pixels whose window lies inside",
-     "Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment. IEEE TIP 13(4), 2004", "1", true,
-     [](const Metrics& m) { return m.ssim; }},
-    {"psnr", "Peak signal to noise ratio", "20 log10(1 / RMSE)", "", "dB", true,
-     [](const Metrics& m) { return std::optional(m.psnr); }},
-    {"max_error", "Largest error", "max |x - y| over all RGB values, and its pixel", "", "1", false,
-     [](const Metrics& m) { return std::optional(m.max_error.value); }}};
+     "over RGB and over the pixels whose window lies inside",
+     "Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment. IEEE TIP 13(4), 2004", "1",
+     Better::higher, NumberStyle::similarity, similarity},
+    {"psnr", "Peak signal to noise ratio", "PSNR [dB]", "20 log10(1 / RMSE)", "", "dB",
+     Better::higher, NumberStyle::decibels, decibels, true},
+    {"max_error", "Largest error", "Max error", "max |x - y| over all RGB values, and its pixel",
+     "", "1", Better::lower, NumberStyle::scientific, largest}};
 
 }  // namespace
 
 std::span<const MetricRow> metrics() { return rows; }
+
+const std::optional<double>& Metrics::of(std::string_view name) const {
+  return values_[std::size_t(&find_row("metric", name, rows) - rows)];
+}
+
+std::optional<double>& Metrics::of(std::string_view name) {
+  return values_[std::size_t(&find_row("metric", name, rows) - rows)];
+}
 
 std::size_t count_not_finite(const Image& image) {
   return std::size_t(std::count_if(image.pixels.begin(), image.pixels.end(),
@@ -107,28 +130,28 @@ std::size_t count_not_finite(const Image& image) {
 }
 
 double rmse(const Image& reference, const Image& test) {
-  check_pair(reference, test);
-  return root_mean_square(difference(reference, test), reference);
+  return *root_mean_square(pair_of(reference, test));
 }
 
-double psnr(const Image& reference, const Image& test) { return decibels(rmse(reference, test)); }
+double psnr(const Image& reference, const Image& test) {
+  return *decibels(pair_of(reference, test));
+}
 
 MaxError max_error(const Image& reference, const Image& test) {
-  check_pair(reference, test);
-  return largest(difference(reference, test), reference);
+  return pair_of(reference, test).max_error;
 }
 
 std::optional<double> ssim(const Image& reference, const Image& test) {
-  check_pair(reference, test);
-  if (std::min(test.width, test.height) < ssim_window) return std::nullopt;
-  return mean_ssim(reference, test);
+  return similarity(pair_of(reference, test));
 }
 
 Metrics measure(const Image& reference, const Image& test) {
-  check_pair(reference, test);
-  const Difference d = difference(reference, test);
-  const double error = root_mean_square(d, reference);
-  return {error, decibels(error), ssim(reference, test), largest(d, reference)};
+  const PicturePair pair = pair_of(reference, test);
+  Metrics measured;
+  for (std::size_t row = 0; row < std::size(rows); ++row) measured[row] = rows[row].measure(pair);
+  measured.max_error_x = pair.max_error.x;
+  measured.max_error_y = pair.max_error.y;
+  return measured;
 }
 
 Comparison compare_images(const Image& reference, const Image& test) {

@@ -5,63 +5,98 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/raster.h"
 
 namespace pellucid::compare {
 
-/// Largest absolute difference of any red, green or blue value, and the first pixel that has it.
+/// The largest absolute difference of any red, green or blue value, and the first pixel that has
+/// it.
 struct MaxError {
   double value = 0;
-  int x = 0, y = 0;
+  int x = 0, y = 0;  // from the top left
 };
 
 // All compare red, green and blue, values taken as they are (nominal range [0, 1], HDR not
 // clamped), sums in double. They throw InputError when the sizes differ, when there are no pixels,
 // or when a value is not finite.
 
+/// The root mean square error √ mean (x - y)² over all RGB values.
 double rmse(const Image& reference, const Image& test);
 
-/// 20 log10(1 / RMSE), in dB; infinite for equal pictures.
+/// The peak signal to noise ratio 20 log10(1 / RMSE), in dB; infinite for equal pictures.
 double psnr(const Image& reference, const Image& test);
 
+/// See MaxError.
 MaxError max_error(const Image& reference, const Image& test);
 
-/// Mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11 pixels:
-/// then no pixel's window lies inside.
+/// The mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11
+/// pixels: then no pixel's window lies inside.
 std::optional<double> ssim(const Image& reference, const Image& test);
 
-struct Metrics {
-  double rmse = 0;
-  double psnr = 0;
-  std::optional<double> ssim;
-  MaxError max_error;
+/// Two pictures of one size, finite, with what several metrics are made of computed once.
+struct PicturePair {
+  const Image& reference;
+  const Image& test;
+  double mean_square = 0;  // of the difference, over all RGB values
+  MaxError max_error = {};
 };
 
+/// Which way a number is better.
+enum class Better { lower, higher, neither };
+
+/// How a number is written for people; see number_for_people().
+enum class NumberStyle { scientific, similarity, decibels, milliseconds, megabytes, count };
+
+/// One row of the table of metrics: command line, study files, tables, JSON, report and `list` read
+/// it. A metric is a function of two pictures and its row.
+struct MetricRow {
+  std::string_view name;     // in JSON, CSV and study files
+  std::string_view title;    // for people
+  std::string_view heading;  // of a narrow column, unit included
+  std::string_view definition;
+  std::string_view citation;
+  std::string_view unit;
+  Better better;
+  NumberStyle style;
+  std::optional<double> (*measure)(const PicturePair&);
+  bool infinite_when_equal = false;  // JSON has no infinity: it writes null
+};
+
+std::span<const MetricRow> metrics();
+
+/// The values of metrics() for a pair of pictures.
+class Metrics {
+ public:
+  Metrics() : values_(metrics().size()) {}
+
+  /// By the row's place in metrics(); nothing where the pictures have no such number.
+  const std::optional<double>& operator[](std::size_t row) const { return values_[row]; }
+  std::optional<double>& operator[](std::size_t row) { return values_[row]; }
+  /// By the row's name. Throws InputError for an unknown one.
+  const std::optional<double>& of(std::string_view name) const;
+  std::optional<double>& of(std::string_view name);
+
+  int max_error_x = 0, max_error_y = 0;  // the pixel of the largest error, from the top left
+
+ private:
+  std::vector<std::optional<double>> values_;
+};
+
+/// All metrics of a pair.
 Metrics measure(const Image& reference, const Image& test);
 
-/// Of the float pictures, and of the 8-bit values that a screen shows of them.
+/// Metrics of the float pictures, and of the 8-bit values that a screen shows of them.
 struct Comparison {
   Metrics linear;
   Metrics displayed;
 };
 
+/// Compares two pictures in both ways.
 Comparison compare_images(const Image& reference, const Image& test);
 
-/// Number of pixels with a value that is infinite or not a number.
+/// Counts the pixels with a value that is infinite or not a number.
 std::size_t count_not_finite(const Image& image);
-
-/// One row of the table that `list metrics` and the report read.
-struct MetricRow {
-  std::string_view name;
-  std::string_view title;
-  std::string_view definition;
-  std::string_view citation;
-  std::string_view unit;
-  bool higher_is_better;
-  std::optional<double> (*value)(const Metrics&);
-};
-
-std::span<const MetricRow> metrics();
 
 }  // namespace pellucid::compare

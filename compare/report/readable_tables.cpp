@@ -6,15 +6,23 @@
 #include <optional>
 
 #include "compare/report/tables.h"
+#include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
-#include "compare/results/readable_columns.h"
 
 namespace pellucid::compare {
 namespace {
 
-std::string cell_text(const ReadableColumn& column, const ResultRow& row) {
+/// The columns that are few enough for a page.
+std::vector<Column> table_columns() {
+  std::vector<Column> chosen;
+  for (const Column& column : columns())
+    if (column.in_tables) chosen.push_back(column);
+  return chosen;
+}
+
+std::string cell_text(const Column& column, const ResultRow& row) {
   const std::optional<double> value = column.value(row);
-  return value ? column.text(*value) : "–";
+  return value ? number_for_people(column.style, *value) : "–";
 }
 
 std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow> rows) {
@@ -25,9 +33,9 @@ std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow
 }
 
 /// The best value of a column among the methods; nothing where no way is better.
-std::optional<double> best_of(const ReadableColumn& column, std::span<const ResultRow> rows) {
+std::optional<double> best_of(const Column& column, std::span<const ResultRow> rows) {
   std::optional<double> best;
-  if (column.better == scene::Measure::Better::neither) return best;
+  if (column.better == Better::neither) return best;
   for (const ResultRow& row : rows) {
     if (row.reference || !row.error.empty()) continue;
     const std::optional<double> value = column.value(row);
@@ -39,15 +47,14 @@ std::optional<double> best_of(const ReadableColumn& column, std::span<const Resu
 std::string markdown_line(const ResultRow& row) {
   std::string line = fmt::format("| {}{} |", row.call(), row.reference ? " (reference)" : "");
   if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", row.error);
-  for (const ReadableColumn& column : readable_columns())
-    line += fmt::format(" {} |", cell_text(column, row));
+  for (const Column& column : table_columns()) line += fmt::format(" {} |", cell_text(column, row));
   return line + '\n';
 }
 
 std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
   std::string header = "| Method |", rule = "|---|";
-  for (const ReadableColumn& column : readable_columns()) {
-    header += fmt::format(" {} |", column.title);
+  for (const Column& column : table_columns()) {
+    header += fmt::format(" {} |", column.heading);
     rule += "---:|";
   }
   std::string text = fmt::format("\n## {}\n\n{}\n{}\n", scene, header, rule);
@@ -91,11 +98,11 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
 /// "fourier:bands=5 2.1e-02, …: the same here", a line for each scene.
 std::string markdown_claim(const Claim& claim, const Study& study,
                            std::span<const ResultRow> rows) {
-  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, claim.by->title);
+  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, claim.by->heading);
   for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows)) {
     text += fmt::format("- {}:", check.scene);
     for (const auto& [call, value] : check.values)
-      text += fmt::format(" {} {},", call, claim.by->text(value));
+      text += fmt::format(" {} {},", call, number_for_people(claim.by->style, value));
     text.back() = ';';
     text += check.against.empty() ? " the same here" : " otherwise here:";
     for (const auto& [better, worse] : check.against)
@@ -117,11 +124,11 @@ std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
   std::string line = latex_escaped(row.call());
   if (!row.error.empty())
     return line + fmt::format(" & \\multicolumn{{{}}}{{l}}{{failed: {}}} \\\\\n",
-                              readable_columns().size(), latex_escaped(row.error));
-  for (const ReadableColumn& column : readable_columns()) {
+                              table_columns().size(), latex_escaped(row.error));
+  for (const Column& column : table_columns()) {
     const std::string text = latex_number(cell_text(column, row));
     const bool best = !row.reference && best_of(column, rows) == column.value(row) &&
-                      column.better != scene::Measure::Better::neither;
+                      column.better != Better::neither;
     line += best ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text) : " & " + text;
   }
   return line + " \\\\\n";
@@ -129,7 +136,7 @@ std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
 
 std::string latex_block(std::string_view scene, std::span<const ResultRow> rows) {
   std::string text = fmt::format("\\midrule\n\\multicolumn{{{}}}{{l}}{{\\textit{{{}}}}} \\\\\n",
-                                 readable_columns().size() + 1, latex_escaped(scene));
+                                 table_columns().size() + 1, latex_escaped(scene));
   for (const ResultRow& row : rows) text += latex_line(row, rows);
   return text;
 }
@@ -179,9 +186,8 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n", study.title);
   text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
-                      std::string(readable_columns().size(), 'r'));
-  for (const ReadableColumn& column : readable_columns())
-    text += fmt::format(" & {}", column.title);
+                      std::string(table_columns().size(), 'r'));
+  for (const Column& column : table_columns()) text += fmt::format(" & {}", column.heading);
   text += " \\\\\n";
   for (const auto& scene : study.scenes)
     text += latex_block(scene_name(scene), rows_of(scene_name(scene), rows));

@@ -22,50 +22,38 @@ std::string inline_json(const nlohmann::json& j) {
   return text;
 }
 
-/// A file of the vega packages as a CommonJS module.
-std::string vega_module(std::string_view name, std::string_view text) {
-  return fmt::format("define(\"{}\", function (exports, module, require) {{{}\n}});\n", name, text);
+/// What follows the last slash of an embedded file's path.
+std::string_view name_of(const report_files::File& file) {
+  return file.path.substr(file.path.rfind('/') + 1);
+}
+
+/// The package's name in require(): its file's, but for one.
+std::string module_name(std::string_view file_name, std::string_view ending) {
+  const std::string name(file_name.substr(0, file_name.size() - ending.size()));
+  return name == "vega-selection" ? "vega-selections" : name;
 }
 
 /// Debian's vega comes as one file per package, each of which would overwrite the global `vega` of
-/// the others: they are loaded as modules, and vega.js puts them together.
+/// the others: they are loaded as CommonJS modules, and vega.js puts them together.
 std::string vega_bundle() {
-  namespace f = report_files;
-  const std::pair<std::string_view, std::string_view> modules[] = {
-      {"vega-util", f::vega_util_min_js()},
-      {"vega-time", f::vega_time_min_js()},
-      {"vega-format", f::vega_format_min_js()},
-      {"vega-loader", f::vega_loader_min_js()},
-      {"vega-dataflow", f::vega_dataflow_min_js()},
-      {"vega-scale", f::vega_scale_min_js()},
-      {"vega-canvas", f::vega_canvas_min_js()},
-      {"vega-scenegraph", f::vega_scenegraph_min_js()},
-      {"vega-statistics", f::vega_statistics_min_js()},
-      {"vega-expression", f::vega_expression_min_js()},
-      {"vega-selections", f::vega_selection_min_js()},
-      {"vega-functions", f::vega_functions_min_js()},
-      {"vega-runtime", f::vega_runtime_min_js()},
-      {"vega-view", f::vega_view_min_js()},
-      {"vega-event-selector", f::vega_event_selector_min_js()},
-      {"vega-parser", f::vega_parser_min_js()},
-      {"vega-encode", f::vega_encode_min_js()},
-      {"vega-transforms", f::vega_transforms_min_js()},
-      {"vega-view-transforms", f::vega_view_transforms_min_js()},
-      {"vega-label", f::vega_label_min_js()}};
-  std::string bundle(f::modules_js());
-  for (const auto& [name, text] : modules) bundle += vega_module(name, text);
-  return bundle + std::string(f::vega_js());
+  constexpr std::string_view ending = ".min.js";
+  std::string bundle(report_files::modules_js());
+  for (const report_files::File& file : report_files::files())
+    if (file.path.ends_with(ending))
+      bundle += fmt::format("define(\"{}\", function (exports, module, require) {{{}\n}});\n",
+                            module_name(name_of(file), ending), file.text());
+  return bundle + std::string(report_files::vega_js());
 }
 
+/// All scripts of the page, of which report.js alone does something when it is loaded.
 std::string page_script() {
-  namespace f = report_files;
+  constexpr std::string_view folder = "compare/report/page/";
   std::string script;
-  for (const std::string_view part :
-       {f::format_js(), f::pictures_js(), f::measures_js(), f::viewer_js(), f::trade_off_js(),
-        f::plots_js(), f::curves_js(), f::table_js(), f::claims_js(), f::costs_js(),
-        f::overview_js(), f::provenance_js(), f::report_js()})
-    script += part;
-  return script;
+  for (const report_files::File& file : report_files::files())
+    if (file.path == fmt::format("{}{}", folder, name_of(file)) && file.path.ends_with(".js") &&
+        name_of(file) != "report.js")
+      script += file.text();
+  return script + std::string(report_files::report_js());
 }
 
 /// Puts `text` where the page says {{name}}.

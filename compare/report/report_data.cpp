@@ -11,6 +11,7 @@
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/crop.h"
+#include "compare/results/columns.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -48,11 +49,34 @@ const ResultRow* find(std::span<const ResultRow> rows, const Cell& cell) {
   return nullptr;
 }
 
+json columns_json() {
+  json list = json::array();
+  for (const Column& column : columns())
+    if (column.in_report)
+      list.push_back({{"name", column.name},
+                      {"heading", column.heading},
+                      {"style", name_of(column.style)},
+                      {"better", name_of(column.better)}});
+  return list;
+}
+
+/// What the page's table shows of a row. JSON has no infinity; the page knows which style has.
+json values_json(const ResultRow& row) {
+  json values = json::object();
+  for (const Column& column : columns()) {
+    if (!column.in_report) continue;
+    const std::optional<double> value = column.value(row);
+    values[column.name] = value && std::isfinite(*value) ? json(*value) : json();
+  }
+  return values;
+}
+
 json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
   json j = to_json(row);
   j["name"] = cell.call.text();
   j["title"] = cell.call.row->title;
   if (!row.error.empty()) return j;
+  j["values"] = values_json(row);
   j["picture"] = data_uri(files.preview());
   for (json& picture : j["pictures"])
     picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));
@@ -119,7 +143,7 @@ json methods_json(const Study& study) {
 json check_json(const Claim& claim, const ClaimCheck& check) {
   json values = json::array();
   for (const auto& [call, value] : check.values)
-    values.push_back({{"call", call}, {"text", claim.by->text(value)}});
+    values.push_back({{"call", call}, {"text", number_for_people(claim.by->style, value)}});
   return {{"scene", check.scene}, {"values", values}, {"against", check.against}};
 }
 
@@ -129,7 +153,7 @@ json claims_json(const Study& study, std::span<const ResultRow> rows) {
     json checks = json::array();
     for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
       checks.push_back(check_json(claim, check));
-    claims.push_back({{"text", claim.text}, {"by", claim.by->title}, {"checks", checks}});
+    claims.push_back({{"text", claim.text}, {"by", claim.by->heading}, {"checks", checks}});
   }
   return claims;
 }
@@ -170,6 +194,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
   for (const SceneCells& scene : done_scenes(study, rows))
     scenes.push_back(scene_json(study, folder, scene));
   return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+          {"columns", columns_json()},
           {"rows", list},
           {"scenes", scenes},
           {"methods", methods_json(study)},

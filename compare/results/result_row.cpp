@@ -20,18 +20,26 @@ std::optional<double> optional_number(const json& value) {
 }
 
 json metrics_json(const Metrics& m) {
-  return {{"rmse", m.rmse},
-          {"ssim", finite_or_null(m.ssim)},
-          {"psnr", finite_or_null(m.psnr)},
-          {"max_error", m.max_error.value},
-          {"max_error_pixel", {m.max_error.x, m.max_error.y}}};
+  json j;
+  for (std::size_t row = 0; row < metrics().size(); ++row)
+    j[std::string(metrics()[row].name)] = finite_or_null(m[row]);
+  j["max_error_pixel"] = {m.max_error_x, m.max_error_y};
+  return j;
 }
 
+/// A metric that a row of an earlier build does not have is missing.
 Metrics metrics_from(const json& j) {
-  return {j.at("rmse"),
-          optional_number(j.at("psnr")).value_or(std::numeric_limits<double>::infinity()),
-          optional_number(j.at("ssim")),
-          {j.at("max_error"), j.at("max_error_pixel").at(0), j.at("max_error_pixel").at(1)}};
+  Metrics m;
+  for (std::size_t row = 0; row < metrics().size(); ++row) {
+    const MetricRow& metric = metrics()[row];
+    const auto found = j.find(metric.name);
+    if (found == j.end()) continue;
+    m[row] = optional_number(*found);
+    if (!m[row] && metric.infinite_when_equal) m[row] = std::numeric_limits<double>::infinity();
+  }
+  m.max_error_x = j.at("max_error_pixel").at(0);
+  m.max_error_y = j.at("max_error_pixel").at(1);
+  return m;
 }
 
 json spread_json(const Spread& s) { return {{"median", s.median}, {"min", s.min}, {"max", s.max}}; }

@@ -82,9 +82,10 @@ class Tuning {
 }  // namespace
 
 bool ErrorBound::holds_for(const ResultRow& row) const {
-  const Metrics& metrics = row.metrics.linear;
-  return row.error.empty() && (!max_rmse || metrics.rmse <= *max_rmse) &&
-         (!min_ssim || (metrics.ssim && *metrics.ssim >= *min_ssim)) &&
+  const std::optional<double> rmse = row.metrics.linear.of("rmse");
+  const std::optional<double> ssim = row.metrics.linear.of("ssim");
+  return row.error.empty() && (!max_rmse || (rmse && *rmse <= *max_rmse)) &&
+         (!min_ssim || (ssim && *ssim >= *min_ssim)) &&
          (!max_bytes || row.total_bytes() <= *max_bytes);
 }
 

@@ -7,8 +7,8 @@
 namespace pellucid::compare {
 namespace {
 
-std::optional<double> value_of(const ReadableColumn& column, std::string_view scene,
-                               std::string_view call, std::span<const ResultRow> rows) {
+std::optional<double> value_of(const Column& column, std::string_view scene, std::string_view call,
+                               std::span<const ResultRow> rows) {
   for (const ResultRow& row : rows)
     if (row.error.empty() && row.scene == scene && row.call() == call) return column.value(row);
   return std::nullopt;

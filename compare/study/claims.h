@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "compare/results/readable_columns.h"
+#include "compare/results/columns.h"
 
 namespace pellucid::compare {
 
 /// What a study's source found: an order of its pictures by one number, to be held against what is
 /// measured here.
 struct Claim {
-  std::string text;            // for people: "Fourier errs least"
-  const ReadableColumn* by{};  // a column in which one way is better
+  std::string text;    // for people: "Fourier errs least"
+  const Column* by{};  // a column in which one way is better
   /// Calls as MethodCall::text() has them, the best first; of those in one group no order is
   /// claimed.
   std::vector<std::vector<std::string>> order;

@@ -202,10 +202,10 @@ std::vector<std::string> read_group(const JsonNode& node, const Study& study) {
 Claim read_claim(const JsonNode& node, const Study& study) {
   node.accept_keys({"claim", "by", "order"});
   Claim claim{node["claim"].string(), nullptr, {}};
-  claim.by = &at_place(node["by"], [&]() -> const ReadableColumn& {
-    return find_row("number", node["by"].string(), readable_columns());
+  claim.by = &at_place(node["by"], [&]() -> const Column& {
+    return find_row("number", node["by"].string(), columns());
   });
-  if (claim.by->better == scene::Measure::Better::neither)
+  if (claim.by->better == Better::neither)
     node["by"].fail(fmt::format("'{}': no way is better", claim.by->name));
   for (const JsonNode& element : node["order"].elements())
     claim.order.push_back(read_group(element, study));

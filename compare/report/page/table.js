@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All numbers of the study, sorted by a click on a column's head.
 
-const columns = [
+/** How a column of each style is written; the program's table of columns says which has which. */
+const styles = () => ({ scientific, similarity, decibels, milliseconds, megabytes, count });
+const directions = { lower: Math.min, higher: Math.max };
+const tips = { seconds: timeTip, bytes: memoryTip, fragments: fragmentsTip };
+
+/** PSNR of equal pictures is infinite, which JSON holds as null. */
+const valueOf = ({ name, style }) => (row) => row.values?.[name] ?? (style === "decibels" ? Infinity : null);
+
+const tableColumns = () => [
   { title: "Scene", value: (row) => row.scene, text: String },
   { title: "Method", value: (row) => row.name, text: String },
-  { title: "RMSE", value: (row) => row.metrics.rmse, text: scientific, better: Math.min },
-  { title: "SSIM", value: (row) => row.metrics.ssim, text: similarity, better: Math.max },
-  { title: "PSNR [dB]", value: (row) => row.metrics.psnr ?? Infinity, text: decibels, better: Math.max },
-  { title: "Max error", value: (row) => row.metrics.max_error, text: scientific, better: Math.min },
-  { title: "SSIM, 8 bits", value: (row) => row.metrics.displayed.ssim, text: similarity, better: Math.max },
-  { title: "Time [ms]", value: (row) => row.seconds.median, text: milliseconds, better: Math.min, tip: timeTip },
-  { title: "Memory [MB]", value: (row) => row.bytes.total, text: megabytes, better: Math.min, tip: memoryTip },
-  { title: "Fragments", value: (row) => row.fragments, text: count, tip: fragmentsTip },
-  { title: "Layers", value: (row) => row.max_layers, text: count },
+  ...data.columns.map((column) => ({
+    title: column.heading, value: valueOf(column), text: styles()[column.style],
+    better: directions[column.better], tip: tips[column.name],
+  })),
 ];
+
+let columns = []; // of the table, once it is made
 
 function timeTip({ seconds }) {
   return `${milliseconds(seconds.min)} to ${milliseconds(seconds.max)} ms in ${seconds.repeats} runs`;
@@ -68,6 +73,7 @@ function sortableTable(rows) {
 }
 
 function tableSection(rows) {
+  columns = tableColumns();
   const lead = "A click on a head sorts. The best of each scene, the reference left out, is in colour.";
   return make("section", { id: "table" }, make("h2", {}, "All numbers"), make("p", { class: "lead" }, lead),
               sortableTable(rows));

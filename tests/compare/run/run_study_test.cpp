@@ -53,8 +53,8 @@ TEST(UnitRunStudy, ARowSaysWhatTheRendererDid) {
   const ResultRow& row = row_of(outcome, "one", "shifted");
   EXPECT_EQ(row.parameters, "by=0.5");
   EXPECT_EQ(row.parameter_values.at("how"), "up");
-  EXPECT_DOUBLE_EQ(row.metrics.linear.rmse, 0.5);
-  EXPECT_EQ(row.metrics.linear.max_error.value, 0.5);
+  EXPECT_DOUBLE_EQ(*row.metrics.linear.of("rmse"), 0.5);
+  EXPECT_EQ(row.metrics.linear.of("max_error"), 0.5);
   EXPECT_EQ(row.seconds.median, 0.75);
   ASSERT_EQ(row.steps.size(), 2u);
   EXPECT_EQ(row.steps[1].first, "second");
@@ -64,7 +64,7 @@ TEST(UnitRunStudy, ARowSaysWhatTheRendererDid) {
   EXPECT_EQ(row.max_layers, 3u);
   EXPECT_EQ(row.machine.at("driver"), "none");
   EXPECT_FALSE(row.coverage.has_value());
-  EXPECT_EQ(row_of(outcome, "two", "truth").metrics.linear.rmse, 0);
+  EXPECT_EQ(row_of(outcome, "two", "truth").metrics.linear.of("rmse"), 0);
 }
 
 TEST(UnitRunStudy, OneWarmUpAndAllRepeats) {
@@ -121,7 +121,7 @@ TEST(UnitRunStudy, AFailingCellIsARowAndTheOthersGoOn) {
   EXPECT_EQ(outcome.rows.size(), 8u);
   EXPECT_THAT(row_of(outcome, "one", "broken").error, HasSubstr("the driver lacks"));
   EXPECT_THAT(row_of(outcome, "one", "not-a-number").error, HasSubstr("384 pixels"));
-  EXPECT_DOUBLE_EQ(row_of(outcome, "two", "shifted").metrics.linear.rmse, 0.25);
+  EXPECT_DOUBLE_EQ(*row_of(outcome, "two", "shifted").metrics.linear.of("rmse"), 0.25);
   const std::string csv = read_text(folder / "results/results.csv");
   EXPECT_THAT(csv,
               HasSubstr("one,broken,,,,,,,,,,,,,,,,,,,,,,\"the driver lacks \"\"everything\"\""));
@@ -204,7 +204,7 @@ TEST(UnitResume, AnotherReferenceOrDriverMakesOtherCells) {
   options.resume = true;
   const StudyOutcome outcome = run_study(study, options);
   EXPECT_EQ(outcome.computed, 4u);
-  EXPECT_DOUBLE_EQ(row_of(outcome, "one", "shifted").metrics.linear.rmse, 0.125);
+  EXPECT_DOUBLE_EQ(*row_of(outcome, "one", "shifted").metrics.linear.of("rmse"), 0.125);
   options.context.gl = "egl";
   EXPECT_EQ(run_study(study, options).computed, 4u);
 }
@@ -279,8 +279,10 @@ TEST_P(SlowKilledStudy, IsCompletedToTheSameNumbers) {
   EXPECT_EQ(resumed.kept, std::size_t(GetParam() - 1) / 3);  // renderings per cell
   ASSERT_EQ(resumed.rows.size(), expected.rows.size());
   for (std::size_t i = 0; i < expected.rows.size(); ++i) {
-    EXPECT_EQ(resumed.rows[i].metrics.linear.rmse, expected.rows[i].metrics.linear.rmse);
-    EXPECT_EQ(resumed.rows[i].metrics.linear.ssim, expected.rows[i].metrics.linear.ssim);
+    EXPECT_EQ(resumed.rows[i].metrics.linear.of("rmse"),
+              expected.rows[i].metrics.linear.of("rmse"));
+    EXPECT_EQ(resumed.rows[i].metrics.linear.of("ssim"),
+              expected.rows[i].metrics.linear.of("ssim"));
     EXPECT_EQ(resumed.rows[i].fragments, expected.rows[i].fragments);
   }
   EXPECT_EQ(resumed.computed + resumed.kept, 6u);

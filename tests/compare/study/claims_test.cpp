@@ -24,8 +24,8 @@ ResultRow row(const std::string& scene, const std::string& method, double rmse) 
   ResultRow row;
   row.scene = scene;
   row.method = method;
-  row.metrics.linear.rmse = rmse;
-  row.metrics.linear.ssim = 1 - rmse;
+  row.metrics.linear.of("rmse") = rmse;
+  row.metrics.linear.of("ssim") = 1 - rmse;
   return row;
 }
 
@@ -35,7 +35,7 @@ const std::vector<ResultRow> rows{row("one", "a", 0.1),  row("one", "b", 0.2),
                                   row("two", "b", 0.25), row("two", "c", 0.5)};
 
 Claim claim(const char* by, std::vector<std::vector<std::string>> order) {
-  return {"", &find_row("number", by, readable_columns()), std::move(order)};
+  return {"", &find_row("number", by, columns()), std::move(order)};
 }
 
 TEST(UnitClaims, TheBetterOneIsSmallerInErrorAndLargerInSimilarity) {

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/listings.h"
+
+#include <fmt/format.h>
+
+#include "compare/measures/further_measures.h"
+#include "compare/methods/methods.h"
+#include "compare/pictures/metrics.h"
+#include "compare/results/columns.h"
+#include "compare/study/study.h"
+#include "fields/analytic/catalogue.h"
+#include "fields/levels/derived_scalar.h"
+#include "fields/levels/level_field.h"
+#include "integrators/lines/integrate_lines.h"
+#include "integrators/paths/butcher_tableau.h"
+#include "integrators/surfaces/integrate_surface.h"
+#include "scene/appearance/colormap.h"
+#include "scene/datasets/dataset.h"
+
+namespace pellucid::app {
+namespace {
+
+nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const ParameterSpec& spec : parameters)
+    rows.push_back({{"name", spec.name},
+                    {"default", spec.default_value},
+                    {"accepted", spec.accepted()},
+                    {"unit", spec.unit},
+                    {"help", spec.help}});
+  return rows;
+}
+
+nlohmann::ordered_json list_methods() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const scene::MethodRow& row : compare::methods())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"equations", row.equations},
+                    {"bytes per pixel", row.bytes_per_pixel},
+                    {"sweep", row.sweep},
+                    {"exact", row.promises.exact},
+                    {"order-independent", row.promises.order_independent},
+                    {"order spread", row.promises.order_spread},
+                    {"convex hull", row.promises.convex_hull},
+                    {"fixed memory", row.promises.fixed_memory},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::ordered_json list_integrators() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const integrators::IntegratorRow& row : integrators::integrators())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"parameters", to_json(row.parameters)}});
+  for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::ordered_json list_fields() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const fields::FieldRow& row : fields::analytic_fields())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"formula", row.formula},
+                    {"steady", row.steady},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::ordered_json list_datasets() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const scene::DatasetRow& row : scene::datasets())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"citation", row.citation},
+                    {"scene key", row.on_levels ? "isosurface.dataset" : "dataset"},
+                    {"parameters", to_json(row.parameters)}});
+  return rows;
+}
+
+nlohmann::ordered_json list_metrics() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const compare::MetricRow& row : compare::metrics())
+    rows.push_back({{"name", row.name},
+                    {"title", row.title},
+                    {"definition", row.definition},
+                    {"citation", row.citation},
+                    {"unit", row.unit}});
+  return rows;
+}
+
+nlohmann::ordered_json list_columns() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const compare::Column& column : compare::columns())
+    rows.push_back({{"name", column.name},
+                    {"title", column.heading},
+                    {"unit of the value", column.unit},
+                    {"better", compare::name_of(column.better)}});
+  return rows;
+}
+
+/// The rows of a table whose rows have a name, a title and a citation.
+template <class Table>
+nlohmann::ordered_json named_rows(const Table& table) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& row : table)
+    rows.push_back({{"name", row.name}, {"title", row.title}, {"citation", row.citation}});
+  return rows;
+}
+
+nlohmann::ordered_json list_steppers() {
+  nlohmann::ordered_json rows = named_rows(integrators::steppers());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i]["order"] = integrators::steppers()[i].order;
+    rows[i]["adaptive"] = integrators::steppers()[i].adaptive;
+  }
+  return rows;
+}
+
+nlohmann::ordered_json list_scalars() { return named_rows(fields::derived_scalars()); }
+
+nlohmann::ordered_json list_reconstructions() {
+  nlohmann::ordered_json rows = named_rows(fields::reconstructions);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i]["continuous"] = fields::reconstructions[i].continuous;
+    rows[i]["linear-preserving"] = fields::reconstructions[i].linear_preserving;
+  }
+  return rows;
+}
+
+nlohmann::ordered_json list_colormaps() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const scene::ColormapRow& row : scene::colormaps())
+    rows.push_back({{"name", row.name},
+                    {"title", fmt::format("{} colours", row.count)},
+                    {"citation", row.citation}});
+  return rows;
+}
+
+nlohmann::ordered_json list_measures() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const compare::FurtherMeasure& row : compare::further_measures())
+    rows.push_back({{"name", row.name}, {"title", row.title}});
+  return rows;
+}
+
+nlohmann::ordered_json list_all_studies() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const compare::StudySummary& study : compare::list_studies())
+    rows.push_back({{"name", study.name}, {"title", study.title}, {"source", study.source}});
+  return rows;
+}
+
+constexpr Listing table[] = {{"methods", "method", list_methods},
+                             {"integrators", "integrator", list_integrators},
+                             {"steppers", "stepper", list_steppers},
+                             {"fields", "field", list_fields},
+                             {"scalars", "scalar", list_scalars},
+                             {"reconstructions", "reconstruction", list_reconstructions},
+                             {"datasets", "data set", list_datasets},
+                             {"colormaps", "colour map", list_colormaps},
+                             {"metrics", "metric", list_metrics},
+                             {"measures", "measure", list_measures},
+                             {"columns", "column", list_columns},
+                             {"studies", "study", list_all_studies}};
+
+}  // namespace
+
+std::span<const Listing> listings() { return table; }
+
+}  // namespace pellucid::app
