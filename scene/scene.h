@@ -31,10 +31,10 @@ struct Halo {
 };
 
 /// A LineObject holds polylines of a width. A ribbon faces the eye at every point (see ribbon.h)
-/// and is lit as the tube that it stands for: at the fraction c of the half width, |n · v| = √(1 -
-/// c²) |m · v| with m the part of v that is perpendicular to the line, normalized. The line's
-/// direction is that of line_direction at its points, normalized, and interpolated linearly between
-/// them.
+/// and is lit as the tube that it stands for: at the fraction c of the half width,
+///   |n · v| = √(1 - c²) |m · v|
+/// with m the part of v that is perpendicular to the line, normalized. The line's direction is that
+/// of line_direction() at its points, normalized, and interpolated linearly between them.
 struct LineObject {
   /// A Profile says whether lines are flat strips or round.
   enum class Profile { ribbon, tube };

@@ -7,18 +7,19 @@
 
 namespace pellucid::groundtruth {
 
-/// Colour, the background's share and the number of crossings composited.
+/// A Composite is a ray's colour, the background's share of it, and the number of crossings
+/// composited.
 struct Composite {
   Vec3 color;
   double transmittance;
   std::uint32_t layers;
 };
 
-/// Front-to-back composite of `crossings` (sorted) over the background,
+/// Composites `crossings` (sorted) front to back over the background,
 ///   C = Σ C_i α_i Π_{j<i} (1 - α_j) + C_bg Π (1 - α_i)
 /// (Baeza Rojo et al. 2019, Eq. 12), in double. It ends where the product falls below `stop_below`;
 /// what lies behind then counts as background, so that, colours within [0, 1], each channel errs by
-/// less than `stop_below`.
+/// less than `stop_below`. `world_direction` is the ray's, of any length.
 Composite composite(const CrossingFinder& finder, std::span<const Crossing> crossings,
                     const Vec3& background, const Vec3& world_direction, double stop_below = 0);
 

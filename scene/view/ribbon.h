@@ -15,13 +15,12 @@ namespace pellucid::scene {
 /// ends and where the points next to i are equal.
 Vec3 line_direction(std::span<const Vec3> points, std::size_t i);
 
-/// Makes of a line a strip that faces the eye: at point i it reaches from x_i - w_i to x_i + w_i
-/// with
+/// Makes a strip of a line, facing the eye: at point i it reaches from x_i - w_i to x_i + w_i with
 ///   w = radius · (t × v) / |t × v|,
-/// t the line_direction at the point, v the direction
-/// from the eye to the point (perspective) or the viewing axis (orthographic). w_i is turned to the
-/// side of w_(i-1), so that the strip does not cross itself where the line turns away from the eye.
-/// Neighbouring segments share their corners: the strip has no gap at a joint.
+/// t the line_direction() at the point, v the direction from the eye to the point (perspective) or
+/// the viewing axis (orthographic). w_i is turned to the side of w_(i-1), so that the strip does
+/// not cross itself where the line turns away from the eye. Neighbouring segments share their
+/// corners: the strip has no gap at a joint.
 ///
 /// Ground truth and every method draw this one shape. Overwrites `half_widths`, world units; where
 /// a line stands still or runs along v, w_i is w_(i-1), or points along the camera's right.
