@@ -10,7 +10,8 @@
 
 namespace pellucid::compare {
 
-/// Largest absolute difference of any red, green or blue value, and the first pixel that has it.
+/// A MaxError is the largest absolute difference of any red, green or blue value, and the first
+/// pixel that has it (row 0 is the top).
 struct MaxError {
   double value = 0;
   int x = 0, y = 0;
@@ -20,17 +21,20 @@ struct MaxError {
 // clamped), sums in double. They throw InputError when the sizes differ, when there are no pixels,
 // or when a value is not finite.
 
+/// Returns the root mean square of all red, green and blue differences.
 double rmse(const Image& reference, const Image& test);
 
-/// 20 log10(1 / RMSE), in dB; infinite for equal pictures.
+/// Returns 20 log10(1 / RMSE), in dB; infinite for equal pictures.
 double psnr(const Image& reference, const Image& test);
 
+/// Returns the largest difference and where it is.
 MaxError max_error(const Image& reference, const Image& test);
 
-/// Mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11 pixels:
-/// then no pixel's window lies inside.
+/// Returns the mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below
+/// 11 pixels: then no pixel's window lies inside.
 std::optional<double> ssim(const Image& reference, const Image& test);
 
+/// Metrics are the values of all metrics for one pair of pictures.
 struct Metrics {
   double rmse = 0;
   double psnr = 0;
@@ -38,20 +42,23 @@ struct Metrics {
   MaxError max_error;
 };
 
+/// Computes all metrics.
 Metrics measure(const Image& reference, const Image& test);
 
-/// Of the float pictures, and of the 8-bit values that a screen shows of them.
+/// A Comparison holds the metrics of the float pictures, and of the 8-bit values that a screen
+/// shows of them.
 struct Comparison {
   Metrics linear;
   Metrics displayed;
 };
 
+/// Computes all metrics of the float pictures and of their displayed values.
 Comparison compare_images(const Image& reference, const Image& test);
 
-/// Number of pixels with a value that is infinite or not a number.
+/// Returns the number of pixels with a value that is infinite or not a number, A included.
 std::size_t count_not_finite(const Image& image);
 
-/// One row of the table that `list metrics` and the report read.
+/// A MetricRow is one row of the table that `list metrics` and the report read.
 struct MetricRow {
   std::string_view name;
   std::string_view title;
@@ -62,6 +69,7 @@ struct MetricRow {
   std::optional<double> (*value)(const Metrics&);
 };
 
+/// Returns the table of metrics.
 std::span<const MetricRow> metrics();
 
 }  // namespace pellucid::compare
