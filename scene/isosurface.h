@@ -22,7 +22,7 @@ struct ColormapRow;
 struct Isosurface {
   /// A Ball is all within a distance of a point.
   struct Ball {
-    Vec3 center{0};
+    Vec3 center{0};     // world
     double radius = 0;  // world
   };
   /// A Body is a solid, and all within a distance of it.
@@ -34,7 +34,7 @@ struct Isosurface {
   /// An OtherScalar is a scalar where the surface is, reconstructed as the surface's own.
   struct OtherScalar {
     std::shared_ptr<const fields::LevelField> field;  // on the same levels
-    Vec2 range{0, 1};
+    Vec2 range{0, 1};                                 // in the scalar's unit
 
     double fraction(const Vec3& x) const;  // of the range
   };
@@ -49,13 +49,13 @@ struct Isosurface {
   /// constant beyond.
   struct Fading {
     OtherScalar scalar;
-    Vec2 opacities{0, 1};
+    Vec2 opacities{0, 1};  // at the ends of the range, each in [0, 1]
 
     float opacity(const Vec3& x) const;
   };
 
   std::shared_ptr<const fields::LevelField> field;
-  double value = 0;
+  double value = 0;                               // in the scalar's unit
   std::optional<Coloring> coloring;               // none: the colour of `corners`
   std::optional<Fading> fading;                   // none: the opacity of `corners`
   std::variant<std::monostate, Ball, Body> hole;  // nothing of the surface is drawn within

@@ -35,12 +35,12 @@ struct NamedBytes {
 /// A FrameStats says where a progressive method stands after one of its frames; sums are from the
 /// first frame on.
 struct FrameStats {
-  double seconds = 0;
+  double seconds = 0;           // sum, wall clock
   std::uint64_t lines = 0;      // of this frame
   std::uint64_t fragments = 0;  // sum
-  std::uint64_t layers = 0;     // of all pixels
-  std::uint64_t bytes = 0;
-  double change = 0;  // of the picture by this frame: root mean square over RGB
+  std::uint64_t layers = 0;     // sum, of all pixels
+  std::uint64_t bytes = 0;      // allocated by now
+  double change = 0;            // of the picture by this frame: root mean square over RGB
 };
 
 /// RenderStats say what a picture took. Bytes are those a method allocates beyond the scene's own
@@ -83,7 +83,7 @@ struct Measure {
   std::string name;   // of the column: "distance_max"
   std::string title;  // for people: "Largest distance"
   std::string unit;   // empty: a plain number
-  double value = 0;
+  double value = 0;   // in `unit`
   Better better = Better::neither;
 };
 

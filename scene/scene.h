@@ -64,7 +64,7 @@ struct FlowSource {
   integrators::SeedCurve seed;
   double duration = 0;
   double start_time = 0;
-  bool path = false;
+  bool path = false;      // a path surface of an unsteady field, not a stream surface
   Appearance appearance;  // of the surface, its colour's range filled in
 };
 
@@ -97,7 +97,7 @@ struct Scene {
   int height = 1000;
   int samples = 1;  // per pixel and axis, see pixel_samples.h
   Camera camera;
-  Vec3 background{1, 1, 1};
+  Vec3 background{1, 1, 1};  // red, green, blue in [0, 1]
   Lighting lighting = Lighting::none;
   EnergyWeights energy;  // for methods that optimize opacities
   std::vector<SceneObject> objects;

@@ -17,32 +17,31 @@ struct MaxError {
   int x = 0, y = 0;
 };
 
-// All compare red, green and blue, values taken as they are (nominal range [0, 1], HDR not
-// clamped), sums in double. They throw InputError when the sizes differ, when there are no pixels,
-// or when a value is not finite.
-
-/// Returns the root mean square of all red, green and blue differences.
+/// Returns the root mean square of all red, green and blue differences. As all metrics here it
+/// takes values as they are (nominal range [0, 1], HDR not clamped), sums in double, and throws
+/// InputError when the sizes differ, when there are no pixels, or when a value of either picture is
+/// not finite.
 double rmse(const Image& reference, const Image& test);
 
-/// Returns 20 log10(1 / RMSE), in dB; infinite for equal pictures.
+/// Returns 20 log10(1 / RMSE), in dB; infinite for equal pictures. Throws as rmse() does.
 double psnr(const Image& reference, const Image& test);
 
-/// Returns the largest difference and where it is.
+/// Returns the largest difference and where it is. Throws as rmse() does.
 MaxError max_error(const Image& reference, const Image& test);
 
 /// Returns the mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below
-/// 11 pixels: then no pixel's window lies inside.
+/// 11 pixels: then no pixel's window lies inside. Throws as rmse() does.
 std::optional<double> ssim(const Image& reference, const Image& test);
 
 /// Metrics are the values of all metrics for one pair of pictures.
 struct Metrics {
   double rmse = 0;
-  double psnr = 0;
+  double psnr = 0;  // dB
   std::optional<double> ssim;
   MaxError max_error;
 };
 
-/// Computes all metrics.
+/// Computes all metrics. Throws as rmse() does.
 Metrics measure(const Image& reference, const Image& test);
 
 /// A Comparison holds the metrics of the float pictures, and of the 8-bit values that a screen
@@ -52,7 +51,7 @@ struct Comparison {
   Metrics displayed;
 };
 
-/// Computes all metrics of the float pictures and of their displayed values.
+/// Computes all metrics of the float pictures and of their displayed values. Throws as rmse() does.
 Comparison compare_images(const Image& reference, const Image& test);
 
 /// Returns the number of pixels with a value that is infinite or not a number, A included.

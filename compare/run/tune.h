@@ -16,7 +16,7 @@ namespace pellucid::compare {
 struct ErrorBound {
   std::optional<double> max_rmse;
   std::optional<double> min_ssim;  // a picture without SSIM (a side below 11 pixels) fails it
-  std::optional<std::uint64_t> max_bytes;
+  std::optional<std::uint64_t> max_bytes;  // beyond the scene and the picture
 
   bool holds_for(const ResultRow& row) const;
 };
@@ -32,7 +32,7 @@ struct TuneRequest {
   std::vector<MethodCall> candidates;
   ErrorBound bound;
   Cost cost = Cost::seconds;  // median time, or bytes beyond the scene and the picture
-  int repeats = 3;
+  int repeats = 3;            // timed renderings of each candidate
   scene::RenderContext context;
   Progress progress;
   std::function<void(const ResultRow&)> on_row;  // called when a candidate is measured

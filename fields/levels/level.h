@@ -15,10 +15,10 @@ namespace pellucid::fields {
 /// samples lie on whole numbers.
 template <class T>
 struct Level {
-  Vec3 origin{0};    // world, of the first sample
-  double width = 1;  // of a cell, world
-  std::array<int, 3> size{};
-  std::vector<T> samples;  // x fastest
+  Vec3 origin{0};             // world, of the first sample
+  double width = 1;           // of a cell, world
+  std::array<int, 3> size{};  // samples along x, y, z
+  std::vector<T> samples;     // x fastest
 
   std::size_t index(int i, int j, int k) const {
     return std::size_t(i) +

@@ -11,9 +11,9 @@ namespace pellucid::fields {
 
 /// An ExtractedSurface holds triangles on an isosurface of a field on levels.
 struct ExtractedSurface {
-  std::vector<Vec3> positions;  // world
-  std::vector<Vec3> normals;    // unit gradients
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Vec3> positions;                          // world
+  std::vector<Vec3> normals;                            // unit gradients
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of vertices, from 0
 };
 
 /// Extracts the surface where the field takes `value`, as triangles: marching cubes (VTK's flying

@@ -20,7 +20,7 @@ struct CellGrid {
   static constexpr int largest_cell = 27;  // most points of a cell that is accepted
 
   vtkSmartPointer<vtkDataSet> cells;
-  std::vector<Vec3> velocities;  // by point
+  std::vector<Vec3> velocities;  // by point, world units per unit of time
   Box3 bounds;
 
   Vec3 point(vtkIdType number) const;

@@ -22,7 +22,7 @@ inline constexpr double edge_rounding = 1e-9;
 /// A GridFrame maps world positions to grid coordinates, in which samples lie at whole numbers.
 struct GridFrame {
   Mat3 grid_from_world;
-  Vec3 origin;
+  Vec3 origin;  // world, of grid coordinates (0, 0, 0)
 
   Vec3 to_grid(const Vec3& x) const { return grid_from_world * (x - origin); }
   Box3 world_box(const Box3& grid_box) const;

@@ -19,7 +19,7 @@ struct LocalRay {
   double depth(double t) const { return nearest_depth + t * direction.z; }
 
   Vec3 offset, direction;
-  double nearest_depth;
+  double nearest_depth;  // view depth at t = 0, units
 };
 
 /// A Chord is the part of a ray within a convex solid, from t = begin to end, begin < end.

@@ -42,12 +42,14 @@ class Program {
   }
 
   void use() const { gl_->UseProgram(id_); }
-  // A uniform that the shader does not use is ignored, as OpenGL does with location -1.
+  /// Sets a uniform; one that the shader does not use is ignored, as OpenGL does with location -1.
+  ///@{
   void set(const char* name, float value) const;
   void set(const char* name, const glm::vec2& value) const;
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, int value) const;
   void set(const char* name, std::uint32_t value) const;
+  ///@}
 
  private:
   GLint location(const char* name) const { return gl_->GetUniformLocation(id_, name); }

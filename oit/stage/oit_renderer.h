@@ -14,7 +14,7 @@ namespace pellucid::oit {
 /// A Frame is one picture being made.
 class Frame {
  public:
-  /// `picture` is what `target` draws into.
+  /// Starts a picture, of which `picture` is the texture that `target` draws into.
   Frame(const Stage& stage, const Texture& picture, const Framebuffer& target)
       : stage_(stage), texture_(picture), picture_(target) {}
 

@@ -28,7 +28,7 @@ struct ScalarOpacity {
 
 /// An Appearance says how an object is drawn. What is not set stays as the vertices have it.
 struct Appearance {
-  std::variant<std::monostate, Vec3, ScalarColor> color;
+  std::variant<std::monostate, Vec3, ScalarColor> color;        // red, green, blue in [0, 1]
   std::variant<std::monostate, double, ScalarOpacity> opacity;  // in [0, 1]
   std::optional<std::string>
       importance;  // the scalar that gives g, mapped from its range to [0, 1]

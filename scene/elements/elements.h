@@ -52,8 +52,9 @@ Elements line_elements(const Scene& scene, std::size_t segments);
 /// at its centre. The paper leaves the weights to Guenther et al. 2014.
 Elements surface_elements(const Scene& scene, std::size_t patches);
 
-/// Laplacian smoothing: an iteration moves each element's opacity half of the way to the mean of
-/// its neighbours'. s of them along a line are a binomial filter of variance s / 2 elements.
+/// Smooths opacities by Laplacian smoothing: an iteration moves each element's opacity half of the
+/// way to the mean of its neighbours'. s of them along a line are a binomial filter of variance
+/// s / 2 elements.
 void smooth(const Elements& elements, int iterations, std::vector<float>& opacities);
 
 /// Returns every vertex's opacity: the mean of its elements' opacities by their weights; 1 where it

@@ -13,11 +13,11 @@ enum class Projection { perspective, orthographic };
 /// units, positive in front.
 struct Camera {
   Projection projection = Projection::perspective;
-  Vec3 eye{0, 0, 5};
-  Vec3 target{0, 0, 0};
-  Vec3 up{0, 1, 0};
-  double fov = 45;    // perspective: vertical, degrees, in (0, 180)
-  double height = 2;  // orthographic: world units over the picture's height
+  Vec3 eye{0, 0, 5};     // world
+  Vec3 target{0, 0, 0};  // world
+  Vec3 up{0, 1, 0};      // of any length
+  double fov = 45;       // perspective: vertical, degrees, in (0, 180)
+  double height = 2;     // orthographic: world units over the picture's height
 };
 
 /// Returns a perspective camera that looks at the box from above its front right corner and sees
@@ -39,7 +39,7 @@ double half_height(const Camera& camera);
 
 /// A Ray starts at a point of the world and runs through the picture.
 struct Ray {
-  Vec3 origin;
+  Vec3 origin;     // world
   Vec3 direction;  // its component along the viewing axis is 1: the parameter is the view depth
 };
 
