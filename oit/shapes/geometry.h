@@ -47,6 +47,7 @@ class Geometry {
   void set_mesh_opacities(std::span<const float> opacities);
   void set_line_opacities(std::span<const float> opacities);
   ///@}
+
   /// Places the sample of each pixel, in pixels from its top left corner; see pixel_samples.h.
   void sample_at(const Vec2& sample) const;
 
@@ -55,6 +56,7 @@ class Geometry {
   void draw(const GeometryProgram& program) const { draw_all(program, false); }
   void draw(const GeometryProgram& program, const Subset& subset) const;
   ///@}
+
   /// Draws what is opaque, in the order of the scene.
   void draw_opaque(const GeometryProgram& program) const { draw_all(program, true); }
   /// Returns every n-th transparent primitive, from the first.

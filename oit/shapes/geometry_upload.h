@@ -25,6 +25,7 @@ struct IndexedVertices {
 IndexedVertices upload_meshes(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 ///@}
+
 /// Uploads centres, radii and colours of all points, 32 bytes a point: see disc.vert.glsl.
 BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 
@@ -34,6 +35,7 @@ BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSp
 void upload_mesh_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& meshes);
 void upload_ribbon_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& ribbons);
 ///@}
+
 /// Uploads opacities that a vertex has beside its colour's, `copies` times each, in [0, 1];
 /// uploaded again they replace the old ones. Programs with the define OPTIMIZED_VERTICES read them.
 void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies,
