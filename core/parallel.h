@@ -16,7 +16,8 @@ namespace pellucid {
 
 #if defined(__SANITIZE_THREAD__)
 
-/// What happens before a loop's call happens before each task; each task happens before its return.
+/// A TaskFence orders a loop: what happens before the loop's call happens before each task, and
+/// each task happens before the loop's return.
 class TaskFence {
  public:
   void open() { __tsan_release(&begun_); }
@@ -28,8 +29,8 @@ class TaskFence {
   char begun_, ended_;  // only their addresses count
 };
 
-/// A function as TBB hands it, and what it is called with, from thread to thread: both are read
-/// before the fence is entered, so this is not instrumented.
+/// A FencedBody is a function as TBB hands it, and what it is called with, from thread to thread:
+/// both are read before the fence is entered, so this is not instrumented.
 template <class Body>
 class FencedBody {
  public:
@@ -60,6 +61,7 @@ class FencedBody {
 
 #else
 
+/// A TaskFence does nothing without the thread sanitizer.
 class TaskFence {
  public:
   void open() {}
@@ -68,6 +70,7 @@ class TaskFence {
   void join() {}
 };
 
+/// Returns `body` itself: without the thread sanitizer there is no fence.
 template <class Body>
 const Body& FencedBody(const Body& body, TaskFence&) {
   return body;
@@ -75,7 +78,7 @@ const Body& FencedBody(const Body& body, TaskFence&) {
 
 #endif
 
-/// body(i) for first ≤ i < last.
+/// Calls body(i) for first ≤ i < last, on TBB's threads and in any order.
 template <class Index, class Body>
 void parallel_for(Index first, Index last, const Body& body) {
   TaskFence fence;
@@ -84,7 +87,7 @@ void parallel_for(Index first, Index last, const Body& body) {
   fence.join();
 }
 
-/// body(part) for parts of a TBB range.
+/// Calls body(part) for parts of a TBB range, on TBB's threads and in any order.
 template <class Range, class Body>
 void parallel_ranges(const Range& range, const Body& body) {
   TaskFence fence;
@@ -93,8 +96,8 @@ void parallel_ranges(const Range& range, const Body& body) {
   fence.join();
 }
 
-/// The sum of body(part, identity) by join(left, right), the same to the last bit for any number of
-/// threads: the tree of sums depends on the range alone.
+/// Returns the sum of body(part, identity) by join(left, right), the same to the last bit for any
+/// number of threads: the tree of sums depends on the range alone.
 template <class Range, class Sum, class Body, class Join>
 Sum parallel_sum(const Range& range, const Sum& identity, const Body& body, const Join& join) {
   TaskFence fence;

@@ -10,7 +10,8 @@
 
 namespace pellucid {
 
-/// A picture-shaped array. Row 0 is the top; pixels lie row after row.
+/// A Raster is a picture-shaped array of `width` × `height` pixels. Row 0 is the top, column 0 the
+/// left; pixels lie row after row.
 template <class T>
 struct Raster {
   int width = 0;
@@ -31,9 +32,9 @@ struct Raster {
   }
 };
 
-/// Linear colour composited over the background; A = 1 - transmittance.
+/// An Image holds linear colours composited over the background; A = 1 - transmittance.
 using Image = Raster<Rgba>;
-/// One number of crossings (layers) per pixel.
+/// A CountImage holds one number of crossings (layers) per pixel.
 using CountImage = Raster<std::uint32_t>;
 
 }  // namespace pellucid

@@ -14,13 +14,20 @@
 
 namespace pellucid {
 
+/// These are vectors and matrices of doubles; matrices are column-major: m[j][i] is row i,
+/// column j.
+///@{
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
-using Mat3 = glm::dmat3;  // column-major: m[j][i] is row i, column j
+using Mat3 = glm::dmat3;
 using Mat4 = glm::dmat4;
+///@}
+
+/// An Rgba is a colour without a transfer curve, red, green and blue, and its opacity A; in floats.
 using Rgba = glm::vec4;
 
-/// Axis-aligned box in world units. Empty until it is extended.
+/// A Box3 is an axis-aligned box, in world units where nothing else is said. It is empty until it
+/// is extended.
 struct Box3 {
   Vec3 min{std::numeric_limits<double>::infinity()};
   Vec3 max{-std::numeric_limits<double>::infinity()};

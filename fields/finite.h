@@ -7,6 +7,8 @@
 
 namespace pellucid::fields {
 
+/// Returns true when every component is finite: neither infinite nor NaN.
+///@{
 inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -14,5 +16,6 @@ inline bool is_finite(const Vec3& v) {
 inline bool is_finite(const Mat3& m) {
   return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]);
 }
+///@}
 
 }  // namespace pellucid::fields

@@ -5,7 +5,7 @@
 
 namespace pellucid::fields {
 
-/// A value that is made when it is first asked for, once, by whichever thread asks.
+/// A Lazy is a value that is made when it is first asked for, once, by whichever thread asks.
 template <class Value>
 class Lazy {
  public:

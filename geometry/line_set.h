@@ -8,8 +8,8 @@
 
 namespace pellucid::geometry {
 
-/// Polylines: line k joins the points offsets[k] … offsets[k + 1] - 1. A line of one point or of
-/// none has no segment.
+/// A LineSet holds polylines: line k joins the points offsets[k] … offsets[k + 1] - 1. A line of
+/// one point or of none has no segment.
 struct LineSet : Vertices {
   std::vector<std::uint64_t> offsets{0};
 

@@ -5,7 +5,7 @@
 
 namespace pellucid::geometry {
 
-/// Points that nothing joins.
+/// A PointSet holds points that nothing joins.
 struct PointSet : Vertices {};
 
 }  // namespace pellucid::geometry

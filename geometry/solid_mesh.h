@@ -7,15 +7,17 @@
 
 namespace pellucid::geometry {
 
-/// What a closed mesh bounds. Immutable; any number of threads may ask.
+/// A SolidMesh is the solid that a closed mesh bounds, in world units. It is immutable; any number
+/// of threads may ask.
 class SolidMesh {
  public:
-  /// Throws InputError for a mesh with an edge of other than two triangles.
+  /// Copies the triangles. Throws InputError for a mesh without triangles or with an edge of other
+  /// than two.
   explicit SolidMesh(const TriangleMesh& mesh);
   ~SolidMesh();
 
-  /// Whether x lies inside, or outside and nearer to the surface than `distance` (at least 0):
-  /// whether its signed distance, negative inside, is below `distance`.
+  /// Says whether x lies inside, or outside and nearer to the surface than `distance` (at least 0,
+  /// world units): whether its signed distance, negative inside, is below `distance`.
   bool within(const Vec3& x, double distance) const;
 
  private:

@@ -9,7 +9,8 @@
 
 namespace pellucid::geometry {
 
-/// A triangle soup with shared vertices, as it is drawn.
+/// A TriangleMesh is a triangle soup with shared vertices, as it is drawn; each triangle holds
+/// three indices of vertices, from 0.
 struct TriangleMesh : Vertices {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };

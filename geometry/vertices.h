@@ -9,8 +9,8 @@
 
 namespace pellucid::geometry {
 
-/// Vertices and what they carry, whatever joins them. Arrays are empty or as long as `positions`;
-/// values are interpolated linearly between joined vertices.
+/// Vertices are points in world units and what they carry, whatever joins them. Arrays are empty or
+/// as long as `positions`; values are interpolated linearly between joined vertices.
 struct Vertices {
   std::vector<Vec3> positions;  // world
   std::vector<Vec3> normals;    // unit length, world; either side

@@ -6,8 +6,9 @@
 namespace pellucid::scene {
 
 /// Puts the halos of the scene's lines, seen by its camera, behind their lines in the order of its
-/// objects, in place of those that are there. Depth-dependent halos: Everts, Bekker, Roerdink,
-/// Isenberg, Depth-Dependent Halos: Illustrative Rendering of Dense Line Data, IEEE TVCG 15 (2009).
+/// objects, in place of those that are there. They are the depth-dependent halos of Everts, Bekker,
+/// Roerdink, Isenberg, Depth-Dependent Halos: Illustrative Rendering of Dense Line Data, IEEE TVCG
+/// 15 (2009). Throws InputError for a camera that camera_frame() refuses.
 ///
 /// From each rim of a ribbon (see ribbon.h) a strip of triangles reaches `width` further out, and
 /// recedes by `depth` along the line of sight: it hides lines far behind, and not those that cross

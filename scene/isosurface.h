@@ -18,50 +18,55 @@ namespace pellucid::scene {
 
 struct ColormapRow;
 
-/// Where a scalar on levels of samples takes a value.
+/// An Isosurface is where a scalar on levels of samples takes a value, in world coordinates.
 struct Isosurface {
+  /// A Ball is all within a distance of a point.
   struct Ball {
-    Vec3 center{0};
+    Vec3 center{0};     // world
     double radius = 0;  // world
   };
-  /// A solid, and all within this distance of it.
+  /// A Body is a solid, and all within a distance of it.
   struct Body {
     std::shared_ptr<const geometry::SolidMesh> solid;
     double distance = 0;  // world
   };
 
-  /// A scalar where the surface is, reconstructed as the surface's own.
+  /// An OtherScalar is a scalar where the surface is, reconstructed as the surface's own.
   struct OtherScalar {
     std::shared_ptr<const fields::LevelField> field;  // on the same levels
-    Vec2 range{0, 1};
+    Vec2 range{0, 1};                                 // in the scalar's unit
 
     double fraction(const Vec3& x) const;  // of the range
   };
+  /// A Coloring colours the surface by a scalar through a colour map.
   struct Coloring {
     OtherScalar scalar;
     const ColormapRow* map = nullptr;  // from end to end of the range
 
     Vec3 color(double fraction) const;
   };
-  /// Opacity by a transfer function: linear from end to end of the range, constant beyond.
+  /// A Fading gives the opacity by a transfer function: linear from end to end of a scalar's range,
+  /// constant beyond.
   struct Fading {
     OtherScalar scalar;
-    Vec2 opacities{0, 1};
+    Vec2 opacities{0, 1};  // at the ends of the range, each in [0, 1]
 
     float opacity(const Vec3& x) const;
   };
 
   std::shared_ptr<const fields::LevelField> field;
-  double value = 0;
+  double value = 0;                               // in the scalar's unit
   std::optional<Coloring> coloring;               // none: the colour of `corners`
   std::optional<Fading> fading;                   // none: the opacity of `corners`
   std::variant<std::monostate, Ball, Body> hole;  // nothing of the surface is drawn within
   geometry::Vertices corners;  // the eight of its field's bounds: the surface's colour and opacity
 
+  /// Says whether x, in the world, lies in the hole.
   bool cuts_away(const Vec3& x) const;
 };
 
-/// Of the field's bounds.
+/// Returns the eight corners of a box in the world, for Isosurface::corners; the first axis runs
+/// fastest.
 inline geometry::Vertices corners_of(const Box3& box) {
   geometry::Vertices corners;
   for (int corner = 0; corner < 8; ++corner)

@@ -11,6 +11,7 @@
 
 namespace pellucid::scene {
 
+/// EnergyWeights are the parameters of the energy; without a unit.
 struct EnergyWeights {
   double p = 1;       // keeps fragments opaque; > 0
   double q = 50;      // fades unimportant fragments in front of important ones; ≥ 0
@@ -18,28 +19,31 @@ struct EnergyWeights {
   double lambda = 2;  // how fast a fragment ceases to be important as g falls from 1; ≥ 0
 };
 
-/// What multiplies α² in Eq. 1, twice: `front` and `behind` are the sums of g_j² of what lies in
-/// front of and behind the fragment of importance g.
+/// Returns twice what multiplies α² in Eq. 1: `front` and `behind` are the sums of g_j² of what
+/// lies in front of and behind the fragment of importance g.
 inline double occlusion(const EnergyWeights& w, double g, double front, double behind) {
   return std::pow(1 - g, 2 * w.lambda) * (w.q * behind + w.r * front);
 }
 
-/// E_i(α) of Eq. 1, except that there q and r stand by the other's sum: Eq. 2 (and 10), which the
-/// paper derives from it, and its description of the weights have q with what lies behind.
+/// Returns E_i(α) of Eq. 1, except that there q and r stand by the other's sum: Eq. 2 (and 10),
+/// which the paper derives from it, and its description of the weights have q with what lies
+/// behind.
 inline double energy(const EnergyWeights& w, double alpha, double g, double front, double behind) {
   return 0.5 * w.p * (alpha - 1) * (alpha - 1) +
          0.5 * alpha * alpha * occlusion(w, g, front, behind);
 }
 
-/// The opacity in [0, 1] of least energy, Eq. 2. Sums that a series makes negative count as 0.
+/// Returns the opacity in [0, 1] of least energy, Eq. 2. Sums that a series makes negative count as
+/// 0.
 inline double optimal_opacity(const EnergyWeights& w, double g, double front, double behind) {
   return w.p / (w.p + occlusion(w, g, std::max(front, 0.0), std::max(behind, 0.0)));
 }
 
-inline constexpr double largest_weight = 1e12;  // beyond the paper's by far, and safe in float
+/// The weights p, q and r are at most this large: beyond the paper's by far, and safe in float.
+inline constexpr double largest_weight = 1e12;
 
-/// q, r, lambda and p, for the table of a method that optimizes opacities: those of the scene where
-/// they are not given.
+/// The rows for q, r, lambda and p belong in the table of a method that optimizes opacities; where
+/// one is not given, the scene's counts.
 inline constexpr auto energy_parameters = std::to_array<ParameterSpec>(
     {{.name = "q",
       .min = 0,
@@ -58,6 +62,7 @@ inline constexpr auto energy_parameters = std::to_array<ParameterSpec>(
       .max = largest_weight,
       .help = "keeps fragments opaque; the scene's, or 1"}});
 
+/// Returns the weights that `values` hold, and the scene's where they are not given.
 inline EnergyWeights energy_weights(const Parameters& values, const EnergyWeights& of_scene) {
   const auto value = [&](std::string_view name, double otherwise) {
     return values.is_set(name) ? values.real(name) : otherwise;

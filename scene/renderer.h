@@ -20,28 +20,31 @@ namespace pellucid::scene {
 
 struct FrameMemory;
 
+/// A StepTime is how long one step of a method took.
 struct StepTime {
   std::string name;
   double seconds = 0;  // wall clock, GL work finished
 };
 
+/// A NamedBytes is the size of one thing that a method allocated.
 struct NamedBytes {
   std::string name;
   std::uint64_t bytes = 0;
 };
 
-/// Where a progressive method stands after one of its frames; sums are from the first frame on.
+/// A FrameStats says where a progressive method stands after one of its frames; sums are from the
+/// first frame on.
 struct FrameStats {
-  double seconds = 0;
+  double seconds = 0;           // sum, wall clock
   std::uint64_t lines = 0;      // of this frame
   std::uint64_t fragments = 0;  // sum
-  std::uint64_t layers = 0;     // of all pixels
-  std::uint64_t bytes = 0;
-  double change = 0;  // of the picture by this frame: root mean square over RGB
+  std::uint64_t layers = 0;     // sum, of all pixels
+  std::uint64_t bytes = 0;      // allocated by now
+  double change = 0;            // of the picture by this frame: root mean square over RGB
 };
 
-/// What a frame took. Bytes are those a method allocates beyond the scene's own geometry and the
-/// final picture, counted at the allocation.
+/// RenderStats say what a picture took. Bytes are those a method allocates beyond the scene's own
+/// geometry and the final picture, counted at the allocation.
 struct RenderStats {
   std::vector<StepTime> steps;
   std::vector<NamedBytes> bytes;
@@ -52,35 +55,39 @@ struct RenderStats {
   std::uint32_t max_layers = 0;    // crossings in one pixel
   std::vector<FrameStats> frames;  // of a progressive method
 
+  /// Returns the sum of all steps, in seconds.
   double seconds() const;
   std::uint64_t total_bytes() const;
 };
 
+/// A Rendering is a picture and what it took; row 0 of both rasters is the top.
 struct Rendering {
   Image image;
   RenderStats stats;
   CountImage layers;  // crossings per pixel; empty unless asked for
 };
 
+/// A RenderRequest says what a renderer makes beside the picture.
 struct RenderRequest {
-  /// Also fill Rendering::layers, and of the stats all that is counted; not timed.
+  /// Asks for Rendering::layers and for all of the stats that is counted; none of it is timed.
   bool layers = false;
   Progress progress = {};
 };
 
-/// A number that only some methods have, such as the triangles of a surface: a column of a study's
-/// tables.
+/// A Measure is a number that only some methods have, such as the triangles of a surface: a column
+/// of a study's tables.
 struct Measure {
+  /// Better says which of two values is to be preferred.
   enum class Better { lower, higher, neither };
 
   std::string name;   // of the column: "distance_max"
   std::string title;  // for people: "Largest distance"
   std::string unit;   // empty: a plain number
-  double value = 0;
+  double value = 0;   // in `unit`
   Better better = Better::neither;
 };
 
-/// A further picture, of what colours a number by a logarithmic scale.
+/// A MeasurePicture is a further picture, which colours a number by a logarithmic scale.
 struct MeasurePicture {
   std::string name;         // of the file: "distance"
   std::string title;        // for people, unit included
@@ -88,45 +95,47 @@ struct MeasurePicture {
   Image image;
 };
 
-/// What a method knows of the picture that it made last, beside the picture.
+/// Findings are what a method knows of the picture that it made last, beside the picture.
 struct Findings {
   std::vector<Measure> measures;
   std::vector<MeasurePicture> pictures;
 };
 
-/// The optical depth along a pixel's ray, as a method approximated it for its last picture.
+/// An OpticalDepth is the optical depth along a pixel's ray, as a method approximated it for its
+/// last picture; without a unit.
 struct OpticalDepth {
   std::vector<double> values;                        // τ(d) at the depths that were asked for
   std::vector<std::pair<double, double>> harmonics;  // a_k, b_k of a Fourier series, k from 0
 };
 
-/// One method over one scene: made once (geometry uploaded, hierarchies built), rendered as often
-/// as a timing needs. The scene has to outlive it.
+/// A Renderer is one method over one scene: made once (geometry uploaded, hierarchies built),
+/// rendered as often as a timing needs. The scene has to outlive it.
 class Renderer {
  public:
   virtual ~Renderer() = default;
+  /// Makes the picture. Throws WorkError when it cannot be made.
   virtual Rendering render(const RenderRequest& request) = 0;
-  /// What was modelled for this scene, what was left out, and why; a line each.
+  /// Returns what was modelled for this scene, what was left out, and why; a line each.
   virtual std::vector<std::string> explain() const = 0;
-  /// Facts for the provenance of a result: "driver", "embree", …
+  /// Returns facts for the provenance of a result: "driver", "embree", …
   virtual std::map<std::string, std::string> facts() const { return {}; }
-  /// Measured when asked for, and not timed.
+  /// Measures the last picture when asked for; this is not timed.
   virtual Findings findings() { return {}; }
-  /// At the depths `d` in [0, 1] of the pixel in column x, row y. Nothing where the method has no
-  /// such function, or has not rendered yet.
+  /// Returns the optical depth at the depths `d` in [0, 1] of the pixel in column x, row y (0 at
+  /// the top). Nothing where the method has no such function, or has not rendered yet.
   virtual std::optional<OpticalDepth> optical_depth(int /*x*/, int /*y*/,
                                                     std::span<const double> /*d*/) {
     return std::nullopt;
   }
 };
 
-/// What a method is given beside its scene.
+/// A RenderContext is what a method is given beside its scene.
 struct RenderContext {
   std::string gl = "osmesa";      // "osmesa" | "egl"
   FrameMemory* memory = nullptr;  // along a camera path; has to outlive the renderer
 };
 
-/// What a row of the method table promises; a property test holds every row to it.
+/// Promises are what a row of the method table promises; a property test holds every row to them.
 struct Promises {
   bool exact = false;       // equals the exact composite, up to coverage and float rounding
   bool own_layers = false;  // Rendering::layers are what it made of the fragments, near the truth
@@ -136,7 +145,7 @@ struct Promises {
   bool fixed_memory = false;       // bytes depend on the picture alone, not on the scene
 };
 
-/// One row of the method table.
+/// A MethodRow is one row of the method table.
 struct MethodRow {
   std::string_view name;
   std::string_view title;
@@ -145,10 +154,11 @@ struct MethodRow {
   std::span<const ParameterSpec> parameters;
   Promises promises;
   std::string_view bytes_per_pixel;  // formula, for people
-  /// The settings between which a user picks by cost and error, all combinations of these values:
-  /// "bands=1|2|5,precision=32|16". Empty: the defaults alone.
+  /// These are the settings between which a user picks by cost and error, all combinations of the
+  /// values: "bands=1|2|5,precision=32|16". Empty: the defaults alone.
   std::string_view sweep = {};
-  /// It chooses opacities itself: what it differs by from the exact composite is meant, no error.
+  /// The method chooses opacities itself: what it differs by from the exact composite is meant, no
+  /// error.
   bool optimizes_opacity = false;
   std::unique_ptr<Renderer> (*make)(const Scene&, const Parameters&, const RenderContext&);
 };

@@ -22,18 +22,21 @@
 
 namespace pellucid::scene {
 
-/// Of lines, see place_halos().
+/// A Halo is the band around a line that hides what lies far behind it; place_halos() makes its
+/// triangles.
 struct Halo {
   double width = 0;           // beyond the ribbon's rim, world
   double depth = 0;           // by which its outer rim lies behind the line, world
   std::optional<Vec3> color;  // none: the background's
 };
 
-/// Polylines of a width. A ribbon faces the eye at every point (see ribbon.h) and is lit as the
-/// tube that it stands for: at the fraction c of the half width, |n · v| = √(1 - c²) |m · v| with m
-/// the part of v that is perpendicular to the line, normalized. The line's direction is that of
-/// line_direction at its points, normalized, and interpolated linearly between them.
+/// A LineObject holds polylines of a width. A ribbon faces the eye at every point (see ribbon.h)
+/// and is lit as the tube that it stands for: at the fraction c of the half width,
+///   |n · v| = √(1 - c²) |m · v|
+/// with m the part of v that is perpendicular to the line, normalized. The line's direction is that
+/// of line_direction() at its points, normalized, and interpolated linearly between them.
 struct LineObject {
+  /// A Profile says whether lines are flat strips or round.
   enum class Profile { ribbon, tube };
 
   geometry::LineSet set;
@@ -42,10 +45,11 @@ struct LineObject {
   std::optional<Halo> halo = std::nullopt;
 };
 
-/// Points of a size. A disc is parallel to the picture, so that all of it has its centre's view
-/// depth and its picture is round; it is lit as the sphere that it stands for: at the fraction c of
-/// the radius, |n · v| = √(1 - c²).
+/// A PointObject holds points of a size. A disc is parallel to the picture, so that all of it has
+/// its centre's view depth and its picture is round; it is lit as the sphere that it stands for: at
+/// the fraction c of the radius, |n · v| = √(1 - c²).
 struct PointObject {
+  /// A Profile says whether points are flat discs or spheres.
   enum class Profile { disc, sphere };
 
   geometry::PointSet set;
@@ -53,18 +57,19 @@ struct PointObject {
   Profile profile = Profile::disc;
 };
 
-/// What a surface was integrated from, for methods that draw lines of their own on it.
+/// A FlowSource is what a surface was integrated from, for methods that draw lines of their own on
+/// it. Times are in the field's units.
 struct FlowSource {
   std::shared_ptr<const fields::VectorField> field;
   integrators::SeedCurve seed;
   double duration = 0;
   double start_time = 0;
-  bool path = false;
+  bool path = false;      // a path surface of an unsteady field, not a stream surface
   Appearance appearance;  // of the surface, its colour's range filled in
 };
 
-/// One thing of the scene, ready to be drawn: colours are always filled in, normals of a mesh where
-/// the scene is lit.
+/// A SceneObject is one thing of the scene, ready to be drawn: colours are always filled in,
+/// normals of a mesh where the scene is lit.
 struct SceneObject {
   std::string name;  // where it comes from, for messages and the report
   std::variant<geometry::TriangleMesh, LineObject, PointObject, Isosurface> shape;
@@ -76,33 +81,34 @@ struct SceneObject {
   geometry::Vertices& vertices() {
     return const_cast<geometry::Vertices&>(std::as_const(*this).vertices());
   }
-  /// The object has to be a mesh.
+  /// Returns the shape, which has to be a mesh.
   const geometry::TriangleMesh& mesh() const { return std::get<geometry::TriangleMesh>(shape); }
   geometry::TriangleMesh& mesh() { return std::get<geometry::TriangleMesh>(shape); }
-  /// Of all that is drawn, widths included.
+  /// Returns the box of all that is drawn, widths included, in world units.
   Box3 bounds() const;
 };
 
-/// What is drawn and how. Objects are ordered: crossings at equal depth are ordered by object, then
-/// by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h); segment; point; cell
-/// of an isosurface.
+/// A Scene says what is drawn and how; its picture is `width` × `height` pixels. Objects are
+/// ordered: crossings at equal depth are ordered by object, then by primitive: triangle; triangle
+/// of a ribbon (two a segment, see ribbon.h); segment; point; cell of an isosurface.
 struct Scene {
   std::string name;
   int width = 1000;
   int height = 1000;
   int samples = 1;  // per pixel and axis, see pixel_samples.h
   Camera camera;
-  Vec3 background{1, 1, 1};
+  Vec3 background{1, 1, 1};  // red, green, blue in [0, 1]
   Lighting lighting = Lighting::none;
   EnergyWeights energy;  // for methods that optimize opacities
   std::vector<SceneObject> objects;
   std::vector<Camera> camera_path;                // empty: none; `camera` need not be on it
   std::map<std::string, std::string> provenance;  // how the objects were made
 
+  /// Returns the box of all objects, in world units.
   Box3 bounds() const;
 };
 
-/// What the objects consist of: "384000 triangles, 12 lines of 6000 segments".
+/// Returns what the objects consist of: "384000 triangles, 12 lines of 6000 segments".
 std::string describe_primitives(const Scene& scene);
 
 }  // namespace pellucid::scene

@@ -5,8 +5,8 @@
 
 namespace pellucid::scene {
 
-/// The linear map from view depth z (world units along the viewing axis) to d in (0, 1): the one
-/// depth of ground truth and of every method.
+/// A DepthRange is the linear map from view depth z (world units along the viewing axis) to d in
+/// (0, 1): the one depth of ground truth and of every method.
 struct DepthRange {
   double near = 0;  // z at d = 0
   double far = 1;   // z at d = 1
@@ -14,10 +14,10 @@ struct DepthRange {
   double normalized(double z) const { return (z - near) / (far - near); }
 };
 
-/// Tight bounds of the scene's geometry in front of the camera, widened on either side by a 1e-5th
-/// of their length so that no fragment lies on 0 or 1 after rounding to float (a Fourier series is
-/// periodic there). Geometry of one single depth lies at d = 0.5. Throws InputError when nothing of
-/// the scene is in front of the camera.
+/// Returns tight bounds of the scene's geometry in front of the camera, in world units, widened on
+/// either side by a 1e-5th of their length so that no fragment lies on 0 or 1 after rounding to
+/// float (a Fourier series is periodic there). Geometry of one single depth lies at d = 0.5. Throws
+/// InputError when nothing of the scene is in front of the camera.
 DepthRange depth_range(const Scene& scene);
 
 }  // namespace pellucid::scene

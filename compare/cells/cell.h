@@ -11,7 +11,7 @@
 
 namespace pellucid::compare {
 
-/// One scene × one method × one set of parameters.
+/// A Cell is one scene × one method × one set of parameters.
 struct Cell {
   std::filesystem::path scene_file;
   std::string scene;
@@ -20,14 +20,14 @@ struct Cell {
   std::vector<std::string> measures = {};  // names of FurtherMeasure
   std::vector<Pixel> probes = {};          // rays to look along
 
-  /// "abc/fourier:bands=5", for messages and for --only.
+  /// Returns "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }
 };
 
-/// Scene by scene, in each the reference first.
+/// Returns the cells of a study, scene by scene, in each the reference first.
 std::vector<Cell> expand_cells(const Study& study);
 
-/// Where a cell leaves what it made, below a study's folder. Cells share no file.
+/// CellFiles say where a cell leaves what it made, below a study's folder. Cells share no file.
 class CellFiles {
  public:
   CellFiles(std::filesystem::path folder, const Cell& cell);
@@ -35,12 +35,13 @@ class CellFiles {
   std::filesystem::path picture() const { return image(".exr"); }  // 32-bit float
   std::filesystem::path preview() const { return image(".png"); }
   std::filesystem::path error_map() const { return image(".error.png"); }
-  /// One of the method's further pictures.
+  /// Returns the path of one of the method's further pictures.
   std::filesystem::path further(std::string_view name) const;
   std::filesystem::path layers() const { return image(".layers.exr"); }
-  /// Written last: where it is, all the others are.
+  /// Returns the path of the row, which is written last: where it is, all the others are.
   std::filesystem::path row() const;
 
+  /// Makes the folders of all these files. Throws InputError when they cannot be made.
   void make_folders() const;
 
  private:
@@ -50,20 +51,23 @@ class CellFiles {
   std::string scene_, slug_;
 };
 
-/// The row of a cell that nothing is known of yet: its names and parameters.
+/// Returns the row of a cell that nothing is known of yet: its names and parameters.
 ResultRow identity_row(const Cell& cell);
 
-/// A hash of the scene's file and of all files that it names.
+/// Returns a hash of the scene's file and of all files that it names. Throws InputError when the
+/// scene's file cannot be read or is no JSON.
 std::string scene_fingerprint(const std::filesystem::path& scene_file);
 
-/// A hash of all that the cell's row depends on, times aside: the scene, the method and the
-/// reference with all their parameters, and where OpenGL runs.
+/// Returns a hash of all that the cell's row depends on, times aside: the scene, the method and the
+/// reference with all their parameters, its measures and probes, and where OpenGL runs.
 std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
                              const MethodCall& reference, const scene::RenderContext& context);
 
-/// The row of a cell that was finished, by whichever run, for the same fingerprint.
+/// Reads the row of a cell that was finished without an error, by whichever run, for the same
+/// fingerprint; nothing when there is none or one of its pictures is gone.
 std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint);
 
+/// Writes the row as JSON, whole or not at all. Throws as OutputFile does.
 void write_row(const CellFiles& files, const ResultRow& row);
 
 }  // namespace pellucid::compare

@@ -8,7 +8,8 @@
 
 namespace pellucid::compare {
 
-/// What a study may ask for of each of its pictures beyond the metrics: "measures" in its file.
+/// A FurtherMeasure is what a study may ask for of each of its pictures beyond the metrics:
+/// "measures" in its file.
 struct FurtherMeasure {
   std::string_view name;
   std::string_view title;
@@ -16,12 +17,14 @@ struct FurtherMeasure {
   void (*measure)(const scene::Scene& scene, const Image& reference, CellMeasurement& cell);
 };
 
-/// How far the picture's colours are from the convex hull of the colours that a pixel is made of.
+/// Returns the measure of how far the picture's colours are from the convex hull of the colours
+/// that a pixel is made of.
 const FurtherMeasure& hull_measure();
 
-/// The error over the depth of a pixel's nearest layer.
+/// Returns the measure of the mean error over the depth d of a pixel's nearest layer.
 const FurtherMeasure& depth_error_measure();
 
+/// Returns the table of further measures.
 std::span<const FurtherMeasure> further_measures();
 
 }  // namespace pellucid::compare

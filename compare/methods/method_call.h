@@ -7,14 +7,14 @@
 
 namespace pellucid::compare {
 
-/// A method and the parameters that it is called with.
+/// A MethodCall is a method and the parameters that it is called with.
 struct MethodCall {
   const scene::MethodRow* row = nullptr;
   Parameters parameters;
 
-  /// "fourier:bands=5", as on the command line.
+  /// Returns "fourier:bands=5", as on the command line.
   std::string text() const;
-  /// The same as part of a file's name: "fourier-bands-5".
+  /// Returns text() as part of a file's name: "fourier-bands-5".
   std::string slug() const;
 };
 

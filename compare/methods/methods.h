@@ -7,8 +7,8 @@
 
 namespace pellucid::compare {
 
-/// Ground truth and every order-independent method: the one table that the command line, study
-/// files, property tests, benchmarks, report and README iterate. The reference comes first.
+/// Returns ground truth and every order-independent method: the one table that the command line,
+/// study files, property tests, benchmarks, report and README iterate. The reference comes first.
 std::span<const scene::MethodRow> methods();
 
 }  // namespace pellucid::compare

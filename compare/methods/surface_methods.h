@@ -7,10 +7,10 @@
 
 namespace pellucid::compare {
 
-/// The surface integrators as methods: a scene's integrated surface is swept again by another
-/// integrator and ray-traced, so that studies compare integrators as they compare everything else.
-/// One row for each of integrators(), with its parameters. A scene has to have exactly one object
-/// that was integrated; its other objects stay as they are.
+/// Returns the surface integrators as methods: a scene's integrated surface is swept again by
+/// another integrator and ray-traced, so that studies compare integrators as they compare
+/// everything else. There is one row for each of integrators(), with its parameters. A scene has to
+/// have exactly one object that was integrated; its other objects stay as they are.
 std::span<const scene::MethodRow> surface_methods();
 
 }  // namespace pellucid::compare

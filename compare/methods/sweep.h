@@ -9,14 +9,16 @@
 
 namespace pellucid::compare {
 
-/// Every combination of `sets` with a value for `key`: a sweep's Cartesian product.
+/// Returns every combination of `sets` with a value for `key`: a sweep's Cartesian product.
 std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::string& key,
                                 const std::vector<std::string>& values);
 
-/// The method in all combinations of MethodRow::sweep.
+/// Returns the method in all combinations of MethodRow::sweep. Throws InputError where its table
+/// does not accept one.
 std::vector<MethodCall> sweep_of(const scene::MethodRow& row);
 
-/// All methods in all their settings, in the table's order, but for those that optimize opacity.
+/// Returns all methods in all their settings, in the table's order, but for those that optimize
+/// opacity.
 std::vector<MethodCall> every_method(std::span<const scene::MethodRow> table);
 
 }  // namespace pellucid::compare

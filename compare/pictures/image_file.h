@@ -10,8 +10,8 @@ namespace pellucid::compare {
 
 /// Reads a picture of any format that OpenImageIO knows as float RGBA, values as they are stored
 /// (n/255 for 8 bits, alpha not multiplied in, no transfer curve). One channel becomes grey;
-/// without an alpha channel A = 1. Throws InputError when it is missing, damaged, deep or without
-/// pixels.
+/// without an alpha channel A = 1. Throws InputError when it is missing, damaged, deep, without
+/// pixels or of more than 2^28.
 Image read_image(const std::filesystem::path& path);
 
 /// Writes by the file's ending: .exr holds the four channels in 32-bit float; .png holds red, green
@@ -20,16 +20,17 @@ Image read_image(const std::filesystem::path& path);
 /// folder that cannot be written, WorkError when the disk is full.
 void write_image(const std::filesystem::path& path, const Image& image);
 
-/// Numbers of layers: .exr holds one 32-bit integer channel; .png 8-bit grey, capped at 255.
+/// Writes numbers of layers: .exr holds one 32-bit integer channel; .png 8-bit grey, capped at 255.
+/// Throws as write_image() does.
 void write_counts(const std::filesystem::path& path, const CountImage& counts);
 
-/// Reads what write_counts has written as .exr.
+/// Reads what write_counts() has written as .exr. Throws as read_image() does.
 CountImage read_counts(const std::filesystem::path& path);
 
-/// The nearest n of the 256 values n/255 that a screen shows.
+/// Returns the nearest n of the 256 values n/255 that a screen shows; 0 for NaN.
 std::uint8_t displayed_byte(float value);
 
-/// Every channel as n/255.
+/// Returns the picture with every channel as the nearest n/255.
 Image displayed_values(const Image& image);
 
 }  // namespace pellucid::compare

@@ -11,31 +11,31 @@
 
 namespace pellucid::compare {
 
-/// The largest absolute difference of any red, green or blue value, and the first pixel that has
-/// it.
+/// A MaxError is the largest absolute difference of any red, green or blue value, and the first
+/// pixel that has it (row 0 is the top).
 struct MaxError {
   double value = 0;
   int x = 0, y = 0;  // from the top left
 };
 
-// All compare red, green and blue, values taken as they are (nominal range [0, 1], HDR not
-// clamped), sums in double. They throw InputError when the sizes differ, when there are no pixels,
-// or when a value is not finite.
-
-/// The root mean square error √ mean (x - y)² over all RGB values.
+/// Returns the root mean square of all red, green and blue differences. As all metrics here it
+/// takes values as they are (nominal range [0, 1], HDR not clamped), sums in double, and throws
+/// InputError when the sizes differ, when there are no pixels, or when a value of either picture is
+/// not finite.
 double rmse(const Image& reference, const Image& test);
 
-/// The peak signal to noise ratio 20 log10(1 / RMSE), in dB; infinite for equal pictures.
+/// Returns 20 log10(1 / RMSE), in dB; infinite for equal pictures. Throws as rmse() does.
 double psnr(const Image& reference, const Image& test);
 
-/// See MaxError.
+/// Returns the largest difference and where it is. Throws as rmse() does.
 MaxError max_error(const Image& reference, const Image& test);
 
-/// The mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below 11
-/// pixels: then no pixel's window lies inside.
+/// Returns the mean structural similarity (compare/pictures/ssim.h). Nothing when a side is below
+/// 11 pixels: then no pixel's window lies inside. Throws as rmse() does.
 std::optional<double> ssim(const Image& reference, const Image& test);
 
-/// Two pictures of one size, finite, with what several metrics are made of computed once.
+/// A PicturePair is two pictures of one size, all finite, with what several metrics are made of
+/// computed once.
 struct PicturePair {
   const Image& reference;
   const Image& test;
@@ -43,14 +43,14 @@ struct PicturePair {
   MaxError max_error = {};
 };
 
-/// Which way a number is better.
+/// A Better says which way a number is better.
 enum class Better { lower, higher, neither };
 
-/// How a number is written for people; see number_for_people().
+/// A NumberStyle says how a number is written for people; see number_for_people().
 enum class NumberStyle { scientific, similarity, decibels, milliseconds, megabytes, count };
 
-/// One row of the table of metrics: command line, study files, tables, JSON, report and `list` read
-/// it. A metric is a function of two pictures and its row.
+/// A MetricRow is one row of the table of metrics: command line, study files, tables, JSON, report
+/// and `list` read it. A metric is a function of two pictures and its row.
 struct MetricRow {
   std::string_view name;     // in JSON, CSV and study files
   std::string_view title;    // for people
@@ -64,9 +64,10 @@ struct MetricRow {
   bool infinite_when_equal = false;  // JSON has no infinity: it writes null
 };
 
+/// The table of metrics; the first three lead the columns of results.csv.
 std::span<const MetricRow> metrics();
 
-/// The values of metrics() for a pair of pictures.
+/// Metrics holds the values of metrics() for one pair of pictures.
 class Metrics {
  public:
   Metrics() : values_(metrics().size()) {}
@@ -84,16 +85,17 @@ class Metrics {
   std::vector<std::optional<double>> values_;
 };
 
-/// All metrics of a pair.
+/// Computes all metrics. Throws as rmse() does.
 Metrics measure(const Image& reference, const Image& test);
 
-/// Metrics of the float pictures, and of the 8-bit values that a screen shows of them.
+/// A Comparison has the metrics of the float pictures, and those of the 8-bit values that a screen
+/// shows of them.
 struct Comparison {
   Metrics linear;
   Metrics displayed;
 };
 
-/// Compares two pictures in both ways.
+/// Compares two pictures in both ways. Throws as rmse() does.
 Comparison compare_images(const Image& reference, const Image& test);
 
 /// Counts the pixels with a value that is infinite or not a number.

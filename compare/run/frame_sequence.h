@@ -9,12 +9,14 @@
 
 namespace pellucid::compare {
 
-/// How a number per element changed from the frame before, over all elements.
+/// A Change says how a number per element changed from the frame before: the mean and the largest
+/// absolute difference over all elements.
 struct Change {
   double mean = 0, largest = 0;
 };
 
-/// A frame of a camera path, and what changed since the one before; nothing did before the first.
+/// A SequenceFrame is a frame of a camera path, and what changed since the one before; nothing did
+/// before the first.
 struct SequenceFrame {
   int index = 0;
   scene::Camera camera;

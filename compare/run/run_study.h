@@ -11,6 +11,7 @@
 
 namespace pellucid::compare {
 
+/// StudyOptions say which cells of a study a run computes, and where results go.
 struct StudyOptions {
   std::filesystem::path folder;  // where results go
   bool resume = false;           // keep cells that were finished for the same scenes and parameters
@@ -20,6 +21,7 @@ struct StudyOptions {
   std::function<void(const ResultRow&)> on_row;  // called when a cell is done or has failed
 };
 
+/// A StudyOutcome holds what is known of a study after a run.
 struct StudyOutcome {
   std::vector<ResultRow> rows;  // of every cell that is known, in the study's order
   std::size_t computed = 0;     // by this run

@@ -13,11 +13,12 @@
 
 namespace pellucid {
 
-/// A value of a JSON file that knows its place, so that every complaint reads
-/// "scene.json: objects[1].opacity: 1.5; accepted: 0 … 1". All accessors throw InputError.
+/// A JsonNode is a value of a JSON file that knows its place, so that every complaint reads
+/// "scene.json: objects[1].opacity: 1.5; accepted: 0 … 1". Accessors throw InputError for a value
+/// of another type or out of bounds.
 class JsonNode {
  public:
-  /// `root` has to outlive the node.
+  /// Stands at the root of a file, which `file` names in messages. `root` has to outlive the node.
   JsonNode(std::string file, const nlohmann::json& root);
 
   const nlohmann::json& value() const { return *value_; }
@@ -25,7 +26,7 @@ class JsonNode {
   bool is_object() const;
   bool is_array() const;
 
-  /// Refuses keys that are not among `known`, the nearest names first.
+  /// Throws InputError for a key that is not among `known`; it lists them, the nearest first.
   void accept_keys(std::initializer_list<std::string_view> known) const;
   bool has(std::string_view key) const;
   JsonNode operator[](std::string_view key) const;  // the key must be there
@@ -40,7 +41,7 @@ class JsonNode {
 
   /// Throws InputError "FILE: PLACE: `what`".
   [[noreturn]] void fail(const std::string& what) const;
-  /// "objects[1].opacity"
+  /// Returns where the value is in its file: "objects[1].opacity"; empty at the root.
   const std::string& place() const { return place_; }
 
  private:
@@ -52,8 +53,8 @@ class JsonNode {
   const nlohmann::json* value_;
 };
 
-/// Runs `make` and puts the node's place in front of what it complains about. Returns what `make`
-/// does, references as references.
+/// Runs `make` and puts the node's place in front of the InputError that it throws. Returns what
+/// `make` does, references as references.
 template <class Make>
 decltype(auto) at_place(const JsonNode& node, const Make& make) {
   try {
@@ -63,7 +64,8 @@ decltype(auto) at_place(const JsonNode& node, const Make& make) {
   }
 }
 
-/// Reads and parses a file. Throws InputError with line and column.
+/// Reads and parses a JSON file. Throws InputError when it cannot be read, and with line and column
+/// when it is no JSON.
 nlohmann::json read_json(const std::filesystem::path& path);
 
 }  // namespace pellucid

@@ -7,9 +7,9 @@
 
 namespace pellucid {
 
-/// A file that appears whole or not at all: it is written beside its place and renamed by commit().
-/// Without commit() nothing remains. Throws InputError when the folder is missing or not writable,
-/// WorkError when the disk is full.
+/// An OutputFile appears whole or not at all: it is written beside its place and renamed by
+/// commit(). Without commit() nothing remains. Throws InputError when the folder is missing or not
+/// writable, WorkError when the disk is full or fails.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -17,10 +17,11 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Where a library that writes by path has to write. It keeps the extension of the final name.
+  /// Returns where a library that writes by path has to write. It keeps the extension of the final
+  /// name.
   const std::filesystem::path& temporary() const { return temporary_; }
 
-  /// Flushes to the disk and renames.
+  /// Flushes to the disk and renames. Throws as the class says.
   void commit();
 
  private:
@@ -28,10 +29,10 @@ class OutputFile {
   std::filesystem::path temporary_;
 };
 
-/// Writes the whole text by an OutputFile.
+/// Writes the whole text by an OutputFile, and throws as it does.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// Throws InputError when `path` cannot be read as a file.
+/// Reads a whole file. Throws InputError when `path` cannot be read as a file.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace pellucid

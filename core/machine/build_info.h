@@ -3,8 +3,12 @@
 
 namespace pellucid {
 
-extern const char* const build_version;   // of the project
-extern const char* const build_commit;    // short hash, "-dirty" when the tree was changed
-extern const char* const build_compiler;  // name, version and build type
+/// These texts say what the program was built from: the project's version, the short hash of its
+/// commit ("-dirty" when the tree was changed), and the compiler's name, version and build type.
+///@{
+extern const char* const build_version;
+extern const char* const build_commit;
+extern const char* const build_compiler;
+///@}
 
 }  // namespace pellucid

@@ -6,8 +6,8 @@
 
 namespace pellucid {
 
-/// What a result was made on: "cpu", "cores", "memory_gib", "kernel", "compiler", "version",
-/// "commit". The rooms that use a library add its version.
+/// Returns what a result was made on, by name: "cpu", "cores", "memory_gib" (GiB), "kernel",
+/// "compiler", "version", "commit". The rooms that use a library add its version.
 std::map<std::string, std::string> machine_facts();
 
 }  // namespace pellucid

@@ -5,7 +5,7 @@
 
 namespace pellucid {
 
-/// Wall-clock seconds since it was made or restarted.
+/// A Stopwatch measures the wall-clock seconds since it was made or restarted.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

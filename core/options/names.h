@@ -8,15 +8,17 @@
 
 namespace pellucid {
 
-/// The known names, the most similar to `name` first (Levenshtein distance, ties in given order).
+/// Returns the known names, the most similar to `name` first (Levenshtein distance, ties in given
+/// order).
 std::vector<std::string_view> nearest_first(std::string_view name,
                                             std::span<const std::string_view> known);
 
-/// "unknown method 'furier'; known: fourier, raytrace, …", for the message of an InputError.
+/// Returns the message of an InputError: "unknown method 'furier'; known: fourier, raytrace, …".
 std::string unknown_name(std::string_view kind, std::string_view name,
                          std::span<const std::string_view> known);
 
-/// The row of `table` whose `.name` is `name`. Throws InputError with the nearest names.
+/// Returns the row of `table` whose `.name` is `name`. Throws InputError that lists the known
+/// names, the nearest first; `kind` says there what is named ("method").
 template <class Table>
 const auto& find_row(std::string_view kind, std::string_view name, const Table& table);
 

@@ -32,7 +32,7 @@
 
 namespace pellucid {
 
-/// The inclusive bounds of a number, its unit, and one line of help.
+/// An OptionText holds the inclusive bounds of a number, its unit, and one line of help.
 struct OptionText {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -40,33 +40,38 @@ struct OptionText {
   std::string_view help = {};
 };
 
-/// The shortest text that reads back as the same number: "0.0001", "1e-6", "20000000".
+/// Returns the shortest text that reads back as the same number: "0.0001", "1e-6", "20000000".
 std::string number_text(double value);
 
-/// One row of a table. The views of `spec` point into `texts`.
+/// An Option is one row of a table: it binds a name to a member of `Options`. The views of `spec`
+/// point into `texts`.
 template <class Options>
 struct Option {
+  /// Texts own what the specification's views show.
   struct Texts {
     std::string default_value, choices;
   };
 
   ParameterSpec spec;
   std::shared_ptr<const Texts> texts;
-  /// Stores a text that fits the specification.
+  /// Stores a text that fits the specification into the struct.
   std::function<void(Options&, const std::string&)> store;
 };
 
 namespace option_detail {
 
+/// ValueOf<T>::type is T, or what a std::optional T holds.
 template <class T>
 struct ValueOf {
   using type = T;
 };
+/// ValueOf of a std::optional is the type of its value.
 template <class T>
 struct ValueOf<std::optional<T>> {
   using type = T;
 };
 
+/// Makes a row that owns its default and its choices.
 template <class Options>
 Option<Options> make(ParameterSpec spec, std::string default_value, std::string choices,
                      std::function<void(Options&, const std::string&)> store) {
@@ -77,6 +82,8 @@ Option<Options> make(ParameterSpec spec, std::string default_value, std::string 
   return {spec, std::move(texts), std::move(store)};
 }
 
+/// Returns the text of a number that is a default; empty for a std::optional without a value.
+///@{
 template <class T>
 std::string default_text(const T& value) {
   return number_text(double(value));
@@ -85,11 +92,12 @@ template <class T>
 std::string default_text(const std::optional<T>& value) {
   return value ? default_text(*value) : "";
 }
+///@}
 
 }  // namespace option_detail
 
-/// An integer or a real number, as the member's type has it. A std::optional member is not set by
-/// default.
+/// Makes the row of an integer or a real number, as the member's type has it. A std::optional
+/// member is not set by default.
 template <class Options, class T>
 Option<Options> number(std::string_view name, T Options::*member, const OptionText& text) {
   using Value = typename option_detail::ValueOf<T>::type;
@@ -108,7 +116,7 @@ Option<Options> number(std::string_view name, T Options::*member, const OptionTe
                                       });
 }
 
-/// "on" or "off".
+/// Makes the row of a flag, which is "on" or "off".
 template <class Options>
 Option<Options> flag(std::string_view name, bool Options::*member, std::string_view help = {}) {
   const ParameterSpec spec{.name = name, .kind = ParameterSpec::Kind::flag, .help = help};
@@ -117,7 +125,7 @@ Option<Options> flag(std::string_view name, bool Options::*member, std::string_v
       [member](Options& options, const std::string& given) { options.*member = given == "on"; });
 }
 
-/// Any text.
+/// Makes the row of a text, which may be any.
 template <class Options>
 Option<Options> text(std::string_view name, std::string Options::*member,
                      std::string_view help = {}) {
@@ -127,7 +135,8 @@ Option<Options> text(std::string_view name, std::string Options::*member,
       [member](Options& options, const std::string& given) { options.*member = given; });
 }
 
-/// One of a few values, each with its name; a std::optional member is not set by default.
+/// Makes the row of a choice among a few values, each with its name; a std::optional member is not
+/// set by default.
 template <class Options, class T>
 Option<Options> choice(
     std::string_view name, T Options::*member,
@@ -154,15 +163,15 @@ Option<Options> choice(
 template <class Options>
 class OptionTable;
 
-/// The options of a part of the struct, under the same names.
+/// Returns the rows of a struct that is a member of `Options`, under the same names.
 template <class Options, class Part>
 std::vector<Option<Options>> part(Part Options::*member, const OptionTable<Part>& table);
 
-/// All options of an algorithm, in the order in which they are listed.
+/// An OptionTable holds all options of an algorithm, in the order in which they are listed.
 template <class Options>
 class OptionTable {
  public:
-  /// One option, or those of a part.
+  /// Rows are one option, or those of a part.
   struct Rows {
     Rows(Option<Options> row) : rows{std::move(row)} {}
     Rows(std::vector<Option<Options>> several) : rows(std::move(several)) {}
@@ -175,11 +184,12 @@ class OptionTable {
     for (const Option<Options>& row : rows_) specs_.push_back(row.spec);
   }
 
-  /// What the command line, `list` and study files read. Valid as long as the table.
+  /// Returns what the command line, `list` and study files read. Valid as long as the table.
   std::span<const ParameterSpec> specs() const { return specs_; }
   std::span<const Option<Options>> rows() const { return rows_; }
 
-  /// The struct's defaults, changed by what `parameters` holds, which were checked against specs().
+  /// Returns the struct's defaults, changed by what `parameters` holds, which were checked against
+  /// specs().
   Options read(const Parameters& parameters) const {
     Options options;
     for (const Option<Options>& row : rows_)

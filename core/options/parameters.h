@@ -11,9 +11,10 @@
 
 namespace pellucid {
 
-/// One parameter of a method, integrator or field: a row of a constexpr table. `list`, the command
-/// line, study files and the report all read it.
+/// A ParameterSpec describes one parameter of a method, integrator or field: a row of a constexpr
+/// table. `list`, the command line, study files and the report all read it.
 struct ParameterSpec {
+  /// Kind says which texts a parameter accepts; a flag is "on" or "off".
   enum class Kind { integer, real, choice, flag, text };
 
   std::string_view name;
@@ -25,11 +26,11 @@ struct ParameterSpec {
   std::string_view choices = {};  // kind choice: "on|off"
   std::string_view help = {};     // one line
 
-  /// "1 … 15", "on|off", "any number", …
+  /// Returns what it accepts, for messages: "1 … 15", "on|off", "any number", …
   std::string accepted() const;
 };
 
-/// Tables of methods that share parameters.
+/// Joins tables of parameters into one, in the order given: methods share parameters by it.
 template <std::size_t... N>
 constexpr auto concatenate(const std::array<ParameterSpec, N>&... tables) {
   std::array<ParameterSpec, (N + ...)> all{};
@@ -38,9 +39,10 @@ constexpr auto concatenate(const std::array<ParameterSpec, N>&... tables) {
   return all;
 }
 
-/// Options as they were written: name → text.
+/// RawOptions are options as they were written: name → text.
 using RawOptions = std::map<std::string, std::string, std::less<>>;
 
+/// A NameAndOptions is a text such as "fourier:bands=5", split but not yet checked.
 struct NameAndOptions {
   std::string name;
   RawOptions options;
@@ -50,16 +52,18 @@ struct NameAndOptions {
 /// be a formula. Throws InputError for an option without "=", an empty name or a repeated key.
 NameAndOptions parse_name_and_options(std::string_view text);
 
-/// Values checked against their specifications; missing ones hold their default.
+/// Parameters are values checked against their specifications; missing ones hold their default.
+/// The accessors assert that a parameter of that name has a value.
 class Parameters {
  public:
   Parameters() = default;
 
-  /// Throws InputError that names `owner`, the key, what was given and what is accepted.
+  /// Checks `options` against `specs`. Throws InputError for a key without a specification and for
+  /// a value that does not fit it; names `owner`, the key, what was given and what is accepted.
   Parameters(std::string_view owner, std::span<const ParameterSpec> specs,
              const RawOptions& options);
 
-  /// The name of the row whose parameters they are: of a method, an integrator, a field.
+  /// Returns the name of the row whose parameters they are: of a method, an integrator, a field.
   const std::string& owner() const { return owner_; }
   bool is_set(std::string_view name) const;  // by the caller or by a default
   double real(std::string_view name) const;
@@ -67,9 +71,10 @@ class Parameters {
   bool flag(std::string_view name) const;
   const std::string& text(std::string_view name) const;
 
-  /// What the caller gave, as "bands=5,clamp=0.99" in the order of the names; empty for defaults.
+  /// Returns what the caller gave, as "bands=5,clamp=0.99" in the order of the names; empty for
+  /// defaults.
   std::string given() const;
-  /// Every value, defaults included.
+  /// Returns every value by name, defaults included.
   const RawOptions& all() const { return values_; }
 
  private:
@@ -78,7 +83,7 @@ class Parameters {
   RawOptions given_;
 };
 
-/// Reads the whole of `text` as a number; false when it is not one.
+/// Reads the whole of `text` as a number into `value`; returns false when it is not one.
 bool parse_number(std::string_view text, double& value);
 
 }  // namespace pellucid

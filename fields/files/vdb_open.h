@@ -13,7 +13,8 @@
 
 namespace pellucid::fields {
 
-/// Opens a file whose claims have been checked. Throws InputError or openvdb::Exception.
+/// Opens an OpenVDB file once precheck_vdb() has checked its claims. Throws InputError when it is
+/// missing or claims too much, openvdb::Exception when OpenVDB cannot read it.
 inline std::unique_ptr<openvdb::io::File> open_vdb(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": no such file");
   precheck_vdb(path);
@@ -24,7 +25,8 @@ inline std::unique_ptr<openvdb::io::File> open_vdb(const std::filesystem::path& 
   return file;
 }
 
-/// Whether the active voxels are single ones (so that the file holds each of them) and fill a box.
+/// Says whether the active voxels are single ones (so that the file holds each of them) and fill
+/// `box`, in voxels.
 template <class Grid>
 bool fills_a_box(const Grid& grid, const openvdb::CoordBBox& box) {
   const openvdb::Vec3d size(box.dim().asVec3d());

@@ -10,8 +10,8 @@
 
 namespace pellucid::fields {
 
-/// While it lives, VTK's warnings and errors are kept here instead of printed. VTK has one output
-/// for the whole process, so these objects wait for each other.
+/// While a VtkMessages lives, VTK's warnings and errors are kept in it instead of printed. VTK has
+/// one output for the whole process, so these objects wait for each other.
 class VtkMessages {
  public:
   VtkMessages();
@@ -19,7 +19,7 @@ class VtkMessages {
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;
 
-  /// The first message, without VTK's file, line and object; empty when there was none.
+  /// Returns the first message, without VTK's file, line and object; empty when there was none.
   std::string first_line() const;
 
  private:

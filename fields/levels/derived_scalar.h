@@ -8,7 +8,8 @@
 
 namespace pellucid::fields {
 
-/// A scalar of a velocity field, computed at the samples of one level: a row of the table.
+/// A DerivedScalarRow is a scalar of a velocity field, computed at the samples of one level: a row
+/// of the table. Velocities are in world units per unit of time, derivatives per world unit.
 struct DerivedScalarRow {
   std::string_view name;
   std::string_view title;
@@ -16,12 +17,14 @@ struct DerivedScalarRow {
   ScalarLevel (*compute)(const VectorLevel&);
 };
 
+/// Returns the table of derived scalars.
 std::span<const DerivedScalarRow> derived_scalars();
 
-/// Throws InputError with the nearest names.
+/// Returns the row of that name. Throws InputError with the nearest names when there is none.
 const DerivedScalarRow& find_derived_scalar(std::string_view name);
 
-/// The scalar of that name of every level.
+/// Computes the scalar of that name on every level. Throws InputError for an unknown name and for a
+/// level that check_level() refuses.
 std::vector<ScalarLevel> scalars_of(std::span<const VectorLevel> levels, std::string_view name);
 
 }  // namespace pellucid::fields

@@ -14,9 +14,10 @@
 
 namespace pellucid::fields {
 
-/// How values at samples of several levels become one function of space.
+/// A Reconstruction says how values at samples of several levels become one function of space.
 enum class Reconstruction { trilinear, hat, blend };
 
+/// A ReconstructionRow describes one reconstruction: a row of the table.
 struct ReconstructionRow {
   std::string_view name;
   std::string_view title;
@@ -26,6 +27,7 @@ struct ReconstructionRow {
   bool linear_preserving;  // f(x) = x stays f(x) = x
 };
 
+/// The table holds every reconstruction.
 inline constexpr ReconstructionRow reconstructions[] = {
     {"trilinear", "Trilinear in the finest level alone", "", Reconstruction::trilinear, false,
      true},
@@ -34,32 +36,33 @@ inline constexpr ReconstructionRow reconstructions[] = {
     {"blend", "Trilinear levels, each faded in over its outermost cells", "", Reconstruction::blend,
      true, true}};
 
-/// Throws InputError with the nearest names.
+/// Returns the row of that name. Throws InputError with the nearest names when there is none.
 const ReconstructionRow& find_reconstruction(std::string_view name);
 
-/// Of a level: the cell of the lattice of its samples whose first corner is `low`. Only for a hat
-/// basis corners may lie outside the level. Not initialized: to clear eight costs a third of a
-/// sample.
+/// A LatticeCell is the cell of a level's lattice of samples whose first corner is the sample
+/// `low`. Only for a hat basis corners may lie outside the level. It is not initialized: to clear
+/// eight costs a third of a sample.
 struct LatticeCell {
   std::uint32_t level;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   std::array<int, 3> low;
 };
 
-/// Levels take part at a point by Σ w (f - value) and Σ w, polynomials of degree 3 (blend: 3 n
-/// where n levels meet) while the point stays in the same lattice cells: the reconstruction is
-/// their quotient plus `value`. Weights are never negative, so it lies in the hull of the samples.
+/// A LevelSum holds how levels take part at a point: Σ w (f - value) and Σ w, polynomials of degree
+/// 3 (blend: 3 n where n levels meet) while the point stays in the same lattice cells. The
+/// reconstruction is their quotient plus `value`. Weights are never negative, so it lies in the
+/// hull of the samples.
 template <class T>
 struct LevelSum {
   T sum{0.0};
   T weight{0.0};
 };
 
-/// Most levels that may meet at one place where they fade: bounds the degree of a polynomial along
-/// a ray.
+/// At most so many levels may meet at one place where they fade, which bounds the degree of a
+/// polynomial along a ray.
 constexpr std::size_t most_fading = 5;
 
-/// A scalar field on levels of any boxes and widths. Where they overlap the finest level rules.
-/// Immutable.
+/// A LevelField is a scalar field on levels of any boxes and widths, in world coordinates. Where
+/// they overlap the finest level rules. It is immutable.
 class LevelField {
  public:
   using Cells = std::array<LatticeCell, 8>;
@@ -70,32 +73,37 @@ class LevelField {
 
   std::span<const ScalarLevel> levels() const { return levels_; }  // the finest first
   const ReconstructionRow& reconstruction() const { return *row_; }
-  /// Where values of the level count: its cells for the hat basis, else from its first to its last
-  /// sample. The field is defined in the union of all of them.
+  /// Returns the box in which values of the level count: its cells for the hat basis, else from its
+  /// first to its last sample; in world units. The field is defined in the union of all of them.
   Box3 domain(std::size_t level) const { return levels_[level].box(hat() ? 0.5 : 0); }
   const LevelRegion& region(std::size_t level) const { return regions_[level]; }
   Box3 bounds() const;
   const RegionTree& tree() const { return tree_; }
 
-  /// Lattice cells around x, finest first; their number is 0 outside of every domain. A coordinate
-  /// on a sample belongs to the cell above it where there is one.
+  /// Finds the lattice cells around x, finest first, and returns their number: 0 outside of every
+  /// domain. A coordinate on a sample belongs to the cell above it where there is one.
   std::size_t cells_at(const Vec3& x, Cells& cells) const;
-  /// Lattice cell of `level` around x, kept within what the reconstruction reads.
+  /// Returns the lattice cell of `level` around x, kept within what the reconstruction reads.
   LatticeCell cell_at(std::uint32_t level, const Vec3& x) const;
 
-  /// `x` of any arithmetic: double, Dual, a polynomial along a ray.
+  /// Sums over `cells` at the world position x, which may be of any arithmetic: double, Dual, a
+  /// polynomial along a ray.
   template <class T>
   LevelSum<T> sum(std::span<const LatticeCell> cells, const std::array<T, 3>& x,
                   double value) const;
 
+  /// Returns the reconstruction, or its gradient per world unit, at x; nothing outside of every
+  /// domain.
+  ///@{
   std::optional<double> value(const Vec3& x) const;
-  std::optional<Vec3> gradient(const Vec3& x) const;  // per world unit
+  std::optional<Vec3> gradient(const Vec3& x) const;
+  ///@}
 
   std::uint64_t bytes() const;
 
  private:
   bool hat() const { return row_->kind == Reconstruction::hat; }
-  /// Whether cells of a finer level lie over the sample.
+  /// Says whether cells of a finer level lie over the sample.
   bool covered(std::uint32_t level, const std::array<int, 3>& sample) const;
   template <class T>
   void add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double value,

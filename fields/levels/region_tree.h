@@ -10,26 +10,27 @@
 
 namespace pellucid::fields {
 
-/// Where a level takes part in a reconstruction, and where no coarser one does beside it.
+/// A LevelRegion says where a level takes part in a reconstruction, and where no coarser one does
+/// beside it, as boxes in world units.
 struct LevelRegion {
   Box3 support;
   Box3 alone;  // coarser levels have no weight here; may be empty
 };
 
-/// A k-d tree over the boxes of all levels, which may overlap in any way: every leaf lists the
-/// levels that take part there (as the bricks of ExaBricks do: Wald et al., IEEE VIS 2020; Li, Chen
-/// 2023, Sect. 3.2, which asks for nested boxes). Splits lie on the faces of boxes, so that no face
-/// cuts a leaf.
+/// A RegionTree is a k-d tree over the boxes of all levels, which may overlap in any way: every
+/// leaf lists the levels that take part there (as the bricks of ExaBricks do: Wald et al., IEEE VIS
+/// 2020; Li, Chen 2023, Sect. 3.2, which asks for nested boxes). Splits lie on the faces of boxes,
+/// so that no face cuts a leaf.
 class RegionTree {
  public:
-  /// `regions` from the finest level to the coarsest.
+  /// Builds the tree over `regions`, which go from the finest level to the coarsest.
   explicit RegionTree(std::span<const LevelRegion> regions);
 
-  /// The levels that take part at x, finest first; empty where there is none. A point on a face
-  /// belongs to the side of larger coordinates.
+  /// Returns the levels that take part at x, finest first; empty where there is none. A point on a
+  /// face belongs to the side of larger coordinates.
   std::span<const std::uint32_t> levels_at(const Vec3& x) const;
 
-  /// A stretch of a ray in which the same levels take part.
+  /// A Part is a stretch of a ray in which the same levels take part.
   struct Part {
     double begin, end;  // the ray's parameter
     std::span<const std::uint32_t> levels;
@@ -40,7 +41,7 @@ class RegionTree {
   void append_parts(const Vec3& start, const Vec3& direction, double begin, double end,
                     std::vector<Part>& parts) const;
 
-  /// Most levels of any leaf.
+  /// Returns how many levels the leaf with most of them lists.
   std::size_t most_levels() const;
 
  private:

@@ -10,19 +10,23 @@
 
 namespace pellucid::fields {
 
-/// Every grid of an OpenVDB file that has the scalar, as a level: scalar grids of that name (float
-/// or double), or, for a derived scalar, all velocity grids (whatever their names). Throws
-/// InputError for a file that is missing or damaged, and for a grid whose active voxels do not fill
-/// a box, whose voxels are not cubes along the world's axes, or that check_level() refuses.
+/// Reads every grid of an OpenVDB file that has the scalar, as a level: scalar grids of that name
+/// (float or double), and, for a derived scalar, all velocity grids (whatever their names). Throws
+/// InputError for a file that is missing, damaged or without such a grid, and for a grid whose
+/// active voxels do not fill a box, whose voxels are not cubes along the world's axes, or that
+/// check_level() refuses.
 std::vector<ScalarLevel> read_vdb_levels(const std::filesystem::path& path,
                                          std::string_view scalar);
 
 /// Writes each level as a grid of that name whose active voxels are its samples, in one file, which
 /// appears whole or not at all: read again, every bit is as it was. Throws InputError for another
-/// ending than .vdb, no level, or one that check_level() refuses; and as OutputFile does.
+/// ending than .vdb, no level, or one that check_level() refuses; WorkError when OpenVDB cannot
+/// write; and as OutputFile does.
+///@{
 void write_vdb_levels(const std::filesystem::path& path, const std::string& name,
                       std::span<const ScalarLevel> levels);
 void write_vdb_levels(const std::filesystem::path& path, const std::string& name,
                       std::span<const VectorLevel> levels);
+///@}
 
 }  // namespace pellucid::fields

@@ -8,8 +8,8 @@
 
 namespace pellucid::fields {
 
-/// How the samples of a grid weigh in, along one axis, at one place: `value` gives the
-/// interpolant, `slope` its derivative, for the N samples from `first` on.
+/// A Stencil says how the samples of a grid weigh in, along one axis, at one place: `value` gives
+/// the interpolant, `slope` its derivative along the axis, for the N samples from `first` on.
 template <int N>
 struct Stencil {
   std::size_t first;
@@ -17,11 +17,12 @@ struct Stencil {
   std::array<double, N> slope;
 };
 
-/// Positions of the samples of a grid along one axis; two or more, ascending.
+/// An Axis holds the positions of a grid's samples along one axis, in grid coordinates: two or
+/// more, ascending.
 class Axis {
  public:
   static Axis uniform(double first, double spacing, std::size_t count);
-  /// `positions` ascend strictly.
+  /// Takes positions as they are; they ascend strictly.
   explicit Axis(std::vector<double> positions);
 
   std::size_t size() const { return positions_.size(); }
@@ -31,12 +32,13 @@ class Axis {
   double width(std::size_t cell) const { return positions_[cell + 1] - positions_[cell]; }
   double smallest_width() const;
 
-  /// Where p, in [front(), back()], lies.
+  /// A Place says where a position lies among the samples.
   struct Place {
     std::size_t cell;      // between samples `cell` and `cell` + 1
     double s;              // from 0 to 1 across the cell
     double inverse_width;  // of the cell
   };
+  /// Finds the cell of p, which lies in [front(), back()].
   Place locate(double p) const {
     if (inverse_spacing_ > 0) {
       const double t = (p - positions_.front()) * inverse_spacing_;
@@ -55,7 +57,7 @@ class Axis {
   double inverse_spacing_ = 0;  // 0: positions are not evenly spaced
 };
 
-/// Straight lines between samples: continuous.
+/// A LinearInterpolation draws straight lines between samples: it is continuous.
 class LinearInterpolation {
  public:
   static constexpr int support = 2;
@@ -69,10 +71,11 @@ class LinearInterpolation {
   }
 };
 
-/// Cubic Hermite pieces whose slope at a sample is that of the parabola through it and its
-/// neighbours (at an end: through the last three): continuous with its derivative. On even spacing
-/// this is the cubic convolution of R. G. Keys, IEEE Trans. ASSP 29 (1981), Eq. 15 with a = -1/2
-/// and its boundary condition, Eq. 19: third order, exact for parabolas. Needs 4 samples.
+/// A CubicInterpolation joins cubic Hermite pieces whose slope at a sample is that of the parabola
+/// through it and its neighbours (at an end: through the last three): it is continuous with its
+/// derivative. On even spacing this is the cubic convolution of R. G. Keys, IEEE Trans. ASSP 29
+/// (1981), Eq. 15 with a = -1/2 and its boundary condition, Eq. 19: third order, exact for
+/// parabolas. It needs 4 samples.
 class CubicInterpolation {
  public:
   static constexpr int support = 4;

@@ -11,9 +11,10 @@ class vtkDataSet;
 
 namespace pellucid::fields {
 
-/// A field over the volume cells of a curvilinear or unstructured grid; cells of lower dimension
-/// are left out. Throws InputError, naming `path`, for connectivity that points nowhere, for cells
-/// that cannot be searched and for points that are not finite.
+/// Makes a field over the volume cells of a curvilinear or unstructured grid; `vectors` are its
+/// velocities by point, in world units per unit of time. Cells of lower dimension are left out.
+/// Throws InputError, naming `path`, for connectivity that points nowhere, for cells that cannot be
+/// searched and for points that are not finite.
 std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, vtkDataArray* vectors,
                                              const std::filesystem::path& path);
 

@@ -12,23 +12,26 @@
 
 namespace pellucid::fields {
 
+/// An Interpolation says how values between samples are made: see LinearInterpolation and
+/// CubicInterpolation (c1).
 enum class Interpolation { linear, c1 };
 
-/// In cells: how far beyond the last sample still is at it.
+/// A position beyond the last sample by less than this many cells counts as at it.
 inline constexpr double edge_rounding = 1e-9;
 
-/// Grid coordinates, where samples lie at whole numbers, of a world position.
+/// A GridFrame maps world positions to grid coordinates, in which samples lie at whole numbers.
 struct GridFrame {
   Mat3 grid_from_world;
-  Vec3 origin;
+  Vec3 origin;  // world, of grid coordinates (0, 0, 0)
 
   Vec3 to_grid(const Vec3& x) const { return grid_from_world * (x - origin); }
   Box3 world_box(const Box3& grid_box) const;
   double smallest_unit() const;  // the world's length of the shortest step between samples
 };
 
-/// Samples of a velocity at all crossings of three axes. Sample is glm::vec3 where a file holds
-/// floats, Vec3 where it holds doubles. A sample that is not finite makes its cells `not_finite`.
+/// A DenseGrid holds samples of a velocity at all crossings of three axes, in world units per unit
+/// of time. Sample is glm::vec3 where a file holds floats, Vec3 where it holds doubles. A sample
+/// that is not finite makes its cells `not_finite`.
 template <class Sample>
 struct DenseGrid {
   std::array<Axis, 3> axes;
@@ -36,7 +39,8 @@ struct DenseGrid {
   std::optional<GridFrame> frame;  // none: the axes are the world's
 };
 
-/// Throws InputError naming `description` when the grid has too few samples for the interpolation.
+/// Makes a steady field of the grid's samples. Throws InputError naming `description` when the grid
+/// has too few samples for the interpolation: linear needs 2 along each axis, c1 needs 4.
 template <class Sample>
 std::unique_ptr<VectorField> make_dense_field(DenseGrid<Sample> grid, Interpolation interpolation,
                                               std::string description);

@@ -5,9 +5,9 @@
 
 namespace pellucid::fields {
 
-/// Largest estimated difference between the interpolant and the smooth field that was sampled, in
-/// the samples' unit. `support` is the interpolation's: 2 (linear) or 4 (c1). Samples that are not
-/// finite, and axes too short for the differences, are passed over.
+/// Estimates the largest difference between the interpolant and the smooth field that was sampled,
+/// in the samples' unit. `support` is the interpolation's: 2 (linear) or 4 (c1). Samples that are
+/// not finite, and axes too short for the differences, are passed over.
 ///
 /// Along one axis of spacing h the largest error of straight lines is h²/8 |f''|. That of cubic
 /// Hermite pieces with three-point slopes is, with s in [0, 1] the place in the cell,

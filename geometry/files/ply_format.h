@@ -11,9 +11,12 @@
 
 namespace pellucid::geometry::ply {
 
+/// A Type is the type of a value in a PLY file; the number is its size in bits.
 enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+/// An Encoding says how values are written: as text, or in binary of a byte order.
 enum class Encoding { ascii, little_endian, big_endian };
 
+/// A Property declares one value of each element, or a list of values behind their count.
 struct Property {
   std::string name;
   Type type = Type::float32;
@@ -21,34 +24,39 @@ struct Property {
   Type count_type = Type::uint8;  // lists only
 };
 
+/// An Element declares `count` records of the same properties, such as all vertices.
 struct Element {
   std::string name;
   std::uint64_t count = 0;
   std::vector<Property> properties;
 };
 
+/// A Header declares the elements of a PLY file, in the order in which their values follow.
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
 };
 
+/// Returns the size of a value in bytes, in binary.
 std::size_t size_of(Type type);
 
-/// Reads the values that follow the header one by one, and knows where it stands.
+/// A Reader reads the header of a PLY file and then its values one by one, and knows where it
+/// stands.
 class Reader {
  public:
-  /// `file` names the text in messages; `content` is the whole file and has to outlive the reader.
+  /// Starts at the front of `content`, which is the whole file and has to outlive the reader;
+  /// `file` names it in messages.
   Reader(std::string file, std::string_view content);
 
-  /// Throws InputError with the line for anything that is not a PLY header.
+  /// Reads the header. Throws InputError with the line for anything that is not a PLY header.
   Header read_header();
 
-  /// The next value, as double: exact for every PLY type. Throws InputError at the file's end and,
-  /// in text, for a word that is not a number.
+  /// Reads the next value, as double: exact for every PLY type. Throws InputError at the file's end
+  /// and, in text, for a word that is not a number.
   double next(Type type);
 
   std::size_t bytes_left() const { return content_.size() - position_; }
-  /// "sheet.ply:812" in text, "sheet.ply: byte 90112" in binary.
+  /// Returns where it stands: "sheet.ply:812" in text, "sheet.ply: byte 90112" in binary.
   std::string where() const;
 
  private:

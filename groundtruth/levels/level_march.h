@@ -11,26 +11,30 @@
 
 namespace pellucid::groundtruth {
 
+/// A HitRefinement says how a crossing between two samples is placed: by the line through both, or
+/// by bisection of the field.
 enum class HitRefinement { linear, bisection };
 
+/// MarchOptions are the parameters of a march.
 struct MarchOptions {
   double steps_per_cell = 8;  // dx / step, of the finest level that takes part; > 0
   HitRefinement refinement = HitRefinement::linear;
-  double stop_below = 0;   // a march ends where its surface hides all but this share
+  double stop_below = 0;   // a march ends where its surface hides all but this share, in [0, 1]
   bool skip_empty = true;  // pass over blocks that the surface does not touch
 
-  /// A march ends where its ray enters an opaque sphere of the scene grown by this (world).
+  /// A march ends where its ray enters an opaque sphere of the scene grown by this, in world units;
+  /// none: it does not.
   std::optional<double> dilate = {};
 };
 
-/// Crossings of rays with a surface by marching front to back, as in Li, Chen, Multi-Resolution
-/// Isosurface Rendering (2023), Sect. 3.5: the field is sampled at steps of a fraction of the
-/// finest cell that takes part where the ray is, and two samples on different sides of the value
-/// have one crossing between them. It is placed by the line through both, or by bisection. Of
-/// crossings between two samples all but one are lost when they are odd in number, and all when
-/// even; a linearly placed one errs by up to a step.
+/// A LevelMarch finds crossings of rays with a surface by marching front to back, as in Li, Chen,
+/// Multi-Resolution Isosurface Rendering (2023), Sect. 3.5: the field is sampled at steps of a
+/// fraction of the finest cell that takes part where the ray is, and two samples on different sides
+/// of the value have one crossing between them. It is placed by the line through both, or by
+/// bisection. Of crossings between two samples all but one are lost when they are odd in number,
+/// and all when even; a linearly placed one errs by up to a step.
 ///
-/// Differs from the report: steps start anew where the levels that take part change, so that the
+/// It differs from the report: steps start anew where the levels that take part change, so that the
 /// samples of k steps a cell are among those of 2k; where the report counts the first sample
 /// inside as the hit, this one is refined; both ways through the surface count. Empty space is
 /// passed over in blocks of 4³ lattice cells without a change of the samples that a march takes
@@ -55,7 +59,7 @@ class LevelMarch {
   std::optional<double> height_at(const Vec3& x, std::span<const std::uint32_t> levels) const;
   double refined(const WorldRay& ray, std::span<const std::uint32_t> levels, const Sample& a,
                  const Sample& b) const;
-  /// Of a ray: within the same blocks of all levels that take part.
+  /// A Stretch is the part of a ray within the same blocks of all levels that take part.
   struct Stretch {
     bool empty;  // of the surface
     double end;  // the ray's parameter
@@ -63,7 +67,7 @@ class LevelMarch {
   Stretch stretch_at(const WorldRay& ray, std::span<const std::uint32_t> levels, double t) const;
   std::size_t block_index(std::uint32_t level, const std::array<int, 3>& block) const;
 
-  /// Blocks of lattice cells of a level, x fastest.
+  /// Blocks hold a level's blocks of lattice cells, x fastest.
   struct Blocks {
     std::array<int, 3> size{};
     std::vector<std::uint8_t> occupied;  // the surface may pass through

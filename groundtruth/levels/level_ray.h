@@ -7,7 +7,7 @@
 
 namespace pellucid::groundtruth {
 
-/// A ray over a field of levels: x(t) = start + t direction, in world coordinates.
+/// A WorldRay runs over a field of levels: x(t) = start + t direction, in world coordinates.
 struct WorldRay {
   Vec3 start, direction;
   Vec3 at(double t) const { return start + t * direction; }

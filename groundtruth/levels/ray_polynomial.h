@@ -6,17 +6,19 @@
 
 namespace pellucid::groundtruth {
 
-/// Σ c_i t^i (1 - t)^(degree - i): Bernstein's form with the binomials drawn into the coefficients,
-/// so that a product is a convolution and no sum cancels digits that its terms have. On [0, 1] it
-/// has at most as many zeros as its coefficients change sign (Descartes' rule).
+/// A RayPolynomial is Σ c_i t^i (1 - t)^(degree - i): Bernstein's form with the binomials drawn
+/// into the coefficients, so that a product is a convolution and no sum cancels digits that its
+/// terms have. On [0, 1] it has at most as many zeros as its coefficients change sign (Descartes'
+/// rule).
 class RayPolynomial {
  public:
-  /// Of the reconstruction with the most factors: five levels of degree 3 each (most_fading).
+  /// The reconstruction with the most factors has this degree: five levels (most_fading) of degree
+  /// 3 each.
   static constexpr int most_degree = 15;
 
   RayPolynomial() = default;
   RayPolynomial(double constant) { c_[0] = constant; }  // NOLINT(google-explicit-constructor)
-  /// The line from `begin` at t = 0 to `end` at t = 1.
+  /// Makes the line from `begin` at t = 0 to `end` at t = 1.
   RayPolynomial(double begin, double end) : degree_(1) {
     c_[0] = begin;
     c_[1] = end;
@@ -28,9 +30,9 @@ class RayPolynomial {
   void set_begin(double value) { c_[0] = value; }
   void set_end(double value) { c_[std::size_t(degree_)] = value; }
   double largest_coefficient() const;
-  /// A coefficient that is 0 counts as positive.
+  /// Counts where neighbouring coefficients differ in sign; one that is 0 counts as positive.
   int sign_changes() const;
-  /// Its halves, each over [0, 1] again.
+  /// Returns its halves, each over [0, 1] again.
   std::array<RayPolynomial, 2> split() const;
 
   friend RayPolynomial operator+(const RayPolynomial& p, const RayPolynomial& q);
@@ -49,8 +51,8 @@ class RayPolynomial {
   std::array<double, most_degree + 1> c_{};
 };
 
-/// Every t in [0, 1] where the polynomial changes sign (0 counts as positive), ascending: the
-/// interval is halved until Descartes' rule says none or one, and one is bracketed to the last
+/// Appends every t in [0, 1] where the polynomial changes sign (0 counts as positive), ascending:
+/// the interval is halved until Descartes' rule says none or one, and one is bracketed to the last
 /// bits. Two that no half of 2^-48 separates are none: the polynomial keeps its sign beyond them.
 void append_sign_changes(const RayPolynomial& p, std::vector<double>& at);
 

@@ -8,14 +8,14 @@
 
 namespace pellucid::groundtruth {
 
-/// Where a ray crosses a primitive in front of the eye.
+/// A Crossing is where a ray crosses a primitive in front of the eye.
 struct Crossing {
   double depth;             // view depth, units (see ViewFrame)
   double u, v;              // where on the primitive: a matter of its kind of geometry
   std::uint32_t object;     // index in Scene::objects
   std::uint32_t primitive;  // see Scene
 
-  /// Front to back; equal depths by object, then primitive.
+  /// Orders crossings front to back, those of equal depth by object, then by primitive.
   friend bool operator<(const Crossing& p, const Crossing& q) {
     if (p.depth != q.depth) return p.depth < q.depth;
     if (p.object != q.object) return p.object < q.object;
@@ -25,7 +25,7 @@ struct Crossing {
   friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-/// A crossing's colour (lit, not premultiplied) and opacity.
+/// A Fragment is a crossing's colour (lit, not premultiplied) and opacity, in [0, 1].
 struct Fragment {
   Vec3 color;
   double opacity;

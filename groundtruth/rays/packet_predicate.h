@@ -9,9 +9,9 @@
 
 namespace pellucid::groundtruth {
 
-/// Decides which of up to eight rays cross a triangle: to the last bit what their RayPredicates
-/// say one by one, with the edge functions of all rays computed side by side. All rays are of one
-/// camera.
+/// A PacketPredicate decides which of up to eight rays cross a triangle: to the last bit what their
+/// RayPredicates say one by one, with the edge functions of all rays computed side by side. All
+/// rays are of one camera.
 class PacketPredicate {
  public:
   static constexpr std::size_t width = 8;
@@ -19,8 +19,8 @@ class PacketPredicate {
   /// Takes a ray's predicate for the lane, lane 0 always; it has to stay where it is.
   void set(std::size_t lane, const RayPredicate& predicate);
 
-  /// The subset of `lanes` (bit i: lane i) whose rays cross the triangle; `edges` then holds their
-  /// edge functions.
+  /// Returns the subset of `lanes` (bit i: lane i) whose rays cross the triangle; `edges` then
+  /// holds their edge functions.
   std::uint32_t crosses(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t lanes,
                         std::array<EdgeFunctions, width>& edges) const;
 

@@ -5,29 +5,32 @@
 
 namespace pellucid::groundtruth {
 
-/// A ray through a point of the picture, in view coordinates. Perspective: from the eye (the
-/// origin) through (x, y, 1). Orthographic: from (x, y, 0) along +z.
+/// A PictureRay runs through a point of the picture, in view coordinates. Perspective: from the eye
+/// (the origin) through (x, y, 1). Orthographic: from (x, y, 0) along +z.
 struct PictureRay {
   double x, y;
   scene::Projection projection;
 };
 
-/// View coordinates in which crossings are decided: x right, y up, z the view depth, the eye at the
-/// origin, in units (world lengths times a power of two, see unit_scale). Vertices are rounded to
-/// them once, so that triangles that share a vertex still share it.
+/// A ViewFrame maps to the view coordinates in which crossings are decided: x right, y up, z the
+/// view depth, the eye at the origin, in units (world lengths times a power of two, see
+/// unit_scale()). Vertices are rounded to them once, so that triangles that share a vertex still
+/// share it.
 class ViewFrame {
  public:
   explicit ViewFrame(const scene::Scene& scene);
 
+  /// Maps a position in the world to view coordinates.
   Vec3 from_world(const Vec3& x) const;
-  /// Of a difference of positions.
+  /// Maps a difference of positions in the world.
   Vec3 vector_from_world(const Vec3& d) const;
   double units_per_length() const { return scale_; }
 
-  /// px runs right, py down, in pixels from the picture's top left corner.
+  /// Returns the ray through a point of the picture: px runs right, py down, in pixels from the
+  /// picture's top left corner.
   PictureRay ray(double px, double py) const;
 
-  /// The ray's direction in the world's axes; not normalized.
+  /// Returns the ray's direction in the world's axes; not normalized.
   Vec3 world_direction(const PictureRay& ray) const;
 
  private:

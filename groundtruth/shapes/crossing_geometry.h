@@ -17,7 +17,7 @@
 
 namespace pellucid::groundtruth {
 
-/// A ray as geometry meets it, in view coordinates.
+/// A SceneRay is a ray as geometry meets it, in view coordinates.
 struct SceneRay {
   PictureRay picture;
   RayPredicate predicate;  // decides crossings with flat triangles
@@ -25,7 +25,7 @@ struct SceneRay {
   Vec3 direction;          // unit length; its z turns lengths along the ray into depths
 };
 
-/// Up to `width` neighbouring rays that walk the hierarchy together.
+/// A RayPacket holds up to `width` neighbouring rays that walk the hierarchy together.
 struct RayPacket {
   static constexpr std::size_t width = PacketPredicate::width;
 
@@ -34,49 +34,51 @@ struct RayPacket {
   std::array<std::vector<Crossing>*, width> crossings;  // of each ray
 };
 
-/// One object of a scene, cut into primitives that Embree keeps in its hierarchy of boxes. What the
-/// hierarchy calls a primitive may be several of the scene's, and need not be crossed where its box
-/// is. Thread-safe once it is made. All coordinates are view coordinates (see ViewFrame).
+/// A CrossingGeometry is one object of a scene, cut into primitives that Embree keeps in its
+/// hierarchy of boxes. What the hierarchy calls a primitive may be several of the scene's, and need
+/// not be crossed where its box is. It is thread-safe once it is made. All coordinates are view
+/// coordinates (see ViewFrame).
 class CrossingGeometry {
  public:
   virtual ~CrossingGeometry() = default;
 
   virtual std::uint32_t box_count() const = 0;
-  /// Everything that box `k` holds lies within; an empty box is never visited.
+  /// Returns a box around everything that box `k` holds; an empty box is never visited.
   virtual Box3 box(std::uint32_t k) const = 0;
   /// Appends to their lists every crossing of the packet's rays whose bit in `lanes` is set with
   /// what box `k` holds, in any order, those behind the eye (depth ≤ 0) included or not.
   virtual void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const = 0;
 
-  /// True when several boxes may hold the same primitive, and bring the same crossing each.
+  /// Returns true when several boxes may hold the same primitive, and bring the same crossing each.
   virtual bool repeats() const { return false; }
-  /// True when what the boxes hold are parts of solids, and only the surface of each solid counts:
-  /// crossings within another part of the same solid are not the scene's (see solid_union.h).
+  /// Returns true when what the boxes hold are parts of solids, and only the surface of each solid
+  /// counts: crossings within another part of the same solid are not the scene's (see
+  /// solid_union.h).
   virtual bool is_union() const { return false; }
-  /// Of a union: the solid that the crossing's part belongs to.
+  /// Returns the solid that the crossing's part belongs to, where is_union().
   virtual std::uint32_t solid(const Crossing&) const { return 0; }
 
   /// Interpolates colour and opacity in double and lights the colour as the scene asks;
   /// `world_direction` is the ray's, of any length.
   virtual Fragment shade(const Crossing& crossing, const Vec3& world_direction) const = 0;
-  /// g at the crossing; 0 where the object has no importance.
+  /// Returns g at the crossing, in [0, 1]; 0 where the object has no importance.
   virtual double importance(const Crossing& crossing) const = 0;
 
-  /// Size of the largest coordinate of a vertex that RayPredicate is asked about.
+  /// Returns the size of the largest coordinate of a vertex that RayPredicate is asked about.
   virtual double largest_coordinate() const = 0;
   virtual std::uint64_t bytes() const = 0;
 };
 
-/// A kind of geometry that meets the rays of a packet one by one.
+/// A RayByRayGeometry meets the rays of a packet one by one.
 class RayByRayGeometry : public CrossingGeometry {
  public:
   void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const final;
-  /// As CrossingGeometry::cross, for one ray.
+  /// Does what CrossingGeometry::cross does, for one ray.
   virtual void cross(std::uint32_t k, const SceneRay& ray,
                      std::vector<Crossing>& crossings) const = 0;
 };
 
-/// What the geometries of a scene have in common. Has to outlive them.
+/// A GeometryContext is what the geometries of a scene have in common. It has to outlive them.
 struct GeometryContext {
   const ViewFrame& frame;
   const scene::Camera& camera;
@@ -88,7 +90,8 @@ struct GeometryContext {
 /// Throws InputError when Crossing cannot count so many `what`: 2^32 or more.
 void check_count(std::size_t count, const char* what);
 
-/// `index`: of the object in Scene::objects. The object has to outlive the geometry.
+/// Makes the geometry of an object, whose index in Scene::objects is `index`. The object has to
+/// outlive the geometry. Throws InputError for more primitives than a Crossing counts.
 std::unique_ptr<CrossingGeometry> make_geometry(const scene::SceneObject& object,
                                                 std::uint32_t index,
                                                 const GeometryContext& context);

@@ -5,8 +5,9 @@
 
 namespace pellucid::groundtruth {
 
-/// Points as discs parallel to the picture, crossed at their centre's depth. Crossing::v is |n · v|
-/// of the sphere that a disc stands for: √(1 - c²) at the fraction c of its radius.
+/// A DiscGeometry holds points as discs parallel to the picture, crossed at their centre's depth.
+/// Crossing::v is |n · v| of the sphere that a disc stands for: √(1 - c²) at the fraction c of its
+/// radius.
 class DiscGeometry final : public PointGeometry {
  public:
   DiscGeometry(const scene::PointObject& points, std::uint32_t index,

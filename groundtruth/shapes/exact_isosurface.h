@@ -5,10 +5,11 @@
 
 namespace pellucid::groundtruth {
 
-/// The surface where a reconstruction over levels of samples takes a value, crossed exactly. A box
-/// is a lattice cell of the finest level there, of those whose samples lie on both sides of the
-/// value. Along a ray the reconstruction's numerator is a polynomial within each lattice cell (see
-/// LevelField): all its sign changes are isolated, with an error of some ulp of the ray's length.
+/// An ExactIsosurface is the surface where a reconstruction over levels of samples takes a value,
+/// crossed exactly. A box is a lattice cell of the finest level there, of those whose samples lie
+/// on both sides of the value. Along a ray the reconstruction's numerator is a polynomial within
+/// each lattice cell (see LevelField): all its sign changes are isolated, with an error of some ulp
+/// of the ray's length.
 ///
 /// Faces are planes of constant ray parameter that do not depend on the cell that asks, cells hold
 /// their first end and not their last, and the sign at an end is that of one evaluation which all

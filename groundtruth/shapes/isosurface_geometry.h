@@ -7,9 +7,10 @@
 
 namespace pellucid::groundtruth {
 
-/// What all ways of crossing an isosurface have in common: its place in the view and its light.
-/// Crossing::v is n · v, n the unit gradient and v the ray's direction; Crossing::u has the bits of
-/// two floats: the place on the colour map, where there is one, and the opacity.
+/// An IsosurfaceGeometry has what all ways of crossing an isosurface have in common: its place in
+/// the view and its light. Crossing::v is n · v, n the unit gradient and v the ray's direction;
+/// Crossing::u has the bits of two floats: the place on the colour map, where there is one, and the
+/// opacity.
 class IsosurfaceGeometry : public RayByRayGeometry {
  public:
   IsosurfaceGeometry(const scene::Isosurface& surface, std::uint32_t index,
@@ -22,9 +23,9 @@ class IsosurfaceGeometry : public RayByRayGeometry {
  protected:
   const scene::Isosurface& surface() const { return surface_; }
   const fields::LevelField& field() const { return *surface_.field; }
-  /// The view coordinates' box around one in the world.
+  /// Returns the box in view coordinates around one in the world.
   Box3 view_box(const Box3& world) const;
-  /// The same ray parameter, in world coordinates.
+  /// Returns the ray in world coordinates, with the same parameter.
   WorldRay to_world(const SceneRay& ray) const;
   /// Appends the crossing at the ray's parameter t, unless the surface has a hole there; returns
   /// its opacity.

@@ -10,21 +10,23 @@
 
 namespace pellucid::groundtruth {
 
+/// LineSegments number the segments of a set of lines, from line to line.
 class LineSegments {
  public:
   /// The set has to outlive it. Throws InputError for 2^31 segments or more.
   explicit LineSegments(const geometry::LineSet& set);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(first_points_.size()); }
-  /// The segment joins this point and the next.
+  /// Returns the point that the segment joins with the next one.
   std::uint32_t first_point(std::uint32_t segment) const { return first_points_[segment]; }
-  /// The line that the segment belongs to.
+  /// Returns the line that the segment belongs to.
   std::uint32_t line(std::uint32_t segment) const;
-  /// `along`: 0 at the segment's first point, 1 at its second.
+  /// Returns the blend of the segment's points at `along`: 0 at the first, 1 at the second.
   VertexBlend<2> blend(std::uint32_t segment, double along) const {
     return {{first_points_[segment], first_points_[segment] + 1}, {1 - along, along}};
   }
-  /// line_direction of the segment's points, normalized, interpolated.
+  /// Returns line_direction() of the segment's points, normalized, then interpolated; in the
+  /// world's axes.
   Vec3 direction(std::uint32_t segment, double along) const;
 
   std::uint64_t bytes() const { return first_points_.size() * sizeof(std::uint32_t); }

@@ -6,10 +6,10 @@
 
 namespace pellucid::groundtruth {
 
-/// Lines as strips that face the eye (see scene/view/ribbon.h): exact triangles over corners that
-/// neighbouring segments share. Crossing::u and v are the weights of a triangle's second and third
-/// corner. Of a line's points only the half widths are kept; corners are made where they are
-/// needed.
+/// A RibbonGeometry holds lines as strips that face the eye (see scene/view/ribbon.h): exact
+/// triangles over corners that neighbouring segments share. Crossing::u and v are the weights of a
+/// triangle's second and third corner. Of a line's points only the half widths are kept; corners
+/// are made where they are needed.
 class RibbonGeometry final : public RayByRayGeometry {
  public:
   RibbonGeometry(const scene::LineObject& lines, std::uint32_t index,

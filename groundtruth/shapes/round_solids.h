@@ -9,8 +9,9 @@
 
 namespace pellucid::groundtruth {
 
-/// A ray seen from a local origin: x(t) = offset + t direction, t = 0 at the point nearest to it. A
-/// small solid far away loses no digits but those that its own coordinates have lost.
+/// A LocalRay is a ray seen from a local origin: x(t) = offset + t direction, in units, t = 0 at
+/// the point nearest to it. A small solid far away loses no digits but those that its own
+/// coordinates have lost.
 struct LocalRay {
   LocalRay(const SceneRay& ray, const Vec3& origin);
 
@@ -18,18 +19,19 @@ struct LocalRay {
   double depth(double t) const { return nearest_depth + t * direction.z; }
 
   Vec3 offset, direction;
-  double nearest_depth;
+  double nearest_depth;  // view depth at t = 0, units
 };
 
-/// The part of a ray within a convex solid, begin < end.
+/// A Chord is the part of a ray within a convex solid, from t = begin to end, begin < end.
 struct Chord {
   double begin, end;
 };
 
-/// Of a ball; `center` relative to the ray's origin.
+/// Returns the ray's chord in a ball, if it meets it; `center` is relative to the ray's origin.
 std::optional<Chord> ball_chord(const LocalRay& ray, const Vec3& center, double radius);
 
-/// Of all within `radius` of the segment from -half to +half: a cylinder and the balls at its ends.
+/// Returns the ray's chord in a capsule, if it meets it: all within `radius` of the segment from
+/// -half to +half, relative to the ray's origin; a cylinder and the balls at its ends.
 std::optional<Chord> capsule_chord(const LocalRay& ray, const Vec3& half, double radius);
 
 }  // namespace pellucid::groundtruth

@@ -5,9 +5,9 @@
 
 namespace pellucid::groundtruth {
 
-/// Points as spheres, each a solid of its own: the ray crosses where it enters (Crossing::v < 0)
-/// and where it leaves (v > 0), or not at all. Crossing::v is n · v, n the sphere's outer normal
-/// and v the ray's direction.
+/// A SphereGeometry holds points as spheres, each a solid of its own: the ray crosses where it
+/// enters (Crossing::v < 0) and where it leaves (v > 0), or not at all. Crossing::v is n · v, n the
+/// sphere's outer normal and v the ray's direction.
 class SphereGeometry final : public PointGeometry {
  public:
   SphereGeometry(const scene::PointObject& points, std::uint32_t index,

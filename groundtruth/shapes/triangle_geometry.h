@@ -7,16 +7,17 @@
 
 namespace pellucid::groundtruth {
 
-/// Where the ray crosses the flat triangle (a, b, c): appends the crossing, u and v the weights of
-/// b and c.
+/// Appends the crossing of the ray with the flat triangle (a, b, c), if there is one; u and v are
+/// the weights of b and c.
 void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t object,
                     std::uint32_t primitive, const SceneRay& ray, std::vector<Crossing>& crossings);
 
-/// The largest coordinate's size.
+/// Returns the size of the largest coordinate.
 double size_of(const Vec3& x);
 
-/// A mesh; Crossing::u and v are the weights of the triangle's second and third vertex. Keeps its
-/// vertices in view coordinates, where triangles that share one share its rounding.
+/// A TriangleGeometry holds a mesh; Crossing::u and v are the weights of the triangle's second and
+/// third vertex. It keeps its vertices in view coordinates, where triangles that share one share
+/// its rounding.
 class TriangleGeometry final : public CrossingGeometry {
  public:
   TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint32_t index,
@@ -36,8 +37,9 @@ class TriangleGeometry final : public CrossingGeometry {
   const auto& triangles() const { return mesh_.triangles; }
 
  private:
-  /// What a box holds: one or two triangles, or, where they are long and their box is mostly empty,
-  /// the part of them in one of `slabs` equal slabs across the longest side of their box.
+  /// A Piece is what a box holds: one or two triangles, or, where they are long and their box is
+  /// mostly empty, the part of them in one of `slabs` equal slabs across the longest side of their
+  /// box.
   struct Piece {
     std::uint32_t first;  // triangle
     std::uint8_t count, slab, slabs;

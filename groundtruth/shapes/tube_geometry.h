@@ -6,12 +6,12 @@
 
 namespace pellucid::groundtruth {
 
-/// Lines as round tubes. The tube of a line is one closed solid, all within the radius of the line:
-/// cylinders with balls at joints and ends. A ray enters it (Crossing::v < 0) and leaves it (v > 0)
-/// an even number of times, however the line bends; where the line meets itself, so does the solid.
-/// A segment has a chord or has none, and the chords of a line's segments are united.
-/// Crossing::u is the place along the segment, v is n · v, n the outer normal, v the ray's
-/// direction.
+/// A TubeGeometry holds lines as round tubes. The tube of a line is one closed solid, all within
+/// the radius of the line: cylinders with balls at joints and ends. A ray enters it
+/// (Crossing::v < 0) and leaves it (v > 0) an even number of times, however the line bends; where
+/// the line meets itself, so does the solid. A segment has a chord or has none, and the chords of a
+/// line's segments are united. Crossing::u is the place along the segment, in [0, 1]; Crossing::v
+/// is n · v, n the outer normal, v the ray's direction.
 class TubeGeometry final : public RayByRayGeometry {
  public:
   TubeGeometry(const scene::LineObject& lines, std::uint32_t index, const GeometryContext& context);

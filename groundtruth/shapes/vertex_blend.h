@@ -9,7 +9,7 @@
 
 namespace pellucid::groundtruth {
 
-/// A point between N vertices: their indices, and weights that sum to 1.
+/// A VertexBlend is a point between N vertices: their indices, and weights that sum to 1.
 template <std::size_t N>
 struct VertexBlend {
   std::array<std::uint32_t, N> vertex;
@@ -29,7 +29,7 @@ struct VertexBlend {
   }
 };
 
-/// Of a point that is a primitive of its own.
+/// Returns the blend of a point that is a primitive of its own: its vertex alone.
 inline VertexBlend<1> point_blend(const Crossing& crossing) { return {{crossing.primitive}, {1}}; }
 
 }  // namespace pellucid::groundtruth

@@ -10,7 +10,7 @@
 
 namespace pellucid::groundtruth {
 
-/// What the rays of a pixel's samples cross (see RaySums), at their ends.
+/// PixelSums say what the rays of a pixel's samples cross (see RaySums), summed to their ends.
 struct PixelSums {
   float layers = 0;          // of the sample that has most
   float coverage = 0;        // share of the samples that cross anything
@@ -21,11 +21,12 @@ struct PixelSums {
   float far = -std::numeric_limits<float>::infinity();  // greatest of all
 };
 
-/// Of every pixel, computed in double; scene.samples² rays each.
+/// Computes the sums of every pixel in double, with scene.samples² rays each; row 0 is the top.
 Raster<PixelSums> picture_sums(const scene::Scene& scene, const RayProbe& probe,
                                const Progress& progress);
 
-/// Of the rays through the centres of a row's pixels, from the left.
+/// Computes the sums of the rays through the centres of the pixels of row y (0 at the top), from
+/// the left.
 std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y);
 
 }  // namespace pellucid::groundtruth

@@ -8,8 +8,8 @@
 
 namespace pellucid::groundtruth {
 
-/// Indices into Image::pixels, ascending, of those that differ from one of their eight neighbours
-/// by more than `contrast` in some channel and are not yet `marked`; marks them.
+/// Returns the indices into Image::pixels, ascending, of those that differ from one of their eight
+/// neighbours by more than `contrast` in some channel and are not yet `marked`; marks them.
 std::vector<std::size_t> mark_contrasts(const Image& image, double contrast,
                                         std::vector<bool>& marked);
 

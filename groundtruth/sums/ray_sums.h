@@ -10,7 +10,8 @@
 
 namespace pellucid::groundtruth {
 
-/// A crossing, and the sums from the eye to it. i counts crossings front to back, from 1.
+/// A RayLayer is a crossing, and the sums from the eye to it; i counts crossings front to back,
+/// from 1.
 struct RayLayer {
   double depth;          // view depth, world units
   double d;              // in (0, 1), see DepthRange
@@ -24,26 +25,30 @@ struct RayLayer {
   double optical_depth;   // τ(d_i) = Σ_{j≤i} -ln(1 - α_j), Eq. 14; infinite from α = 1 on
 };
 
+/// RaySums are the layers along a ray, up to and with the first opaque one, and its colour.
 struct RaySums {
   std::vector<RayLayer> layers;  // front to back
   Vec3 color{0};                 // composited over the background, Eq. 12
   double transmittance = 1;      // of all layers
 
-  /// G(d) and τ(d): the sums over all layers at depths up to and with d.
+  /// Returns G(d) (importance_sum) or τ(d): the sums over all layers at depths up to and with d.
+  ///@{
   double importance_sum(double d) const;
   double optical_depth(double d) const;
+  ///@}
 };
 
-/// Asks a scene for rays, one by one. Thread-safe once it is made.
+/// A RayProbe asks a scene for rays, one by one. It is thread-safe once it is made.
 class RayProbe {
  public:
-  /// The scene has to outlive it. Throws InputError when nothing of it is in front of the camera.
+  /// Builds the hierarchy. The scene has to outlive it. Throws InputError when nothing of it is in
+  /// front of the camera, and as CrossingFinder does.
   explicit RayProbe(const scene::Scene& scene, Precision precision = Precision::exact);
 
-  /// x runs right, y down, in pixels from the picture's top left corner: a pixel's centre is at
-  /// +0.5.
+  /// Returns the sums along the ray through a point: x runs right, y down, in pixels from the
+  /// picture's top left corner; a pixel's centre is at +0.5.
   RaySums at(double x, double y) const;
-  /// The same at several places, best neighbours; in parallel.
+  /// Returns the sums at several such points, best neighbours; computed in parallel.
   std::vector<RaySums> at(std::span<const Vec2> places) const;
 
   const scene::DepthRange& depths() const { return depths_; }

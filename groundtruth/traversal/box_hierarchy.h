@@ -11,9 +11,9 @@
 
 namespace pellucid::groundtruth {
 
-/// Embree's hierarchy over the boxes of a scene's geometries. Its origin is the scene's centre, so
-/// that its floats are as fine as can be, and its boxes are widened by more than the rounding of
-/// rays and boxes to float, so that a traversal misses none.
+/// A BoxHierarchy is Embree's hierarchy over the boxes of a scene's geometries. Its origin is the
+/// scene's centre, so that its floats are as fine as can be, and its boxes are widened by more than
+/// the rounding of rays and boxes to float, so that a traversal misses none.
 class BoxHierarchy {
  public:
   /// Boxes grow by this much on every side, in units. A traversal starts at most 3.5 units before
@@ -21,21 +21,22 @@ class BoxHierarchy {
   /// 4 for its origin (2.4e-7) plus 4 · 2^-25 for its direction (1.2e-7), and a box by 6e-8.
   static constexpr float margin = 0x1p-20f;  // 9.5e-7
 
-  /// An object of the scene; the callback's user pointer.
+  /// An Object is one of the scene; callbacks get it as their user pointer.
   struct Object {
     std::unique_ptr<CrossingGeometry> geometry;
     bool opaque;
     Vec3 center = {};  // the hierarchy's
   };
 
-  /// What is called along a traversal.
+  /// Callbacks are what Embree calls along a traversal.
   struct Callbacks {
     RTCOccludedFunctionN decide;             // gets every candidate box
     RTCIntersectFunctionN decide_and_close;  // the same, and may shorten the ray
     RTCFilterFunctionN built_in;  // gets every hit of a mesh; null: meshes are boxes, as all else
   };
 
-  /// Throws WorkError when Embree does.
+  /// Builds the hierarchy with its origin at `center`, in view coordinates. Throws WorkError when
+  /// Embree fails.
   BoxHierarchy(std::vector<Object> objects, const Vec3& center, const Callbacks& callbacks);
   ~BoxHierarchy();
   BoxHierarchy(const BoxHierarchy&) = delete;

@@ -14,26 +14,30 @@
 
 namespace pellucid::groundtruth {
 
-/// Finds every crossing of a ray with a scene. Embree's traversal brings the candidates:
-/// its primitives are the boxes of a CrossingGeometry, widened by more than the rounding of rays
-/// and boxes to float, so none is missed; the geometry decides each. Thread-safe once it is made.
+/// A CrossingFinder finds every crossing of a ray with a scene. Embree's traversal brings the
+/// candidates: its primitives are the boxes of a CrossingGeometry, widened by more than the
+/// rounding of rays and boxes to float, so none is missed; the geometry decides each. It is
+/// thread-safe once it is made.
 class CrossingFinder {
  public:
-  /// The scene has to outlive it. With `march` isosurfaces are marched, not crossed exactly.
+  /// Builds the hierarchy. The scene has to outlive it. With `march` isosurfaces are marched, not
+  /// crossed exactly. Throws InputError for more primitives than a Crossing counts, WorkError when
+  /// Embree fails.
   CrossingFinder(const scene::Scene& scene, Precision precision,
                  const std::optional<MarchOptions>& march = {});
   ~CrossingFinder();
 
   const ViewFrame& frame() const;
 
-  /// All crossings of the ray, front to back, up to and with the first opaque one. `crossings` is
-  /// overwritten; its capacity is reused.
+  /// Finds all crossings of the ray, front to back, up to and with the first opaque one.
+  /// `crossings` is overwritten; its capacity is reused.
   void find(const PictureRay& ray, std::vector<Crossing>& crossings) const;
-  /// The same for up to RayPacket::width rays at once: faster where they are neighbours.
+  /// Finds the crossings of up to RayPacket::width rays at once: faster where they are neighbours.
   /// `crossings` has as many elements as `rays`.
   void find(std::span<const PictureRay> rays, std::span<std::vector<Crossing>> crossings) const;
 
-  /// Of a crossing that `find` returned; `world_direction` is its ray's, of any length.
+  /// Returns the colour and opacity of a crossing that find() returned; `world_direction` is its
+  /// ray's, of any length.
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const;
   double importance(const Crossing& crossing) const;  // g; 0 where the object has none
 

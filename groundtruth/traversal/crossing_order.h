@@ -7,9 +7,9 @@
 
 namespace pellucid::groundtruth {
 
-/// Sorts as operator< of Crossing orders. Depths that are spread are first dealt into as many
-/// buckets as there are crossings, so that each is sorted among few: linear for the layers of a
-/// usual ray, n log n at worst.
+/// Sorts crossings as operator< of Crossing orders. Depths that are spread are first dealt into as
+/// many buckets as there are crossings, so that each is sorted among few: linear for the layers of
+/// a usual ray, n log n at worst.
 void order_crossings(std::span<Crossing> crossings);
 
 }  // namespace pellucid::groundtruth

@@ -7,15 +7,15 @@
 
 namespace pellucid::groundtruth {
 
-/// A crossing with the solid that its part belongs to.
+/// A PartCrossing is a crossing with the solid that its part belongs to.
 struct PartCrossing {
   std::uint32_t solid;
   Crossing crossing;
 };
 
-/// Of the crossings of a ray with parts of solids, an entry (v < 0) and an exit for every part that
-/// it meets, appends those with the solids: where the ray goes from no part of a solid into one,
-/// and from its last part out. Touching parts are one. Sorts `parts`.
+/// Appends the crossings of a ray with solids, given those with their parts, an entry (v < 0) and
+/// an exit for every part that it meets: where the ray goes from no part of a solid into one, and
+/// from its last part out. Touching parts are one. Sorts `parts`.
 void append_union(std::vector<PartCrossing>& parts, std::vector<Crossing>& crossings);
 
 }  // namespace pellucid::groundtruth

@@ -52,7 +52,7 @@
 
 namespace pellucid::oit {
 
-/// gl.CreateTextures(…) is glCreateTextures(…).
+/// A Gl is the table of entry points: gl.CreateTextures(…) is glCreateTextures(…).
 struct Gl {
 #define PELLUCID_GL_MEMBER(name, type_name) PFNGL##type_name##PROC name = nullptr;
   PELLUCID_GL_ENTRY_POINTS(PELLUCID_GL_MEMBER)

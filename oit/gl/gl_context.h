@@ -10,12 +10,12 @@
 
 namespace pellucid::oit {
 
-/// An OpenGL 4.5 core context without a window. It belongs to whoever made it; it is current on the
-/// thread that last called make_current().
+/// A GlContext is an OpenGL 4.5 core context without a window. It belongs to whoever made it; it is
+/// current on the thread that last called make_current().
 class GlContext {
  public:
-  /// `kind`: "osmesa" or "egl". The new context is current. Throws InputError for another kind,
-  /// WorkError when there is none or when the driver lacks what the methods need.
+  /// Makes a context of the kind "osmesa" or "egl", which is then current. Throws InputError for
+  /// another kind, WorkError when there is none or when the driver lacks an entry point.
   explicit GlContext(std::string_view kind);
   ~GlContext();
   GlContext(const GlContext&) = delete;
@@ -23,10 +23,10 @@ class GlContext {
 
   void make_current() const { platform_->make_current(); }
   const Gl& gl() const { return gl_; }
-  /// Renderer and version as the driver reports them.
+  /// Returns renderer and version as the driver reports them.
   const std::string& driver() const { return driver_; }
   /// Throws WorkError with the driver's own words when OpenGL has reported an error since the last
-  /// call.
+  /// call; `what` says there what was being done.
   void check(std::string_view what) const;
 
  private:

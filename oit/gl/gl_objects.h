@@ -14,7 +14,7 @@
 
 namespace pellucid::oit {
 
-/// An OpenGL name and its deleter, e.g. GlName<&Gl::DeleteTextures>.
+/// A GlName is an OpenGL name and its deleter, e.g. GlName<&Gl::DeleteTextures>.
 template <auto Delete>
 class GlName {
  public:
@@ -38,11 +38,13 @@ class GlName {
   GLuint id_ = 0;
 };
 
-/// A two-dimensional texture or array without mipmaps, sampled without filtering.
+/// A Texture is a two-dimensional texture or array without mipmaps, sampled without filtering. Its
+/// row 0 is the picture's top row.
 class Texture {
  public:
   Texture() = default;
-  /// `layers` 0: a plain texture; otherwise an array.
+  /// Allocates `width` × `height` texels: a plain texture if `layers` is 0, otherwise an array.
+  /// Throws WorkError when memory does not suffice.
   Texture(const Gl& gl, GLenum format, int width, int height, int layers = 0);
 
   GLuint id() const { return name_.id(); }
@@ -50,13 +52,13 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint64_t bytes() const { return bytes_; }
-  /// For sampler2D, sampler2DArray, samplerBuffer of layout(binding = unit).
+  /// Binds it for a sampler2D or sampler2DArray of layout(binding = unit).
   void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, id()); }
-  /// For image2D of layout(binding = unit), read and written.
+  /// Binds it for an image2D of layout(binding = unit), read and written.
   void bind_image(GLuint unit) const;
   void clear(std::uint32_t value) const;  // every component of an unsigned integer format
   void read(GLenum format, GLenum type, std::size_t bytes, void* data) const;
-  /// One pixel of all `layers`, the first layer first.
+  /// Reads one pixel of all `layers`, the first layer first.
   void read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
                   void* data) const;
 
@@ -67,6 +69,8 @@ class Texture {
   std::uint64_t bytes_ = 0;
 };
 
+/// A Buffer is memory of the driver of a fixed size; a constructor throws WorkError when there is
+/// not enough of it.
 class Buffer {
  public:
   Buffer() = default;
@@ -76,17 +80,19 @@ class Buffer {
   Buffer(const Gl& gl, const std::vector<T>& data)
       : Buffer(gl, data.size() * sizeof(T), data.data()) {}
 
-  /// For write().
+  /// Makes a buffer for write(), its content undefined.
   static Buffer writable(const Gl& gl, std::uint64_t bytes) {
     return {gl, bytes, nullptr, GL_MAP_WRITE_BIT};
   }
-  /// `fill(T*)` writes `count` of T, one after the other, into the driver's own memory.
+  /// Makes a buffer of `count` of T, which `fill(T*)` writes, one after the other, into the
+  /// driver's own memory.
   template <class T, class Fill>
   static Buffer filled(const Gl& gl, std::uint64_t count, Fill&& fill) {
     Buffer buffer = writable(gl, count * sizeof(T));
     if (count) buffer.write<T>(std::forward<Fill>(fill));
     return buffer;
   }
+  /// Lets `fill(T*)` write into the driver's own memory. Throws WorkError when it cannot be mapped.
   template <class T, class Fill>
   void write(Fill&& fill) const {
     fill(static_cast<T*>(map()));
@@ -95,7 +101,7 @@ class Buffer {
 
   GLuint id() const { return name_.id(); }
   std::uint64_t bytes() const { return bytes_; }
-  /// For an atomic counter, a storage or a uniform block: `target` names which.
+  /// Binds it for an atomic counter, a storage or a uniform block: `target` names which.
   void bind_base(GLenum target, GLuint binding) const;
   void clear(std::uint32_t value) const;
   std::uint32_t read_word(std::size_t index) const;
@@ -110,8 +116,8 @@ class Buffer {
   std::uint64_t bytes_ = 0;
 };
 
-/// A buffer seen as an image of texels. Unlike a storage block it is not limited to 128 MiB on
-/// llvmpipe.
+/// A BufferTexture is a buffer seen as an image of texels. Unlike a storage block it is not limited
+/// to 128 MiB on llvmpipe.
 class BufferTexture {
  public:
   BufferTexture() = default;
@@ -131,10 +137,12 @@ class BufferTexture {
   GLenum format_ = 0;
 };
 
-/// Colour attachments 0, 1, … in the order given, and a depth texture as the depth attachment; all
-/// of one size, which is the viewport where it is bound.
+/// A Framebuffer has colour attachments 0, 1, … in the order given, and a depth texture as the
+/// depth attachment; all are of one size, which is the viewport where it is bound. A constructor
+/// throws WorkError when the driver cannot draw into them.
 class Framebuffer {
  public:
+  /// An Attachment is a texture, or some layers of an array, each of them an attachment.
   struct Attachment {
     const Texture& texture;
     int layers = 0;  // of an array: how many …
@@ -143,7 +151,7 @@ class Framebuffer {
 
   Framebuffer() = default;
   Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachments);
-  /// Without attachments, for passes that only store.
+  /// Makes one without attachments, for passes that only store; its size is in pixels.
   Framebuffer(const Gl& gl, int width, int height);
 
   GLuint id() const { return name_.id(); }
@@ -164,22 +172,24 @@ class Framebuffer {
   int width_ = 0, height_ = 0;
 };
 
+/// A VertexArray says where a vertex shader finds its attributes.
 class VertexArray {
  public:
   explicit VertexArray(const Gl& gl);
   GLuint id() const { return name_.id(); }
-  /// Buffer `binding` has `stride` bytes a vertex.
+  /// Takes `buffer` as source `binding`, with `stride` bytes a vertex.
   void source(GLuint binding, const Buffer& buffer, unsigned stride) const {
     name_.gl().VertexArrayVertexBuffer(id(), binding, buffer.id(), 0, GLsizei(stride));
   }
-  /// `count` floats at byte `offset` of each vertex of buffer `binding`.
+  /// Takes attribute `location` from source `binding`: `count` floats at byte `offset` of each
+  /// vertex.
   void attribute(GLuint location, GLuint binding, int count, unsigned offset) const;
 
  private:
   GlName<&Gl::DeleteVertexArrays> name_;
 };
 
-/// Counts the fragments that pass between begin and end.
+/// A SampleQuery counts the fragments that pass between begin() and end().
 class SampleQuery {
  public:
   explicit SampleQuery(const Gl& gl);

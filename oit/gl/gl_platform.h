@@ -6,8 +6,8 @@
 
 namespace pellucid::oit {
 
-/// A way to get an OpenGL context without a window. Its library is loaded when it is made, so that
-/// a command that draws nothing by OpenGL never loads a driver.
+/// A GlPlatform is a way to get an OpenGL context without a window. Its library is loaded when it
+/// is made, so that a command that draws nothing by OpenGL never loads a driver.
 class GlPlatform {
  public:
   using Function = void (*)();
@@ -17,11 +17,13 @@ class GlPlatform {
   virtual Function entry_point(const char* name) = 0;
 };
 
-/// Mesa's off-screen software context, 4.5 core, no multisampling. Throws WorkError.
+/// Makes Mesa's off-screen software context, 4.5 core, no multisampling. Throws WorkError when its
+/// library cannot be loaded or offers no such context.
 std::unique_ptr<GlPlatform> make_osmesa_platform();
 
-/// EGL without a surface: the graphics card where there is one, llvmpipe elsewhere. Throws
-/// WorkError.
+/// Makes a 4.5 core context of EGL without a surface: the graphics card's where there is one,
+/// llvmpipe's elsewhere. Throws WorkError when its library cannot be loaded or offers no such
+/// context.
 std::unique_ptr<GlPlatform> make_egl_platform();
 
 }  // namespace pellucid::oit

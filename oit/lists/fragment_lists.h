@@ -9,11 +9,12 @@
 
 namespace pellucid::oit {
 
-/// Every fragment of a pixel in a list, sorted: see oit/methods/lists/linked_list.h. What
-/// is done with the sorted ones, front to back, is list_consumer.glsl's.
+/// FragmentLists hold every fragment of a pixel in a list, sorted: see
+/// oit/methods/lists/linked_list.h. What is done with the sorted ones, front to back, is
+/// list_consumer.glsl's.
 class FragmentLists {
  public:
-  /// The screen passes that sort and consume.
+  /// A Consumer holds the screen passes that sort and consume.
   class Consumer {
    public:
     Consumer(const Stage& stage, Defines defines);
@@ -31,18 +32,19 @@ class FragmentLists {
     std::optional<LongListPrograms> long_lists_;
   };
 
-  /// `method` for messages.
+  /// Makes empty lists; `method` names them in messages.
   FragmentLists(Stage& stage, std::string_view method);
 
-  /// Counts the fragments and makes a place for each. Throws WorkError where
-  /// the driver has none.
+  /// Counts the fragments and makes a place for each. Throws WorkError when there are more than the
+  /// driver's largest texture buffer holds.
   void reserve();
   std::uint64_t fragments() const { return pool_.nodes; }
   bool reserved() const { return pool_.links.bytes() > 0; }
-  /// By a shader that calls append_fragment() of list_append.glsl for every
+  /// Fills the lists by a shader that calls append_fragment() of list_append.glsl for every
   /// fragment.
   void build(const GeometryProgram& program) const;
-  /// Empties the lists. Draws into `target`.
+  /// Empties the lists and draws into `target`. Throws WorkError when a pixel has more layers than
+  /// can be sorted.
   void consume(Consumer& consumer, const Framebuffer& target) const;
 
  private:
@@ -61,7 +63,7 @@ class FragmentLists {
   GeometryProgram count_;
 };
 
-/// Layers that are sorted in registers: RUN of list_sort.glsl.
+/// At most so many layers are sorted in registers: RUN of list_sort.glsl.
 inline constexpr int most_layers_in_registers = 16;
 
 }  // namespace pellucid::oit

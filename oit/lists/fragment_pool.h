@@ -5,8 +5,8 @@
 
 namespace pellucid::oit {
 
-/// Places for the nodes of per-pixel lists (fragment_list.glsl), in texture buffers: a storage
-/// block ends at 128 MiB.
+/// A FragmentPool holds places for the nodes of per-pixel lists (fragment_list.glsl), in texture
+/// buffers: a storage block ends at 128 MiB.
 struct FragmentPool {
   std::uint64_t nodes = 0;  // without node 0, which ends a list
   BufferTexture links, colors;
@@ -18,7 +18,8 @@ struct FragmentPool {
   }
 };
 
-/// Throws WorkError "METHOD: …" when the driver's largest texture buffer holds fewer.
+/// Makes a pool for so many nodes, 32 bytes each. Throws WorkError "METHOD: …" when the driver's
+/// largest texture buffer holds fewer.
 FragmentPool make_fragment_pool(const Gl& gl, std::string_view method, std::uint64_t nodes);
 
 /// Throws WorkError "METHOD: the picture has COUNT WHAT, …" when that is more than a texture buffer

@@ -6,33 +6,39 @@
 
 namespace pellucid::oit {
 
-/// How fragments become layers.
+/// A LayerRule says how fragments become layers.
 struct LayerRule {
   float epsilon2 = 1e-6f;  // largest squared difference of depths d within a layer, exclusive
   bool first_met = false;  // see find_place() of layer_tree.glsl
 };
 
-/// One tree of layers per pixel (layer_tree.glsl), which keeps what every frame adds.
+/// LayerTrees are one tree of layers per pixel (layer_tree.glsl), which keeps what every frame
+/// adds.
 class LayerTrees {
  public:
   LayerTrees(Stage& stage, const LayerRule& rule);
 
+  /// Empties all trees.
   void clear();
-  /// Rasterizes `geometry` into lists of fragments. `crossings`: each of them is a layer by itself.
+  /// Rasterizes `geometry` into lists of fragments. If they are `crossings`, each is a layer by
+  /// itself.
   void rasterize(const Geometry& geometry, bool crossings);
   /// Puts the fragments that were rasterized into the trees.
   void insert();
-  /// Throws WorkError when a pixel has more layers than a shader's loop reaches.
+  /// Composites each pixel's layers front to back into `picture`. Throws WorkError when a pixel has
+  /// more layers than a shader's loop reaches.
   void composite(const Framebuffer& picture) const;
 
   std::uint64_t fragments() const { return fragments_; }  // since clear()
   std::uint64_t layers() const { return layers_; }
 
+  /// Counts say how many layers there are, and how many of them lie in the wrong order.
   struct Counts {
     CountImage layers;               // per pixel
     std::uint64_t out_of_order = 0;  // layers that lie nearer than the layer in front of them
     std::uint64_t pixels_out_of_order = 0;
   };
+  /// Counts the layers of all pixels.
   Counts count() const;
 
  private:

@@ -8,53 +8,62 @@
 
 namespace pellucid::oit {
 
-/// Every n-th of the scene's transparent triangles, segments and points.
+/// A Subset is every n-th of the scene's transparent triangles, segments and points.
 struct Subset {
   std::uint32_t stride_of_points = 1;
   std::vector<Batch> batches;  // `first` counts within these indices, or is the first point
   Buffer mesh_indices, ribbon_indices;
 };
 
-/// The elements of a scene (see scene/elements/elements.h) for element.glsl: patches, then segments
-/// of lines, then every point.
+/// ElementTextures hold the elements of a scene (see scene/elements/elements.h) for element.glsl:
+/// patches, then segments of lines, then every point.
 struct ElementTextures {
   BufferTexture of_triangle, of_segment;  // which element
   std::uint32_t first_point = 0;          // of the elements
   BufferTexture opacities;                // of every element; the bits of a float
 };
 
-/// The scene's meshes, ribbons and discs on the OpenGL side.
+/// A Geometry is the scene's meshes, ribbons and discs on the OpenGL side.
 class Geometry {
  public:
-  /// Throws as make_batches does.
+  /// Uploads the scene. Throws as make_batches() does, and as scene::depth_range().
   Geometry(const Gl& gl, const scene::Scene& scene);
-  /// `range` is that of the whole picture, where `scene` is a part of it.
+  /// Uploads a `scene` that is a part of a picture, whose depths have the `range`.
   Geometry(const Gl& gl, const scene::Scene& scene, const scene::DepthRange& range);
 
-  /// Defines that the geometry shaders need: LIT, ORTHOGRAPHIC.
+  /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC.
   Defines defines() const;
-  /// Which there are among the opaque objects, or among the others.
+  /// Returns which kinds there are among the opaque objects, or among the others.
   std::vector<ShapeKind> kinds(bool opaque) const;
   std::uint64_t primitive_count() const;
   /// Uploads the vertices' importance, of the scene that it was made from, for programs with the
   /// define IMPORTANCE.
   void upload_importance(const scene::Scene& scene);
-  /// From here on programs may find out elements and their opacities. They have to outlive it.
+  /// Lets programs find out elements and their opacities from here on. `elements` have to outlive
+  /// the geometry.
   void use_elements(const ElementTextures& elements) { elements_ = &elements; }
-  /// Of the vertices of all meshes; of the points of all lines. Copied.
+  /// Copies the opacities, in [0, 1], of the vertices of all meshes, or of the points of all lines.
+  ///@{
   void set_mesh_opacities(std::span<const float> opacities);
   void set_line_opacities(std::span<const float> opacities);
-  /// The picture is sampled there, see pixel_samples.h.
+  ///@}
+
+  /// Places the sample of each pixel, in pixels from its top left corner; see pixel_samples.h.
   void sample_at(const Vec2& sample) const;
 
-  /// What is transparent, in the order of the scene.
+  /// Draws what is transparent, or a subset of it, in the order of the scene.
+  ///@{
   void draw(const GeometryProgram& program) const { draw_all(program, false); }
   void draw(const GeometryProgram& program, const Subset& subset) const;
+  ///@}
+
+  /// Draws what is opaque, in the order of the scene.
   void draw_opaque(const GeometryProgram& program) const { draw_all(program, true); }
+  /// Returns every n-th transparent primitive, from the first.
   Subset every(std::uint32_t n) const;
 
  private:
-  /// Where a batch's primitives are found.
+  /// A Source says where a batch's primitives are found.
   struct Source {
     const Buffer* mesh_indices;
     const Buffer* ribbon_indices;

@@ -11,14 +11,15 @@
 
 namespace pellucid::oit {
 
-/// What changes the opacity of every fragment before a pass sees it, see fragment.glsl: nothing, or
-/// the defines and the text that say how.
+/// A FragmentOpacity changes the opacity of every fragment before a pass sees it, see
+/// fragment.glsl: by nothing, or by the defines and the text that say how.
 struct FragmentOpacity {
   Defines defines = {};
   std::string_view text = {};
 };
 
-/// One fragment shader over the scene's shapes: a program for each kind that is there.
+/// A GeometryProgram is one fragment shader over the scene's shapes: a program for each kind that
+/// is there.
 class GeometryProgram {
  public:
   GeometryProgram() = default;

@@ -7,10 +7,11 @@
 
 namespace pellucid::oit {
 
+/// An IndexTriangle holds three indices of vertices, from 0.
 using IndexTriangle = std::array<std::uint32_t, 3>;
 
-/// Triangles of all meshes, or of all ribbons. 28 bytes a vertex, 12 a triangle, and 12 more a
-/// vertex where the scene is lit. A point of a line has two vertices.
+/// IndexedVertices are the triangles of all meshes, or of all ribbons. They take 28 bytes a vertex,
+/// 12 a triangle, and 12 more a vertex where the scene is lit. A point of a line has two vertices.
 struct IndexedVertices {
   explicit IndexedVertices(const Gl& gl) : array(gl) {}
 
@@ -18,17 +19,29 @@ struct IndexedVertices {
   Buffer vertices, directions, importance, opacity, indices;
 };
 
+/// Uploads positions, colours and triangles of all meshes, or of all ribbons, and where the scene
+/// is lit their normals or directions; positions in the frame of `view`.
+///@{
 IndexedVertices upload_meshes(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
-/// 32 bytes a point: see disc.vert.glsl.
+///@}
+
+/// Uploads centres, radii and colours of all points, 32 bytes a point: see disc.vert.glsl.
 BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 
+/// Uploads the importance of the scene's vertices, in [0, 1]: 4 bytes a vertex; 0 where an object
+/// has none.
+///@{
 void upload_mesh_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& meshes);
 void upload_ribbon_importance(const Gl& gl, const scene::Scene& scene, IndexedVertices& ribbons);
-/// Opacities that a vertex has beside its colour's, `copies` times each; written again they replace
-/// the old ones. For programs with the define OPTIMIZED_VERTICES.
+///@}
+
+/// Uploads opacities that a vertex has beside its colour's, `copies` times each, in [0, 1];
+/// uploaded again they replace the old ones. Programs with the define OPTIMIZED_VERTICES read them.
 void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies,
                       IndexedVertices& vertices);
+/// Uploads the importance of the scene's points, in [0, 1]: 4 bytes a point; 0 where an object has
+/// none.
 BufferTexture upload_disc_importance(const Gl& gl, const scene::Scene& scene);
 
 }  // namespace pellucid::oit

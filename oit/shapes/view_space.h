@@ -6,8 +6,9 @@
 
 namespace pellucid::oit {
 
-/// The frame in which geometry is uploaded: x right and y up in view units, in place of z the depth
-/// d of the scene.
+/// A ViewSpace is the frame in which geometry is uploaded: x right and y up in view units, in place
+/// of z the depth d of the scene, in (0, 1). A view unit is the depth of the range's far end
+/// (perspective) or half the picture's height (orthographic).
 ///
 /// A renderer's camera never changes, so vertices are moved into its frame in double and only then
 /// rounded to float: neither a scene far from the origin nor a sliver of a depth range loses
@@ -27,13 +28,15 @@ class ViewSpace {
     return {glm::dot(frame_.right, world), glm::dot(frame_.up, world),
             glm::dot(frame_.forward, world)};
   }
-  /// In view units.
+  /// Returns a length in view units.
   float length(double world) const { return float(world / unit_); }
 
-  /// The block `View` of view.glsl; `sample` as in pixel_samples.h.
+  /// Uniforms are the block `View` of view.glsl.
   struct Uniforms {
     glm::vec2 clip_scale, clip_shift, clip_w, clip_z;
   };
+  /// Returns the block for a `sample` of the pixel, in pixels from its top left corner (see
+  /// pixel_samples.h).
   Uniforms uniforms(const Vec2& sample) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace pellucid::oit {
 
-/// What a method has allocated, by name, counted where it is allocated. An allocation of a name
-/// that is there already replaces it.
+/// A Ledger counts the bytes that a method has allocated, by name, where it allocates them. An
+/// allocation of a name that is there already replaces it.
 class Ledger {
  public:
   void record(std::string_view name, std::uint64_t bytes) {

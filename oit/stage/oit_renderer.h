@@ -11,25 +11,26 @@
 
 namespace pellucid::oit {
 
-/// One picture being made.
+/// A Frame is one picture being made.
 class Frame {
  public:
-  /// `picture` is what `target` draws into.
+  /// Starts a picture, of which `picture` is the texture that `target` draws into.
   Frame(const Stage& stage, const Texture& picture, const Framebuffer& target)
       : stage_(stage), texture_(picture), picture_(target) {}
 
-  /// Which of the pixel's samples is being drawn: a method that draws random numbers wants others
-  /// for each.
+  /// Returns which of the pixel's samples is being drawn, from 0: a method that draws random
+  /// numbers wants others for each.
   std::uint32_t sample() const { return sample_; }
   void next_sample() { ++sample_; }
 
-  /// The final picture, RGBA: the method's last pass writes colour over the background and
-  /// A = 1 - transmittance into it.
+  /// Returns the target of the final picture, RGBA: the method's last pass writes colour over the
+  /// background and A = 1 - transmittance into it.
   const Framebuffer& picture() const { return picture_; }
   Image read_picture() const;
   scene::RenderStats& stats() { return stats_; }
 
-  /// Runs one step and times it until OpenGL has finished it. Steps of one name are summed.
+  /// Runs one step and times it until OpenGL has finished it. Steps of one name are summed. Throws
+  /// WorkError when OpenGL has reported an error.
   template <class Pass>
   void step(std::string_view name, Pass&& pass) {
     const Stopwatch watch;
@@ -47,34 +48,39 @@ class Frame {
   scene::RenderStats stats_;
 };
 
-/// The part that differs between methods.
+/// An OitMethod is the part that differs between methods.
 class OitMethod {
  public:
   virtual ~OitMethod() = default;
+  /// Draws one sample of every pixel into Frame::picture().
   virtual void draw(Frame& frame) = 0;
-  /// The layers per pixel that the last picture was made of, where the method makes layers of its
-  /// own; otherwise they are the geometry's crossings.
+  /// Returns the layers per pixel that the last picture was made of, where the method makes layers
+  /// of its own; otherwise they are the geometry's crossings.
   virtual std::optional<CountImage> count_layers() { return std::nullopt; }
-  /// Of the geometry's crossings per pixel, which of them the method keeps apart or loses: fills
+  /// Counts which of the geometry's crossings per pixel the method keeps apart or loses: fills
   /// `stored` and `truncated`.
   virtual void account(const CountImage& /*crossings*/, scene::RenderStats& /*stats*/) const {}
-  /// See Renderer.
+  /// Returns what Renderer::optical_depth() does.
   virtual std::optional<scene::OpticalDepth> optical_depth(int /*x*/, int /*y*/,
                                                            std::span<const double> /*d*/) const {
     return std::nullopt;
   }
-  /// What the method modelled for this scene; a line each.
+  /// Returns what the method modelled for this scene; a line each.
   virtual std::vector<std::string> explain() const { return {}; }
 };
 
+/// A MakeOitMethod makes a method on a stage.
 using MakeOitMethod = std::function<std::unique_ptr<OitMethod>(Stage&, const Parameters&)>;
 
+/// Makes the renderer of a method over a scene, which has to outlive it. Throws InputError for a
+/// scene that OpenGL does not draw, WorkError when the driver or its memory does not suffice.
 std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
                                                    const Parameters& parameters,
                                                    const scene::RenderContext& context,
                                                    const MakeOitMethod& make_method);
 
-/// MethodRow::make for a Method that is constructed from (Stage&, const Parameters&).
+/// Serves as MethodRow::make for a Method that is constructed from (Stage&, const Parameters&).
+/// Throws as make_oit_renderer() does.
 template <class Method>
 std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Parameters& parameters,
                                           const scene::RenderContext& context) {

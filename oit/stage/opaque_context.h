@@ -5,9 +5,9 @@
 
 namespace pellucid::oit {
 
-/// The nearest opaque fragment of every pixel: it takes the background's place, and what follows it
-/// in the order of compositing (by depth, then by primitive) is hidden in every method. Equal
-/// depths are told apart because the depth test keeps the first that was submitted.
+/// An OpaqueContext is the nearest opaque fragment of every pixel: it takes the background's place,
+/// and what follows it in the order of compositing (by depth, then by primitive) is hidden in every
+/// method. Equal depths are told apart because the depth test keeps the first that was submitted.
 class OpaqueContext {
  public:
   OpaqueContext(const GlContext& context, const Geometry& geometry, int width, int height);

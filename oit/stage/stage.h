@@ -10,6 +10,7 @@
 
 namespace pellucid::oit {
 
+/// A Blend says how fragments are combined with what is at the destination.
 enum class Blend {
   replace,
   add,      // destination + source
@@ -18,46 +19,53 @@ enum class Blend {
   transmit  // destination * (1 - source): the product of transmittances
 };
 
-/// What all methods draw on: a context, the scene's geometry, and the means to run a pass. A method
-/// makes its programs and targets from it.
+/// A Stage is what all methods draw on: a context, the scene's geometry, and the means to run a
+/// pass. A method makes its programs and targets from it.
 class Stage {
  public:
-  /// The scene has to outlive it.
+  /// Makes the context and uploads the scene, which has to outlive it. Throws InputError for a
+  /// scene or a picture's size that OpenGL does not draw, WorkError when the driver or its memory
+  /// does not suffice.
   Stage(const scene::Scene& scene, const scene::RenderContext& context);
 
   void make_current() const { context_.make_current(); }
   const GlContext& context() const { return context_; }
   const Gl& gl() const { return context_.gl(); }
   const scene::Scene& scene() const { return scene_; }
-  /// None: the picture stands alone.
+  /// Returns what is kept along a camera path; null when the picture stands alone.
   scene::FrameMemory* memory() const { return memory_; }
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint64_t pixel_count() const { return std::uint64_t(width_) * height_; }
   const Geometry& geometry() const { return geometry_; }
-  /// For programs with the define IMPORTANCE: fragment.glsl then has importance().
+  /// Uploads the importance of all vertices for programs with the define IMPORTANCE: fragment.glsl
+  /// then has importance().
   void upload_importance() { geometry_.upload_importance(scene_); }
-  /// See Geometry. For programs with the define OPTIMIZED_VERTICES; counted.
+  /// Does what Geometry does; `elements` have to outlive the stage.
   void use_elements(const ElementTextures& elements) { geometry_.use_elements(elements); }
+  /// Uploads the opacities of the vertices of meshes and of the points of lines, in [0, 1], for
+  /// programs with the define OPTIMIZED_VERTICES; the ledger counts them.
   void set_opacities(std::span<const float> of_meshes, std::span<const float> of_lines);
-  /// From here on pictures are sampled there, see pixel_samples.h.
+  /// Places the sample of each pixel from here on, in pixels from its top left corner; see
+  /// pixel_samples.h.
   void sample_at(const Vec2& sample);
   bool has_opaque_context() const { return opaque_.has_value(); }
-  /// Before a picture is drawn: what is opaque, sampled as the picture will be.
+  /// Draws what is opaque, before the picture, sampled as the picture will be.
   void draw_opaque_context() const;
   const Ledger& ledger() const { return ledger_; }
   /// Counts what a method allocated by other means than target().
   void record(std::string_view name, std::uint64_t bytes) { ledger_.record(name, bytes); }
 
-  /// A texture of the picture's size, in the ledger. `layers` 0: a plain texture.
+  /// Makes a texture of the picture's size and counts it in the ledger. It is a plain texture if
+  /// `layers` is 0, otherwise an array.
   Texture target(std::string_view name, GLenum format, int layers = 0);
-  /// The same for pictures of half the width and height, rounded up.
+  /// Makes such a texture of half the picture's width and height, rounded up.
   Texture half_target(std::string_view name, GLenum format, int layers = 0);
-  /// A program over the scene's transparent shapes from a fragment shader's body. A pass takes a
-  /// fragment only after the shader's call of fragment(), see fragment.glsl.
+  /// Makes a program over the scene's transparent shapes from a fragment shader's body. A pass
+  /// takes a fragment only after the shader's call of fragment(), see fragment.glsl.
   GeometryProgram geometry_program(std::string_view fragment, Defines defines = {},
                                    const FragmentOpacity& opacity = {}) const;
-  /// A program over every pixel of the picture. What lies behind is set where it is used.
+  /// Makes a program over every pixel of the picture. What lies behind is set where it is used.
   Program screen_program(std::string_view fragment, Defines defines = {}) const;
 
   /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow. Into
@@ -65,7 +73,7 @@ class Stage {
   /// neighbours to the right and below are, up to a pixel where the width or height is odd.
   void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
   void draw_geometry(const GeometryProgram& program) const { geometry_.draw(program); }
-  /// A geometry of the method's own.
+  /// Draws a geometry of the method's own.
   void draw_geometry(const GeometryProgram& program, const Geometry& geometry) const {
     geometry.sample_at(sample_);
     geometry.draw(program);

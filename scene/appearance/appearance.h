@@ -10,38 +10,39 @@
 
 namespace pellucid::scene {
 
-/// Colour by a scalar of the vertices through a named map. `range` maps to the ends of the map;
-/// without it the scalar's own finite range does.
+/// A ScalarColor colours by a scalar of the vertices through a named map. `range` maps to the ends
+/// of the map; without it the scalar's own finite range does.
 struct ScalarColor {
   std::string scalar;
   std::string map = "viridis";
   std::optional<Vec2> range;
 };
 
-/// Opacity by a scalar of the vertices: linear between the opacities at the ends of `range`, which
-/// without it is the scalar's own finite range; constant beyond.
+/// A ScalarOpacity gives the opacity by a scalar of the vertices: linear between the opacities at
+/// the ends of `range`, constant beyond. Without a `range` it is the scalar's own finite one.
 struct ScalarOpacity {
   std::string scalar;
   Vec2 opacities{0, 1};  // each in [0, 1]
   std::optional<Vec2> range;
 };
 
-/// How an object is drawn. What is not set stays as the vertices have it.
+/// An Appearance says how an object is drawn. What is not set stays as the vertices have it.
 struct Appearance {
-  std::variant<std::monostate, Vec3, ScalarColor> color;
+  std::variant<std::monostate, Vec3, ScalarColor> color;        // red, green, blue in [0, 1]
   std::variant<std::monostate, double, ScalarOpacity> opacity;  // in [0, 1]
   std::optional<std::string>
       importance;  // the scalar that gives g, mapped from its range to [0, 1]
 };
 
 /// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar
-/// that the vertices do not have, with those they have.
+/// that the vertices do not have, with those they have, and for an unknown colour map.
 void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices);
 
-/// 0 at range.x, 1 at range.y; a range of one single value maps to 0.
+/// Returns where the value is in the range: 0 at range.x, 1 at range.y. A range of one single value
+/// maps to 0.
 double fraction_of(double value, const Vec2& range);
 
-/// Smallest and largest finite value; (inf, -inf) when there is none.
+/// Returns the smallest and the largest finite value; (inf, -inf) when there is none.
 Vec2 finite_range(const std::vector<double>& values);
 
 /// Fills `normals` with the area-weighted mean of the facets' normals around each vertex, unless

@@ -9,7 +9,7 @@
 
 namespace pellucid::scene {
 
-/// A named colour map: colours at even distances, interpolated linearly.
+/// A ColormapRow is a named colour map: colours at even distances, interpolated linearly.
 struct ColormapRow {
   std::string_view name;
   std::string_view citation;
@@ -17,13 +17,16 @@ struct ColormapRow {
   int count = 256;    // of colours
   double unit = 255;  // a channel's 1 in the table
 
-  /// Colour at x, clamped to [0, 1]; x that is not finite gives the first colour.
+  /// Returns the colour at x, which is clamped to [0, 1]; x that is not finite gives the first
+  /// colour.
   Vec3 operator()(double x) const;
 };
 
+/// Returns the table of colour maps.
 std::span<const ColormapRow> colormaps();
 
-/// Throws InputError with the nearest names.
+/// Returns the colour map of that name. Throws InputError with the nearest names when there is
+/// none.
 const ColormapRow& find_colormap(std::string_view name);
 
 }  // namespace pellucid::scene

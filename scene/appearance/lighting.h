@@ -8,17 +8,17 @@
 
 namespace pellucid::scene {
 
-/// How fragments are lit: by a light at the eye, alike from both sides, so that c = |n · v| is all
-/// there is of the place of the light.
+/// A Lighting says how fragments are lit: by a light at the eye, alike from both sides, so that
+/// c = |n · v| is all there is of the place of the light.
 enum class Lighting {
   none,       // a fragment has the interpolated colour of its vertices
   headlight,  // times c: diffuse
   phong       // with ambient light and a white highlight beside it
 };
 
-/// The colour in the light. Phong: Illumination for Computer Generated Pictures, CACM 18 (1975):
-/// the reflected ray is twice as far from the eye as the normal, its cosine is 2 c² - 1. Colours
-/// stay in [0, 1]. oit/shapes/lighting.glsl says the same.
+/// Returns the colour in the light, in [0, 1] as `color` is. Phong: Illumination for Computer
+/// Generated Pictures, CACM 18 (1975): the reflected ray is twice as far from the eye as the
+/// normal, its cosine is 2 c² - 1. oit/shapes/lighting.glsl says the same.
 inline Vec3 lit(Lighting lighting, const Vec3& color, double c) {
   constexpr double ambient = 0.15, highlight = 0.35;
   constexpr double exponent = 24;

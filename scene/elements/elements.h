@@ -11,7 +11,8 @@
 
 namespace pellucid::scene {
 
-/// Rows of numbers, row i from offsets[i] up to offsets[i + 1].
+/// Rows hold rows of numbers: row i is values[offsets[i]] up to, and without,
+/// values[offsets[i + 1]].
 struct Rows {
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint32_t> values;
@@ -23,8 +24,8 @@ struct Rows {
   void end_row() { offsets.push_back(values.size()); }
 };
 
-/// The elements of all lines of a scene, or of all its surfaces. Opaque objects have none, but are
-/// counted. Each element has a primitive at least.
+/// Elements are those of all lines of a scene, or of all its surfaces. Opaque objects have none,
+/// but are counted. Each element has a primitive at least.
 struct Elements {
   std::vector<std::uint32_t> of_primitive;  // of each segment of a line, or triangle; opaque: 0
   Rows neighbours;                          // of each element, without itself
@@ -51,11 +52,13 @@ Elements line_elements(const Scene& scene, std::size_t segments);
 /// at its centre. The paper leaves the weights to Guenther et al. 2014.
 Elements surface_elements(const Scene& scene, std::size_t patches);
 
-/// Laplacian smoothing: an iteration moves each element's opacity half of the way to the mean of
-/// its neighbours'. s of them along a line are a binomial filter of variance s / 2 elements.
+/// Smooths opacities by Laplacian smoothing: an iteration moves each element's opacity half of the
+/// way to the mean of its neighbours'. s of them along a line are a binomial filter of variance
+/// s / 2 elements.
 void smooth(const Elements& elements, int iterations, std::vector<float>& opacities);
 
-/// Of every vertex: the mean of its elements' opacities; 1 where it has none.
+/// Returns every vertex's opacity: the mean of its elements' opacities by their weights; 1 where it
+/// has none.
 std::vector<float> vertex_opacities(const Elements& elements, const std::vector<float>& opacities);
 
 }  // namespace pellucid::scene

@@ -8,16 +8,17 @@
 
 namespace pellucid::scene {
 
-/// What a method that optimizes opacities keeps along a camera path: made for one scene and one set
-/// of parameters, and given to the renderer of each frame in turn.
+/// A FrameMemory is what a method that optimizes opacities keeps along a camera path: made for one
+/// scene and one set of parameters, and given to the renderer of each frame in turn.
 struct FrameMemory {
-  /// Object space does not see the camera: cut in the first frame, used in all.
+  /// Elements do not depend on the camera: they are cut in the first frame and used in all.
   std::shared_ptr<const Elements> surfaces, lines;
 
-  /// The opacity of each element: patches, segments, points. Empty where nothing is optimized.
+  /// These are the opacities of each element, in [0, 1]: patches, segments, points. They are empty
+  /// where nothing is optimized.
   std::vector<float> last, now;
 
-  /// After a frame: its opacities are the last ones.
+  /// Ends a frame: its opacities become the last ones.
   void next_frame() {
     last = std::move(now);
     now.clear();

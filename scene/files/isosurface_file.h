@@ -12,10 +12,11 @@
 
 namespace pellucid::scene {
 
-/// The value of an object's key "isosurface", as a surface or, where it says "mesh", as triangles
-/// on it. Colours and opacities by a scalar are by one of the same data, without a range of their
-/// own from the least to the largest sample; the rest of the appearance is not applied. `how` gets
-/// a line on the field. Throws InputError.
+/// Reads the value of an object's key "isosurface", as a surface or, where it says "mesh", as
+/// triangles on it. A colour or an opacity by a scalar takes one of the same data; its range is, if
+/// not given, from the least to the largest sample. The rest of the appearance is not applied.
+/// `how` gets a line on the field. Throws InputError for a wrong key or value, a file or a data set
+/// that cannot be used, and a surface without a triangle.
 std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
     const JsonNode& node, const std::filesystem::path& folder, const Appearance& appearance,
     std::string& how);

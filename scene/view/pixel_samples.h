@@ -7,8 +7,9 @@
 
 namespace pellucid::scene {
 
-/// Where a pixel is sampled, in pixels from its top left corner: the centres of n × n equal cells,
-/// row after row. Ground truth and every method use these; a pixel is the mean of its samples.
+/// Returns where a pixel is sampled, in pixels from its top left corner: the centres of n × n equal
+/// cells, row after row from the top. Ground truth and every method use these; a pixel is the mean
+/// of its samples.
 inline std::vector<Vec2> pixel_samples(int n) {
   std::vector<Vec2> samples;
   for (int y = 0; y < n; ++y)

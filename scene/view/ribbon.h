@@ -11,23 +11,23 @@
 
 namespace pellucid::scene {
 
-/// The line's direction at point i, of any length: central difference, one-sided at the ends and
-/// where the points next to i are equal.
+/// Returns the line's direction at point i, of any length: a central difference, one-sided at the
+/// ends and where the points next to i are equal.
 Vec3 line_direction(std::span<const Vec3> points, std::size_t i);
 
-/// A line as a strip that faces the eye: at point i it reaches from x_i - w_i to x_i + w_i with
+/// Makes a strip of a line, facing the eye: at point i it reaches from x_i - w_i to x_i + w_i with
 ///   w = radius · (t × v) / |t × v|,
-/// t the line_direction at the point, v the direction
-/// from the eye to the point (perspective) or the viewing axis (orthographic). w_i is turned to the
-/// side of w_(i-1), so that the strip does not cross itself where the line turns away from the eye.
-/// Neighbouring segments share their corners: the strip has no gap at a joint.
+/// t the line_direction() at the point, v the direction from the eye to the point (perspective) or
+/// the viewing axis (orthographic). w_i is turned to the side of w_(i-1), so that the strip does
+/// not cross itself where the line turns away from the eye. Neighbouring segments share their
+/// corners: the strip has no gap at a joint.
 ///
 /// Ground truth and every method draw this one shape. Overwrites `half_widths`, world units; where
 /// a line stands still or runs along v, w_i is w_(i-1), or points along the camera's right.
 void ribbon_half_widths(std::span<const Vec3> points, double radius, const CameraFrame& frame,
                         Projection projection, std::vector<Vec3>& half_widths);
 
-/// The two triangles of the segment from point i to i + 1, as indices of the corners
+/// Returns the two triangles of the segment from point i to i + 1, as indices of the corners
 /// 2 i (x_i - w_i), 2 i + 1 (x_i + w_i), 2 i + 2, 2 i + 3. Over all segments of an object, counted
 /// from line to line, triangle 2 k + j is triangle j of segment k.
 constexpr std::array<std::array<std::uint32_t, 3>, 2> ribbon_triangles(std::uint32_t i) {

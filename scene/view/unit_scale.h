@@ -5,9 +5,9 @@
 
 namespace pellucid::scene {
 
-/// Unit lengths per world length: the power of two that brings the box's largest half side into
-/// (1/2, 1]. Scaling by it is exact but for underflow, makes results independent of the scene's
-/// scale, and floats as fine as they can be. 1 for an empty box and for a single point.
+/// Returns the units per world length: the power of two that brings the box's largest half side
+/// into (1/2, 1]. Scaling by it is exact but for underflow, makes results independent of the
+/// scene's scale, and floats as fine as they can be. It is 1 for an empty box and a single point.
 double unit_scale(const Box3& box);
 
 }  // namespace pellucid::scene
