@@ -69,14 +69,14 @@ std::uint64_t SurfaceBuilder::bytes() const {
          triangles_.size() * sizeof(triangles_[0]);
 }
 
-void SurfaceBuilder::drop_unused(std::uint32_t removed) {
-  std::erase_if(triangles_, [&](const auto& triangle) { return triangle[0] == removed; });
-  std::vector<std::uint32_t> place(vertex_count(), removed);
+void SurfaceBuilder::drop_unused_vertices() {
+  constexpr std::uint32_t unused = ~0u;
+  std::vector<std::uint32_t> place(vertex_count(), unused);
   for (const auto& triangle : triangles_)
     for (const std::uint32_t corner : triangle) place[corner] = 0;
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < place.size(); ++i) {
-    if (place[i] == removed) continue;
+    if (place[i] == unused) continue;
     positions_[count] = positions_[i];
     if (with_normals_) normals_[count] = normals_[i];
     for (auto* scalars : {&s_, &t_, &speed_}) (*scalars)[count] = (*scalars)[i];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "geometry/triangle_mesh.h"
 #include "integrators/front/front_particle.h"
@@ -9,8 +10,9 @@
 
 namespace pellucid::integrators {
 
-/// Collects what the integrators emit. Flat arrays, because a half-edge structure would cost more
-/// than the integration itself (docs/integrators.md).
+/// Collects what the integrators emit. Flat arrays, of which the half-edge mesh is built at once
+/// when the fronts are through: half-edges that grow with them would cost more than the integration
+/// itself (docs/integrators.md).
 class SurfaceBuilder {
  public:
   /// `curve` must outlive it.
@@ -23,6 +25,7 @@ class SurfaceBuilder {
   std::size_t vertex_count() const { return positions_.size(); }
   bool has_normals() const { return with_normals_; }
   std::vector<std::array<std::uint32_t, 3>>& triangles() { return triangles_; }
+  std::span<const Vec3> positions() const { return positions_; }
   const Vec3& position(std::uint32_t vertex) const { return positions_[vertex]; }
   const Vec3& normal(std::uint32_t vertex) const { return normals_[vertex]; }
   /// Not so where it stands still, nor on a crease, which starts at a corner of the seed curve.
@@ -33,8 +36,8 @@ class SurfaceBuilder {
   std::pair<double, double> halfway(std::uint32_t a, std::uint32_t b) const;
   double newest_t() const { return t_.empty() ? 0 : t_.back(); }
   std::uint64_t bytes() const;
-  /// Drops triangles whose first corner is `removed`, and vertices that no triangle has.
-  void drop_unused(std::uint32_t removed);
+  /// Drops vertices that no triangle has.
+  void drop_unused_vertices();
   /// Hands the mesh over and leaves the builder empty.
   geometry::TriangleMesh finish();
 

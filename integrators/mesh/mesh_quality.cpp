@@ -12,26 +12,6 @@ namespace {
 
 constexpr double degrees = 57.295779513082320877;
 
-struct DirectedEdge {
-  std::uint32_t low, high;
-  bool forward;  // runs from low to high
-  std::uint32_t triangle;
-};
-
-std::vector<DirectedEdge> sorted_edges(const geometry::TriangleMesh& mesh) {
-  std::vector<DirectedEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[i][k], b = mesh.triangles[i][(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b, i});
-    }
-  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-    return a.low != b.low ? a.low < b.low : a.high < b.high;
-  });
-  return edges;
-}
-
 /// Which set a thing is in, when sets are joined pair by pair.
 class DisjointSets {
  public:
@@ -48,24 +28,33 @@ class DisjointSets {
   std::vector<std::size_t> parents_;
 };
 
-void count_edges(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
-  const auto edges = sorted_edges(mesh);
-  DisjointSets sheets(mesh.triangles.size());
-  for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
-    const auto same = [&](std::size_t i) {
-      return edges[i].low == edges[begin].low && edges[i].high == edges[begin].high;
-    };
-    for (end = begin + 1; end < edges.size() && same(end); ++end)
-      sheets.join(edges[begin].triangle, edges[end].triangle);
-    if (end - begin == 1) ++quality.boundary_edges;
-    if (end - begin > 2) ++quality.non_manifold_edges;
-    if (end - begin == 2 && edges[begin].forward == edges[begin + 1].forward)
-      ++quality.misoriented_edges;
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) quality.sheets += sheets.find(i) == i;
+/// Triangles that share an edge are of one sheet, joined there or not.
+std::uint64_t count_sheets(const geometry::HalfEdges& half_edges) {
+  const geometry::SurfaceMesh& mesh = half_edges.mesh;
+  DisjointSets sheets(mesh.n_faces());
+  for (const auto edge : mesh.edges())
+    if (!mesh.is_boundary(edge))
+      sheets.join(std::size_t(mesh.face_handle(mesh.halfedge_handle(edge, 0)).idx()),
+                  std::size_t(mesh.face_handle(mesh.halfedge_handle(edge, 1)).idx()));
+  for (const auto& [one, other] : half_edges.apart) sheets.join(one, other);
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < mesh.n_faces(); ++i) count += sheets.find(i) == i;
+  return count;
 }
 
-void count_vertices(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
+void measure_connectivity(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
+  const geometry::HalfEdges half_edges = geometry::half_edges(mesh);
+  quality.boundary_edges = half_edges.boundary_edges;
+  quality.non_manifold_edges = half_edges.non_manifold_edges;
+  quality.misoriented_edges = half_edges.misoriented_edges;
+  quality.non_manifold_vertices = half_edges.non_manifold_vertices;
+  quality.manifold = half_edges.is_manifold();
+  quality.sheets = count_sheets(half_edges);
+  for (const auto vertex : half_edges.mesh.vertices())
+    quality.unused_vertices += half_edges.mesh.is_isolated(vertex);
+}
+
+void count_duplicates(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
   std::vector<Vec3> sorted(mesh.positions);
   const auto before = [](const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -73,10 +62,6 @@ void count_vertices(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
   std::sort(sorted.begin(), sorted.end(), before);
   for (std::size_t i = 1; i < sorted.size(); ++i)
     quality.duplicate_vertices += sorted[i] == sorted[i - 1];
-  std::vector<bool> used(mesh.positions.size());
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle) used[corner] = true;
-  quality.unused_vertices = std::uint64_t(std::count(used.begin(), used.end(), false));
 }
 
 Percentiles percentiles(std::vector<double> values) {
@@ -120,10 +105,9 @@ void measure_shapes(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
 
 MeshQuality measure_quality(const geometry::TriangleMesh& mesh) {
   MeshQuality quality;
-  count_edges(mesh, quality);
-  count_vertices(mesh, quality);
+  measure_connectivity(mesh, quality);
+  count_duplicates(mesh, quality);
   measure_shapes(mesh, quality);
-  quality.manifold = geometry::surface_mesh(mesh).has_value();
   return quality;
 }
 

@@ -16,9 +16,10 @@ struct Percentiles {
 /// How sound a triangle mesh is, whatever it shows.
 struct MeshQuality {
   std::uint64_t boundary_edges = 0;
-  std::uint64_t non_manifold_edges = 0;  // with more than two triangles
-  std::uint64_t misoriented_edges = 0;   // whose two triangles run along it the same way
-  std::uint64_t duplicate_vertices = 0;  // at exactly the place of another one
+  std::uint64_t non_manifold_edges = 0;     // with more than two triangles
+  std::uint64_t misoriented_edges = 0;      // whose two triangles run along it the same way
+  std::uint64_t non_manifold_vertices = 0;  // where several fans of triangles meet
+  std::uint64_t duplicate_vertices = 0;     // at exactly the place of another one
   std::uint64_t unused_vertices = 0;
   std::uint64_t degenerate_triangles = 0;  // of no area, to rounding
   std::uint64_t sheets = 0;                // connected by edges

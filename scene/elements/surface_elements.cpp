@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <limits>
 #include <queue>
+#include <utility>
 
+#include "geometry/surface_mesh.h"
 #include "scene/elements/elements.h"
 
 namespace pellucid::scene {
@@ -37,25 +39,65 @@ Surface gather(const Scene& scene) {
   return surface;
 }
 
-/// The triangles of each vertex.
-Rows triangles_by_vertex(const Surface& surface) {
-  Rows rows;
-  rows.offsets.assign(surface.positions.size() + 1, 0);
-  for (const auto& triangle : surface.triangles)
-    for (const std::uint32_t corner : triangle) ++rows.offsets[corner + 1];
-  for (std::size_t i = 1; i < rows.offsets.size(); ++i) rows.offsets[i] += rows.offsets[i - 1];
-  rows.values.resize(rows.offsets.back());
-  std::vector<std::uint64_t> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-    for (const std::uint32_t corner : surface.triangles[t]) rows.values[next[corner]++] = t;
-  return rows;
-}
+/// What is around a vertex. Patches go on where triangles have a vertex in common, even where they
+/// are no manifold, so that a vertex has its copies' triangles, too.
+class Neighbourhoods {
+ public:
+  explicit Neighbourhoods(const Surface& surface)
+      : half_edges_(geometry::half_edges(surface.positions, surface.triangles)),
+        given_(surface.positions.size()),
+        next_copy_(half_edges_.mesh.n_vertices(), none) {
+    for (auto i = std::uint32_t(given_); i < next_copy_.size(); ++i)
+      next_copy_[i] = std::exchange(next_copy_[given(i)], i);
+  }
+
+  /// Calls use(triangle) for each triangle of a vertex.
+  template <class Use>
+  void for_each_triangle(std::uint32_t vertex, const Use& use) const {
+    for_each_half_edge(vertex, [&](OpenMesh::HalfedgeHandle h) {
+      if (const auto face = half_edges_.mesh.face_handle(h); face.is_valid())
+        use(std::uint32_t(face.idx()));
+    });
+  }
+
+  /// Calls use(vertex) for the other end of each edge of a vertex.
+  template <class Use>
+  void for_each_neighbour(std::uint32_t vertex, const Use& use) const {
+    for_each_half_edge(vertex, [&](OpenMesh::HalfedgeHandle h) {
+      use(given(std::uint32_t(half_edges_.mesh.to_vertex_handle(h).idx())));
+    });
+  }
+
+ private:
+  std::uint32_t given(std::uint32_t i) const {
+    return i < given_ ? i : half_edges_.copied[i - given_];
+  }
+
+  /// Calls use(half-edge) for all that leave a vertex.
+  template <class Use>
+  void for_each_half_edge(std::uint32_t vertex, const Use& use) const {
+    const geometry::SurfaceMesh& mesh = half_edges_.mesh;
+    for (std::uint32_t v = vertex; v != none; v = next_copy_[v]) {
+      const auto first = mesh.halfedge_handle(OpenMesh::VertexHandle(int(v)));
+      if (!first.is_valid()) continue;
+      auto h = first;
+      do {
+        use(h);
+        h = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h));
+      } while (h != first);
+    }
+  }
+
+  geometry::HalfEdges half_edges_;
+  std::size_t given_;
+  std::vector<std::uint32_t> next_copy_;  // of the same given vertex
+};
 
 /// Distances along edges from the middles of triangles.
 class EdgeDistances {
  public:
-  EdgeDistances(const Surface& surface, const Rows& triangles_of)
-      : surface_(surface), triangles_of_(triangles_of) {}
+  EdgeDistances(const Surface& surface, const Neighbourhoods& around)
+      : surface_(surface), around_(around) {}
 
   /// Asks accept(vertex, distance) whether a vertex is reached, and goes on from those that are. A
   /// vertex is offered again where there is a shorter way.
@@ -67,12 +109,10 @@ class EdgeDistances {
     while (!queue_.empty()) {
       const auto [distance, vertex] = queue_.top();
       queue_.pop();
-      for (const std::uint32_t t : triangles_of_[vertex])
-        for (const std::uint32_t other : surface_.triangles[t])
-          if (other != vertex)
-            offer(other,
-                  distance + glm::length(surface_.positions[other] - surface_.positions[vertex]),
-                  accept);
+      const Vec3& x = surface_.positions[vertex];
+      around_.for_each_neighbour(vertex, [&, from = distance](std::uint32_t other) {
+        offer(other, from + glm::length(surface_.positions[other] - x), accept);
+      });
     }
   }
 
@@ -90,7 +130,7 @@ class EdgeDistances {
   }
 
   const Surface& surface_;
-  const Rows& triangles_of_;
+  const Neighbourhoods& around_;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue_;
 };
 
@@ -99,8 +139,8 @@ class Cells {
  public:
   Cells(const Surface& surface, std::size_t count)
       : surface_(surface),
-        triangles_of_(triangles_by_vertex(surface)),
-        distances_(surface, triangles_of_),
+        around_(surface),
+        distances_(surface, around_),
         cell_(surface.positions.size(), none),
         distance_(surface.positions.size(), infinite),
         seed_cell_(surface.triangles.size(), none) {
@@ -144,10 +184,14 @@ class Cells {
   bool seed_farthest() {
     std::size_t vertex = 0;
     if (farthest(vertex) == 0) return false;
-    for (const std::uint32_t t : triangles_of_[vertex])
-      if (seed_cell_[t] != none) return false;
-    seed(triangles_of_[vertex][0]);
-    return true;
+    bool seeded = false;
+    std::uint32_t first = none;
+    around_.for_each_triangle(vertex, [&](std::uint32_t t) {
+      seeded = seeded || seed_cell_[t] != none;
+      first = std::min(first, t);
+    });
+    if (!seeded) seed(first);
+    return !seeded;
   }
 
   std::uint32_t cell_of_triangle(std::uint32_t t) const {
@@ -161,7 +205,7 @@ class Cells {
   void mix_vertices(Elements& elements);
 
   const Surface& surface_;
-  Rows triangles_of_;
+  Neighbourhoods around_;
   EdgeDistances distances_;
   std::vector<std::uint32_t> cell_;       // of each vertex, the nearest seed's
   std::vector<double> distance_;          // from it

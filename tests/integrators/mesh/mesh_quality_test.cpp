@@ -28,6 +28,7 @@ TEST(UnitMeshQuality, FindsEveryFault) {
   geometry::TriangleMesh mesh = two_triangles();
   mesh.triangles.push_back({1, 2, 0});  // a third one on the edges of the first
   EXPECT_EQ(measure_quality(mesh).non_manifold_edges, 1u);
+  EXPECT_EQ(measure_quality(mesh).sheets, 1u);  // by their edges, joined there or not
   EXPECT_FALSE(measure_quality(mesh).manifold);
 
   mesh = two_triangles();
@@ -50,6 +51,8 @@ TEST(UnitMeshQuality, TwoTrianglesInOneVertexAreTwoSheetsAndNoManifold) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
   EXPECT_EQ(measure_quality(mesh).sheets, 2u);
+  EXPECT_EQ(measure_quality(mesh).non_manifold_vertices, 1u);
+  EXPECT_EQ(measure_quality(mesh).boundary_edges, 6u);
   EXPECT_FALSE(measure_quality(mesh).manifold);
 }
 

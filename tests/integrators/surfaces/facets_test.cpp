@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
 #include "integrators/mesh/mesh_quality.h"
-#include "integrators/mesh/triangle_links.h"
 #include "integrators/surfaces/surface_error.h"
 #include "tests/integrators/closed_forms.h"
 
@@ -16,57 +14,6 @@ namespace {
 
 using testing::closed_forms;
 using testing::sweep;
-using Triangles = std::vector<TriangleLinks::Triangle>;
-
-/// A square of 2 n² triangles.
-Triangles square(std::uint32_t n) {
-  Triangles triangles;
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
-      triangles.push_back({a, b, d});
-      triangles.push_back({a, d, c});
-    }
-  return triangles;
-}
-
-/// What it says of neighbours is what a fresh look says.
-void expect_consistent(const TriangleLinks& links, Triangles triangles, std::size_t vertices) {
-  const TriangleLinks fresh(triangles, vertices);
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      ASSERT_EQ(links.neighbour({i, k}), fresh.neighbour({i, k})) << i << " " << k;
-}
-
-TEST(PropertyTriangleLinks, TurningAndSplittingKeepAManifold) {
-  Triangles triangles = square(6);
-  std::uint32_t vertices = 49;
-  TriangleLinks links(triangles, vertices);
-  std::mt19937 random(1);
-  for (int i = 0; i < 300; ++i) {
-    const TriangleLinks::Edge edge{std::uint32_t(random() % triangles.size()), int(random() % 3)};
-    if (i % 3 == 0)
-      links.split(edge, vertices++);
-    else if (links.can_turn(edge))
-      links.turn(edge);
-    expect_consistent(links, triangles, vertices);
-  }
-  geometry::TriangleMesh mesh;
-  for (std::uint32_t i = 0; i < vertices; ++i) mesh.positions.emplace_back(i, i * i, 0);
-  mesh.triangles = triangles;
-  const MeshQuality quality = measure_quality(mesh);
-  EXPECT_TRUE(quality.manifold);
-  EXPECT_EQ(quality.misoriented_edges, 0u);
-  EXPECT_EQ(quality.sheets, 1u);
-}
-
-TEST(UnitTriangleLinks, AnEdgeIsNotMadeTwice) {
-  // A tetrahedron without its floor: the other diagonal of any two sides is an edge of the floor.
-  Triangles triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  const TriangleLinks links(triangles, 4);
-  for (std::uint32_t i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) EXPECT_FALSE(links.can_turn({i, k}));
-}
 
 /// Where the front leans along the flow, its triangles would be turned over.
 SurfaceRequest abc_request(const fields::VectorField& field, double duration) {

@@ -164,6 +164,26 @@ TEST(PropertyElements, PiecesThatDoNotHangTogetherShareNothing) {
   for (std::size_t i = 0; i < vertices.size(); ++i) EXPECT_EQ(vertices[i], i < 25 ? 0 : 1) << i;
 }
 
+TEST(PropertyElements, PatchesGoOnWhereAMeshIsNoManifold) {
+  // Two squares that meet in a corner; a fin stands on an edge of the first one.
+  geometry::TriangleMesh mesh = grid(4);
+  const geometry::TriangleMesh first = mesh;
+  for (std::size_t i = 1; i < first.positions.size(); ++i)
+    mesh.positions.push_back(-first.positions[i]);
+  for (const auto& triangle : first.triangles) {
+    auto& turned = mesh.triangles.emplace_back(triangle);
+    for (std::uint32_t& corner : turned) corner = corner == 0 ? 0 : corner + 24;
+  }
+  mesh.triangles.push_back({6, 7, std::uint32_t(mesh.positions.size())});
+  mesh.positions.emplace_back(0.3, 0.3, 1);
+  const Elements one = surface_elements(scene_of({{"mesh", mesh}}), 1);
+  EXPECT_EQ(one.count(), 1u);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_EQ(one.of_vertex[v].size(), 1u);
+  const Elements two = surface_elements(scene_of({{"mesh", mesh}}), 2);
+  EXPECT_EQ(two.count(), 2u);
+  EXPECT_EQ(two.neighbours[0].size(), 1u);
+}
+
 TEST(PropertyElements, AnyMeshIsCut) {
   // More patches than triangles; triangles of no area, three at one edge; no triangle at all.
   geometry::TriangleMesh odd;
