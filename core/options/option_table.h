@@ -22,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -47,7 +48,7 @@ std::string number_text(double value);
 template <class Options>
 struct Option {
   struct Texts {
-    std::string default_value, choices;
+    std::string default_value, choices, help;
   };
 
   ParameterSpec spec;
@@ -70,10 +71,12 @@ struct ValueOf<std::optional<T>> {
 template <class Options>
 Option<Options> make(ParameterSpec spec, std::string default_value, std::string choices,
                      std::function<void(Options&, const std::string&)> store) {
-  auto texts = std::make_shared<const typename Option<Options>::Texts>(
-      typename Option<Options>::Texts{std::move(default_value), std::move(choices)});
+  auto texts =
+      std::make_shared<const typename Option<Options>::Texts>(typename Option<Options>::Texts{
+          std::move(default_value), std::move(choices), std::string(spec.help)});
   spec.default_value = texts->default_value;
   spec.choices = texts->choices;
+  spec.help = texts->help;
   return {spec, std::move(texts), std::move(store)};
 }
 
@@ -149,6 +152,21 @@ Option<Options> choice(
         for (const auto& [value_name, value] : named)
           if (value_name == given) options.*member = value;
       });
+}
+
+/// One of a table's rows, by its name; the rows live as long as the program.
+template <class Options, class Row>
+Option<Options> choice(std::string_view name, const Row* Options::*member,
+                       std::type_identity_t<std::span<const Row>> rows,
+                       std::string_view help = {}) {
+  std::string names;
+  for (const Row& row : rows) names += (names.empty() ? "" : "|") + std::string(row.name);
+  const ParameterSpec spec{.name = name, .kind = ParameterSpec::Kind::choice, .help = help};
+  return option_detail::make<Options>(spec, std::string((Options{}.*member)->name), names,
+                                      [member, rows](Options& options, const std::string& given) {
+                                        for (const Row& row : rows)
+                                          if (row.name == given) options.*member = &row;
+                                      });
 }
 
 template <class Options>
