@@ -80,6 +80,11 @@ Option<Options> make(ParameterSpec spec, std::string default_value, std::string 
   return {spec, std::move(texts), std::move(store)};
 }
 
+inline void add_choice(std::string& names, std::string_view name) {
+  if (!names.empty()) names += '|';
+  names += name;
+}
+
 template <class T>
 std::string default_text(const T& value) {
   return number_text(double(value));
@@ -141,7 +146,7 @@ Option<Options> choice(
   std::string names, default_name;
   const std::optional<typename option_detail::ValueOf<T>::type> initial = Options{}.*member;
   for (const auto& [value_name, value] : values) {
-    names += (names.empty() ? "" : "|") + std::string(value_name);
+    option_detail::add_choice(names, value_name);
     if (initial && *initial == value) default_name = value_name;
   }
   const ParameterSpec spec{
@@ -160,7 +165,7 @@ Option<Options> choice(std::string_view name, const Row* Options::*member,
                        std::type_identity_t<std::span<const Row>> rows,
                        std::string_view help = {}) {
   std::string names;
-  for (const Row& row : rows) names += (names.empty() ? "" : "|") + std::string(row.name);
+  for (const Row& row : rows) option_detail::add_choice(names, row.name);
   const ParameterSpec spec{.name = name, .kind = ParameterSpec::Kind::choice, .help = help};
   return option_detail::make<Options>(spec, std::string((Options{}.*member)->name), names,
                                       [member, rows](Options& options, const std::string& given) {

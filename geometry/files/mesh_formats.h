@@ -37,8 +37,11 @@ const FormatRow* mesh_format(const std::filesystem::path& path);
 template <class Function>
 std::string endings_with(Function FormatRow::*function) {
   std::string endings;
-  for (const FormatRow& format : mesh_formats())
-    if (format.*function) endings += (endings.empty() ? "" : ", ") + std::string(format.ending);
+  for (const FormatRow& format : mesh_formats()) {
+    if (!(format.*function)) continue;
+    if (!endings.empty()) endings += ", ";
+    endings += format.ending;
+  }
   return endings;
 }
 
