@@ -10,10 +10,17 @@
 #include "core/options/names.h"
 #include "fields/levels/vdb_levels.h"
 #include "geometry/files/mesh_file.h"
+#include "geometry/files/mesh_formats.h"
 #include "scene/datasets/dataset.h"
 
 namespace pellucid::app {
 namespace {
+
+/// Surfaces, lines and points are told apart once they are made.
+bool is_written(const std::string& output) {
+  const geometry::FormatRow* format = geometry::mesh_format(output);
+  return format && (format->write_mesh || format->write_lines || format->write_points);
+}
 
 /// Before the work that would be in vain. Throws InputError with the names that are known, or the
 /// endings that the data set takes.
@@ -21,11 +28,11 @@ void check(const std::string& dataset, const std::string& output) {
   const std::string name = parse_name_and_options(dataset).name;
   const scene::DatasetRow& row = find_row("data set", name, scene::datasets());
   const std::string ending = std::filesystem::path(output).extension().string();
-  const bool fits =
-      row.on_levels ? ending == ".vdb" : ending == ".ply" || ending == ".obj" || ending == ".vtp";
+  const bool fits = row.on_levels ? ending == ".vdb" : is_written(output);
   if (!fits)
-    throw InputError(fmt::format("{}: ending '{}'; accepted for {}: {}", output, ending, name,
-                                 row.on_levels ? ".vdb" : ".ply, .obj, .vtp"));
+    throw InputError(fmt::format(
+        "{}: ending '{}'; accepted for {}: {}", output, ending, name,
+        row.on_levels ? ".vdb" : geometry::endings_with(&geometry::FormatRow::write_mesh)));
 }
 
 nlohmann::ordered_json write(const scene::VelocityLevels& levels, const std::string& output) {
@@ -48,11 +55,8 @@ nlohmann::ordered_json write(const geometry::LineSet& lines, const std::string& 
   return {{"lines", lines.line_count()}, {"points", lines.positions.size()}};
 }
 
-/// The vertices of a mesh without triangles.
 nlohmann::ordered_json write(const geometry::PointSet& points, const std::string& output) {
-  if (std::filesystem::path(output).extension() != ".ply")
-    throw InputError(output + ": accepted for points: .ply");
-  geometry::write_mesh(output, geometry::TriangleMesh{geometry::Vertices(points), {}});
+  geometry::write_points(output, points);
   return {{"points", points.positions.size()}};
 }
 
@@ -75,7 +79,10 @@ void add_data_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("NAME", *dataset, "NAME[:key=value,...]; see 'list datasets'")->required();
   command
       ->add_option("-o,--output", *output,
-                   "Levels: .vdb; surfaces and lines: .ply, .obj or .vtp; points: .ply")
+                   fmt::format("Levels: .vdb; surfaces: {}; lines: {}; points: {}",
+                               geometry::endings_with(&geometry::FormatRow::write_mesh),
+                               geometry::endings_with(&geometry::FormatRow::write_lines),
+                               geometry::endings_with(&geometry::FormatRow::write_points)))
       ->required();
   add_global_options(*command, globals);
   command->callback([dataset, output, &globals] { make(*dataset, *output, globals); });

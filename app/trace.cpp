@@ -13,6 +13,7 @@
 #include "core/options/split.h"
 #include "fields/make_field.h"
 #include "geometry/files/mesh_file.h"
+#include "geometry/files/mesh_formats.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_quality.h"
@@ -217,7 +218,12 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--duration", options->duration, "Time to integrate, > 0")->required();
   command->add_option("--start-time", options->start_time, "The field's time at the seeds");
   command->add_flag("--path", options->path, "Path surface: the field's time runs along");
-  command->add_option("-o,--output", options->output, "Geometry: .ply, .obj or .vtp")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   fmt::format("Surfaces: {}; lines: {}",
+                               geometry::endings_with(&geometry::FormatRow::write_mesh),
+                               geometry::endings_with(&geometry::FormatRow::write_lines)))
+      ->required();
   command->add_option(
       "--samples", options->samples,
       "Points where the distance to the exact surface is measured; 0: none. The mesh's "

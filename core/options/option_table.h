@@ -22,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -49,7 +50,7 @@ template <class Options>
 struct Option {
   /// Texts own what the specification's views show.
   struct Texts {
-    std::string default_value, choices;
+    std::string default_value, choices, help;
   };
 
   ParameterSpec spec;
@@ -75,11 +76,19 @@ struct ValueOf<std::optional<T>> {
 template <class Options>
 Option<Options> make(ParameterSpec spec, std::string default_value, std::string choices,
                      std::function<void(Options&, const std::string&)> store) {
-  auto texts = std::make_shared<const typename Option<Options>::Texts>(
-      typename Option<Options>::Texts{std::move(default_value), std::move(choices)});
+  auto texts =
+      std::make_shared<const typename Option<Options>::Texts>(typename Option<Options>::Texts{
+          std::move(default_value), std::move(choices), std::string(spec.help)});
   spec.default_value = texts->default_value;
   spec.choices = texts->choices;
+  spec.help = texts->help;
   return {spec, std::move(texts), std::move(store)};
+}
+
+/// Appends a name to "a|b".
+inline void add_choice(std::string& names, std::string_view name) {
+  if (!names.empty()) names += '|';
+  names += name;
 }
 
 /// Returns the text of a number that is a default; empty for a std::optional without a value.
@@ -147,7 +156,7 @@ Option<Options> choice(
   std::string names, default_name;
   const std::optional<typename option_detail::ValueOf<T>::type> initial = Options{}.*member;
   for (const auto& [value_name, value] : values) {
-    names += (names.empty() ? "" : "|") + std::string(value_name);
+    option_detail::add_choice(names, value_name);
     if (initial && *initial == value) default_name = value_name;
   }
   const ParameterSpec spec{
@@ -158,6 +167,21 @@ Option<Options> choice(
         for (const auto& [value_name, value] : named)
           if (value_name == given) options.*member = value;
       });
+}
+
+/// One of a table's rows, by its name; the rows live as long as the program.
+template <class Options, class Row>
+Option<Options> choice(std::string_view name, const Row* Options::*member,
+                       std::type_identity_t<std::span<const Row>> rows,
+                       std::string_view help = {}) {
+  std::string names;
+  for (const Row& row : rows) option_detail::add_choice(names, row.name);
+  const ParameterSpec spec{.name = name, .kind = ParameterSpec::Kind::choice, .help = help};
+  return option_detail::make<Options>(spec, std::string((Options{}.*member)->name), names,
+                                      [member, rows](Options& options, const std::string& given) {
+                                        for (const Row& row : rows)
+                                          if (row.name == given) options.*member = &row;
+                                      });
 }
 
 template <class Options>

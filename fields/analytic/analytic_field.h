@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/options/parameters.h"
+#include "core/options/option_table.h"
 #include "fields/analytic/catalogue.h"
 #include "fields/dual.h"
 #include "fields/field.h"
@@ -18,11 +18,13 @@ struct Triple {
   T x, y, z;
 };
 
-/// A flow is a struct with
-///   static constexpr FlowFacts facts;            what `list fields` says about it
-///   explicit Flow(const Parameters&);
+/// A flow is a struct that is made of its options, `Flow{options}`, with
+///   static constexpr FlowFacts facts;               what `list fields` says about it
+///   using Options = …;                              a struct
+///   static const OptionTable<Options>& options();
 ///   template <class T> Triple<T> operator()(const Triple<T>& x, double t) const;
-/// Its velocity is written once; T is double, or Dual for the Jacobian.
+/// Its velocity is written once; T is double, or Dual for the Jacobian. A flow that some options
+/// make steady or unsteady has a member steady().
 template <class Flow>
 class AnalyticSampler final : public FieldSampler {
  public:
@@ -53,7 +55,7 @@ template <class Flow>
 class AnalyticField final : public VectorField {
  public:
   explicit AnalyticField(const Parameters& parameters)
-      : flow_(parameters), steady_(is_steady(parameters)), description_(describe(parameters)) {}
+      : flow_{Flow::options().read(parameters)}, description_(describe(parameters)) {}
 
   std::unique_ptr<FieldSampler> sampler() const override {
     return std::make_unique<AnalyticSampler<Flow>>(flow_, domain());
@@ -61,16 +63,15 @@ class AnalyticField final : public VectorField {
   Box3 domain() const override {
     return Flow::facts.bounded ? Flow::facts.region : Box3::unbounded();
   }
-  bool steady() const override { return steady_; }
+  bool steady() const override {
+    if constexpr (requires { flow_.steady(); })
+      return flow_.steady();
+    else
+      return Flow::facts.steady;
+  }
   std::string description() const override { return description_; }
 
  private:
-  /// A flow that depends on time only through a parameter is steady when that parameter is 0.
-  static bool is_steady(const Parameters& parameters) {
-    const std::string_view key = Flow::facts.unsteady_through;
-    return Flow::facts.steady && (key.empty() || parameters.real(key) == 0);
-  }
-
   static std::string describe(const Parameters& parameters) {
     std::string text(Flow::facts.name);
     for (const auto& [key, value] : parameters.all())
@@ -79,7 +80,6 @@ class AnalyticField final : public VectorField {
   }
 
   Flow flow_;
-  bool steady_;
   std::string description_;
 };
 
@@ -87,6 +87,15 @@ class AnalyticField final : public VectorField {
 
 /// Flows live in a namespace where the elementary functions of double and of Dual go by one name.
 namespace pellucid::fields::flow {
+
+/// What a flow that takes no options derives from.
+struct WithoutOptions {
+  using Options = WithoutOptions;
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{};
+    return table;
+  }
+};
 
 using std::abs;
 using std::cos;

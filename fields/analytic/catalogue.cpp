@@ -29,32 +29,33 @@ std::unique_ptr<VectorField> make(const Parameters& parameters) {
 }
 
 template <class Flow>
-constexpr FieldRow row() {
-  return {Flow::facts, Flow::parameters, make<Flow>};
+FieldRow row() {
+  return {Flow::facts, Flow::options().specs(), make<Flow>};
 }
-
-constexpr FieldRow rows[] = {
-    row<flow::Abc>(),
-    row<flow::Tornado>(),
-    row<flow::DoubleGyre>(),
-    row<flow::Hill>(),
-    row<flow::Trefoil>(),
-    row<flow::Benzene>(),
-    row<flow::KelvinHelmholtz>(),
-    row<flow::DeltaWing>(),
-    row<flow::RotorWake>(),
-    row<flow::Step>(),
-    row<flow::Sphere>(),
-    row<flow::ShedWake>(),
-    row<flow::Rotation>(),
-    row<flow::Saddle>(),
-    row<flow::Shear>(),
-    row<flow::Drift>(),
-    row<flow::PulsingSaddle>(),
-};
 
 }  // namespace
 
-std::span<const FieldRow> analytic_fields() { return rows; }
+std::span<const FieldRow> analytic_fields() {
+  static const FieldRow rows[] = {
+      row<flow::Abc>(),
+      row<flow::Tornado>(),
+      row<flow::DoubleGyre>(),
+      row<flow::Hill>(),
+      row<flow::Trefoil>(),
+      row<flow::Benzene>(),
+      row<flow::KelvinHelmholtz>(),
+      row<flow::DeltaWing>(),
+      row<flow::RotorWake>(),
+      row<flow::Step>(),
+      row<flow::Sphere>(),
+      row<flow::ShedWake>(),
+      row<flow::Rotation>(),
+      row<flow::Saddle>(),
+      row<flow::Shear>(),
+      row<flow::Drift>(),
+      row<flow::PulsingSaddle>(),
+  };
+  return rows;
+}
 
 }  // namespace pellucid::fields

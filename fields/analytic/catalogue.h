@@ -16,8 +16,7 @@ struct FlowFacts {
   std::string_view title;
   std::string_view citation;  // or how it is derived
   std::string_view formula;
-  bool steady = true;                      // for default parameters
-  std::string_view unsteady_through = {};  // the parameter that makes a steady flow depend on time
+  bool steady = true;  // by default options
   bool divergence_free = false;
   Box3 region{Vec3(-1), Vec3(1)};  // where there is something to see
   bool bounded = false;            // samples exist in `region` alone

@@ -10,10 +10,22 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/options/option_table.h"
 #include "fields/finite.h"
 
 namespace pellucid::fields {
 namespace {
+
+/// Formulas over x, y, z and t; empty: missing.
+struct FormulaOptions {
+  std::string u, v, w;
+};
+
+const OptionTable<FormulaOptions>& formula_options() {
+  static const OptionTable<FormulaOptions> table{
+      text("u", &FormulaOptions::u), text("v", &FormulaOptions::v), text("w", &FormulaOptions::w)};
+  return table;
+}
 
 constexpr std::array<std::string_view, 3> component_names = {"u", "v", "w"};
 using Formulas = std::array<std::string, 3>;
@@ -138,20 +150,15 @@ class FormulaField final : public VectorField {
 }  // namespace
 
 std::unique_ptr<VectorField> make_formula_field(const RawOptions& components) {
-  constexpr auto text = ParameterSpec::Kind::text;
-  static constexpr ParameterSpec specs[] = {{.name = component_names[0], .kind = text},
-                                            {.name = component_names[1], .kind = text},
-                                            {.name = component_names[2], .kind = text}};
-  const Parameters given("formula", specs, components);
-  Formulas formulas;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!given.is_set(component_names[i]) || given.text(component_names[i]).empty())
+  const FormulaOptions given =
+      formula_options().read(Parameters("formula", formula_options().specs(), components));
+  Formulas formulas{given.u, given.v, given.w};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (formulas[i].empty())
       throw InputError(
           fmt::format("formula: {}= is missing; expected formula:u=…,v=…,w=… over "
                       "x, y, z, t",
                       component_names[i]));
-    formulas[i] = given.text(component_names[i]);
-  }
   return std::make_unique<FormulaField>(std::move(formulas));
 }
 

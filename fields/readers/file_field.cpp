@@ -28,17 +28,6 @@ constexpr FileFormatRow formats[] = {
     {".series", "time series of files, as ParaView writes it", read_series_field},
 };
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "array",
-     .kind = ParameterSpec::Kind::text,
-     .help = "name of the vectors; by default the active or the only ones"},
-    {.name = "sampler",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "linear",
-     .choices = "linear|c1",
-     .help = "c1: cubic, continuous with its derivative"},
-};
-
 struct PathAndOptions {
   std::string_view path;
   std::string_view options;  // with the colon
@@ -61,9 +50,7 @@ PathAndOptions split(std::string_view text) {
 
 FileOptions parse_options(const PathAndOptions& parts) {
   const auto given = parse_name_and_options(fmt::format("file{}", parts.options));
-  const Parameters values(parts.path, parameters, given.options);
-  return {values.is_set("array") ? values.text("array") : "",
-          values.text("sampler") == "c1" ? Interpolation::c1 : Interpolation::linear};
+  return file_options().read(Parameters(parts.path, file_options().specs(), given.options));
 }
 
 void require_readable(const std::filesystem::path& path) {
@@ -73,8 +60,17 @@ void require_readable(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::span<const FileFormatRow> file_formats() { return formats; }
-std::span<const ParameterSpec> file_parameters() { return parameters; }
+const OptionTable<FileOptions>& file_options() {
+  static const OptionTable<FileOptions> table{
+      text("array", &FileOptions::array,
+           "name of the vectors; by default the active or the only ones"),
+      choice("sampler", &FileOptions::interpolation,
+             {{"linear", Interpolation::linear}, {"c1", Interpolation::c1}},
+             "c1: cubic, continuous with its derivative")};
+  return table;
+}
+
+std::span<const FileFormatRow> field_formats() { return formats; }
 
 std::string file_endings() {
   std::string endings;

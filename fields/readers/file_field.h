@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/options/parameters.h"
+#include "core/options/option_table.h"
 #include "fields/field.h"
 #include "fields/sampled/dense_field.h"
 
@@ -20,6 +20,8 @@ struct FileOptions {
   Interpolation interpolation = Interpolation::linear;
 };
 
+const OptionTable<FileOptions>& file_options();
+
 /// One kind of file that holds a sampled field.
 struct FileFormatRow {
   std::string_view ending;  // ".vti"
@@ -27,8 +29,7 @@ struct FileFormatRow {
   std::unique_ptr<VectorField> (*read)(const std::filesystem::path&, const FileOptions&);
 };
 
-std::span<const FileFormatRow> file_formats();
-std::span<const ParameterSpec> file_parameters();
+std::span<const FileFormatRow> field_formats();
 
 /// ".vti, .vtr, …", for messages.
 std::string file_endings();

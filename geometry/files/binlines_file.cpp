@@ -74,8 +74,6 @@ std::vector<std::string> read_names(Bytes& bytes, std::uint32_t version, std::si
   return names;
 }
 
-}  // namespace
-
 LineSet read_binlines(const std::filesystem::path& path) {
   Bytes bytes(path);
   const std::uint32_t version = bytes.number();
@@ -103,6 +101,12 @@ LineSet read_binlines(const std::filesystem::path& path) {
   for (std::uint32_t k = 0; k < attribute_count; ++k) attributes[names[k]] = std::move(columns[k]);
   take_attributes(std::move(attributes), lines);
   return lines;
+}
+
+}  // namespace
+
+FormatRow binlines_format() {
+  return {.ending = ".binlines", .title = "lines of LineVis", .read_lines = read_binlines};
 }
 
 }  // namespace pellucid::geometry

@@ -102,8 +102,12 @@ class CsvReader {
   std::array<std::size_t, 3> axes_{};
 };
 
+PointSet read_csv_points(const std::filesystem::path& path) { return CsvReader(path).read(); }
+
 }  // namespace
 
-PointSet read_csv_points(const std::filesystem::path& path) { return CsvReader(path).read(); }
+FormatRow csv_format() {
+  return {.ending = ".csv", .title = "comma-separated values", .read_points = read_csv_points};
+}
 
 }  // namespace pellucid::geometry

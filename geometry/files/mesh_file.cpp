@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/files/output_file.h"
 #include "geometry/files/mesh_formats.h"
 
 namespace pellucid::geometry {
@@ -15,49 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ending(const fs::path& path) {
-  std::string text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-/// One row per kind of file; what it cannot hold has no reader.
-struct Format {
-  std::string_view ending;
-  TriangleMesh (*mesh)(const fs::path&) = nullptr;
-  LineSet (*lines)(const fs::path&) = nullptr;
-  PointSet (*points)(const fs::path&) = nullptr;
-};
-
-constexpr Format formats[] = {
-    {".ply", read_ply, read_ply_lines, read_ply_points},
-    {".obj", read_obj, read_obj_lines},
-    {".vtp", read_vtk_mesh, read_vtk_lines, read_vtk_points},
-    {".vtu", read_vtk_mesh, read_vtk_lines, read_vtk_points},
-    {".vtk", read_vtk_mesh, read_vtk_lines, read_vtk_points},
-    {".binlines", nullptr, read_binlines},
-    {".csv", nullptr, nullptr, read_csv_points},
-    {".vdb", nullptr, nullptr, read_vdb_points},
-};
-
-constexpr std::string_view written_endings = ".ply, .obj, .vtp";
-
-[[noreturn]] void unknown_ending(const fs::path& path, std::string_view kind,
-                                 std::string_view accepted) {
-  throw InputError(fmt::format("{}: unknown kind of {} file '{}'; accepted: {}", path.string(),
-                               kind, path.extension().string(), accepted));
-}
-
-/// What the reader of the file's row returns. Throws InputError that names the endings with one.
-auto read_with(auto Format::*reader, const fs::path& path, std::string_view kind) {
-  std::string accepted;
-  for (const Format& format : formats) {
-    if (!(format.*reader)) continue;
-    if (format.ending == ending(path)) return (format.*reader)(path);
-    accepted += (accepted.empty() ? "" : ", ") + std::string(format.ending);
-  }
-  unknown_ending(path, kind, accepted);
+/// The path's row when it has the function. Throws InputError that names the endings with one.
+template <class Function>
+const FormatRow& row_with(Function FormatRow::*function, const fs::path& path,
+                          std::string_view kind) {
+  const FormatRow* format = mesh_format(path);
+  if (!format || !(format->*function))
+    throw InputError(fmt::format("{}: unknown kind of {} file '{}'; accepted: {}", path.string(),
+                                 kind, path.extension().string(), endings_with(function)));
+  return *format;
 }
 
 bool has_all(const VertexAttributes& attributes, std::initializer_list<const char*> names) {
@@ -128,39 +93,35 @@ void check_mesh(const std::string& file, const TriangleMesh& mesh) {
 }
 
 TriangleMesh read_mesh(const fs::path& path) {
-  TriangleMesh mesh = read_with(&Format::mesh, path, "mesh");
+  TriangleMesh mesh = row_with(&FormatRow::read_mesh, path, "mesh").read_mesh(path);
   check_mesh(path.string(), mesh);
   return mesh;
 }
 
 LineSet read_lines(const fs::path& path) {
-  LineSet lines = read_with(&Format::lines, path, "line");
+  LineSet lines = row_with(&FormatRow::read_lines, path, "line").read_lines(path);
   check_vertices(path.string(), lines);
   if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
   return lines;
 }
 
 PointSet read_points(const fs::path& path) {
-  PointSet points = read_with(&Format::points, path, "point");
+  PointSet points = row_with(&FormatRow::read_points, path, "point").read_points(path);
   check_vertices(path.string(), points);
   if (points.positions.empty()) throw InputError(path.string() + ": the file holds no points");
   return points;
 }
 
 void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
-  const std::string kind = ending(path);
-  if (kind == ".ply") return write_text(path, encode_ply(mesh));
-  if (kind == ".obj") return write_text(path, encode_obj(mesh));
-  if (kind == ".vtp") return write_vtp(path, mesh);
-  unknown_ending(path, "mesh", written_endings);
+  row_with(&FormatRow::write_mesh, path, "mesh").write_mesh(path, mesh);
 }
 
 void write_lines(const fs::path& path, const LineSet& lines) {
-  const std::string kind = ending(path);
-  if (kind == ".ply") return write_text(path, encode_ply(lines));
-  if (kind == ".obj") return write_text(path, encode_obj(lines));
-  if (kind == ".vtp") return write_vtp(path, lines);
-  unknown_ending(path, "line", written_endings);
+  row_with(&FormatRow::write_lines, path, "line").write_lines(path, lines);
+}
+
+void write_points(const fs::path& path, const PointSet& points) {
+  row_with(&FormatRow::write_points, path, "point").write_points(path, points);
 }
 
 }  // namespace pellucid::geometry

@@ -9,8 +9,8 @@
 
 namespace pellucid::geometry {
 
-/// Reads triangles from .ply, .obj, .vtp, .vtu or legacy .vtk by the file's ending. Polygons become
-/// triangle fans; of cells with a volume the faces on their boundary are taken.
+/// Reads triangles by the file's ending, which mesh_formats() lists. Polygons become triangle fans;
+/// of cells with a volume the faces on their boundary are taken.
 /// Vertex attributes `red green blue alpha` (float as they are, 8-bit as n/255) fill `colors`,
 /// `importance` fills `importance`, `nx ny nz` the normals; every other numeric vertex attribute
 /// becomes a scalar of its name. Throws InputError for a file that is missing, truncated, without
@@ -18,20 +18,24 @@ namespace pellucid::geometry {
 /// colour or importance outside [0, 1].
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// Reads polylines from .ply (consecutive vertices of equal `line` are joined; without that
-/// attribute all of them), .obj (`l`), .vtp, .vtu, .vtk or .binlines. Attributes and refusals as
-/// for read_mesh(); lines of fewer than two points are kept.
+/// Reads polylines. In .ply consecutive vertices of equal `line` are joined; without that attribute
+/// all of them. Attributes and refusals as for read_mesh(); lines of fewer than two points are
+/// kept.
 LineSet read_lines(const std::filesystem::path& path);
 
-/// Reads the points of a .ply, .vtp, .vtu or .vtk file, where what joins them is left out, of a
-/// .csv file whose first line names the columns, or of the point grids of an OpenVDB .vdb file.
+/// Reads points; what joins them in a file of triangles or lines is left out. The first line of a
+/// .csv file names its columns; of a .vdb file the point grids are read.
 PointSet read_points(const std::filesystem::path& path);
 
-/// Writes .ply (binary, double positions, float attributes), .obj (positions, normals, triangles)
-/// or .vtp. All scalars are kept by PLY and VTP. Throws InputError for another ending.
+/// Writes by the file's ending: .ply is binary with double positions and float attributes, .obj
+/// holds positions, normals and triangles. All scalars are kept by PLY and VTP. Throws InputError
+/// for an ending without a writer.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
-/// Writes .vtp, .ply (vertices with their line's number) or .obj polylines.
+/// The same of polylines; in .ply each vertex has its line's number.
 void write_lines(const std::filesystem::path& path, const LineSet& lines);
+
+/// The same of points; .ply has them as the vertices of a mesh without triangles.
+void write_points(const std::filesystem::path& path, const PointSet& points);
 
 }  // namespace pellucid::geometry

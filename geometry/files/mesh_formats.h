@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One reader and one writer per file format; mesh_file.cpp picks by the file's ending.
+// The kinds of file that geometry is kept in: one row each, which its own source file makes and
+// mesh_formats.cpp lists.
 
 #include <filesystem>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/line_set.h"
 #include "geometry/point_set.h"
@@ -12,26 +16,34 @@
 
 namespace pellucid::geometry {
 
-TriangleMesh read_ply(const std::filesystem::path& path);
-TriangleMesh read_obj(const std::filesystem::path& path);
-TriangleMesh read_vtk_mesh(const std::filesystem::path& path);  // .vtp, .vtu, .vtk
+/// One kind of file. What it cannot hold has no reader, and what is not written no writer.
+struct FormatRow {
+  std::string_view ending;  // ".ply", in small letters
+  std::string_view title;
+  TriangleMesh (*read_mesh)(const std::filesystem::path&) = nullptr;
+  LineSet (*read_lines)(const std::filesystem::path&) = nullptr;
+  PointSet (*read_points)(const std::filesystem::path&) = nullptr;
+  void (*write_mesh)(const std::filesystem::path&, const TriangleMesh&) = nullptr;
+  void (*write_lines)(const std::filesystem::path&, const LineSet&) = nullptr;
+  void (*write_points)(const std::filesystem::path&, const PointSet&) = nullptr;
+};
 
-LineSet read_ply_lines(const std::filesystem::path& path);
-LineSet read_obj_lines(const std::filesystem::path& path);
-LineSet read_vtk_lines(const std::filesystem::path& path);
-LineSet read_binlines(const std::filesystem::path& path);
+std::span<const FormatRow> mesh_formats();
 
-PointSet read_ply_points(const std::filesystem::path& path);
-PointSet read_vtk_points(const std::filesystem::path& path);
-PointSet read_csv_points(const std::filesystem::path& path);
-PointSet read_vdb_points(const std::filesystem::path& path);
+/// The format that the path ends as, in small or capital letters; nothing when there is none.
+const FormatRow* mesh_format(const std::filesystem::path& path);
 
-std::string encode_ply(const TriangleMesh& mesh);
-std::string encode_obj(const TriangleMesh& mesh);
-std::string encode_ply(const LineSet& lines);
-std::string encode_obj(const LineSet& lines);
-void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh);
-void write_vtp(const std::filesystem::path& path, const LineSet& lines);
+/// ".ply, .obj, …": the endings of the formats that have such a reader or writer.
+template <class Function>
+std::string endings_with(Function FormatRow::*function) {
+  std::string endings;
+  for (const FormatRow& format : mesh_formats()) {
+    if (!(format.*function)) continue;
+    if (!endings.empty()) endings += ", ";
+    endings += format.ending;
+  }
+  return endings;
+}
 
 /// Vertex attributes by name, as a file holds them; `take_attributes` moves those with a meaning
 /// (red green blue alpha importance nx ny nz) to where Vertices keep them.

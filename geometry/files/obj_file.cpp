@@ -122,8 +122,6 @@ struct ObjReader {
   }
 };
 
-}  // namespace
-
 TriangleMesh read_obj(const std::filesystem::path& path) {
   ObjReader reader{path.string(), 0, {}, {}, {}, {}, false};
   reader.read(read_text(path));
@@ -172,6 +170,24 @@ std::string encode_obj(const LineSet& lines) {
     out += '\n';
   }
   return out;
+}
+
+void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  write_text(path, encode_obj(mesh));
+}
+void write_obj_lines(const std::filesystem::path& path, const LineSet& lines) {
+  write_text(path, encode_obj(lines));
+}
+
+}  // namespace
+
+FormatRow obj_format() {
+  return {.ending = ".obj",
+          .title = "Wavefront object",
+          .read_mesh = read_obj,
+          .read_lines = read_obj_lines,
+          .write_mesh = write_obj,
+          .write_lines = write_obj_lines};
 }
 
 }  // namespace pellucid::geometry

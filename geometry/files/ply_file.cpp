@@ -129,8 +129,6 @@ void append(std::string& out, T value) {
   out.append(bytes, sizeof value);
 }
 
-}  // namespace
-
 TriangleMesh read_ply(const std::filesystem::path& path) {
   TriangleMesh mesh;
   take_attributes(read_elements(path, mesh, &mesh), mesh);
@@ -196,6 +194,29 @@ std::string encode_ply(const LineSet& lines) {
       for (const auto& [name, values] : lines.scalars) append(out, values[i]);
     }
   return out;
+}
+
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  write_text(path, encode_ply(mesh));
+}
+void write_ply_lines(const std::filesystem::path& path, const LineSet& lines) {
+  write_text(path, encode_ply(lines));
+}
+void write_ply_points(const std::filesystem::path& path, const PointSet& points) {
+  write_ply(path, {Vertices(points), {}});
+}
+
+}  // namespace
+
+FormatRow ply_format() {
+  return {.ending = ".ply",
+          .title = "Stanford polygon file, text or binary",
+          .read_mesh = read_ply,
+          .read_lines = read_ply_lines,
+          .read_points = read_ply_points,
+          .write_mesh = write_ply,
+          .write_lines = write_ply_lines,
+          .write_points = write_ply_points};
 }
 
 }  // namespace pellucid::geometry

@@ -69,8 +69,6 @@ Points points_of(openvdb::io::File& file) {
   return points;
 }
 
-}  // namespace
-
 PointSet read_vdb_points(const std::filesystem::path& path) {
   try {
     const auto file = fields::open_vdb(path);
@@ -84,6 +82,12 @@ PointSet read_vdb_points(const std::filesystem::path& path) {
   } catch (const std::exception& error) {  // OpenVDB's, and the allocations of a damaged file
     throw InputError(fmt::format("{}: not a valid .vdb file: {}", path.string(), error.what()));
   }
+}
+
+}  // namespace
+
+FormatRow vdb_format() {
+  return {.ending = ".vdb", .title = "OpenVDB point grids", .read_points = read_vdb_points};
 }
 
 }  // namespace pellucid::geometry

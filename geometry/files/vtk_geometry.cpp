@@ -189,8 +189,6 @@ void save(const std::filesystem::path& path, vtkPolyData& data) {
   out.commit();
 }
 
-}  // namespace
-
 TriangleMesh read_vtk_mesh(const std::filesystem::path& path) {
   const auto data = load_cells(path);
   TriangleMesh mesh;
@@ -237,7 +235,7 @@ void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh) {
   save(path, *data);
 }
 
-void write_vtp(const std::filesystem::path& path, const LineSet& lines) {
+void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(to_points(lines.positions));
   vtkNew<vtkCellArray> cells;
@@ -252,5 +250,25 @@ void write_vtp(const std::filesystem::path& path, const LineSet& lines) {
   for (const auto& [name, values] : lines.scalars) add_scalars(name, values, *data);
   save(path, *data);
 }
+
+FormatRow read_by_vtk(std::string_view ending, std::string_view title) {
+  return {.ending = ending,
+          .title = title,
+          .read_mesh = read_vtk_mesh,
+          .read_lines = read_vtk_lines,
+          .read_points = read_vtk_points};
+}
+
+}  // namespace
+
+FormatRow vtp_format() {
+  FormatRow row = read_by_vtk(".vtp", "VTK poly data");
+  row.write_mesh = write_vtp;
+  row.write_lines = write_vtp_lines;
+  return row;
+}
+
+FormatRow vtu_format() { return read_by_vtk(".vtu", "VTK unstructured grid"); }
+FormatRow legacy_vtk_format() { return read_by_vtk(".vtk", "legacy VTK"); }
 
 }  // namespace pellucid::geometry

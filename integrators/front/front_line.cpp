@@ -72,7 +72,7 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
 /// is no better for its narrow seeds.
 bool FrontLine::is_stretched(const Place& a, const Place& b) const {
   constexpr double stretched = 100;
-  const SurfaceOptions& options = run_.options();
+  const SurfaceSetup& options = run_.options();
   return glm::distance(at(a.particle).head.flow.x, at(b.particle).head.flow.x) >
          stretched * options.rip * options.extent;
 }

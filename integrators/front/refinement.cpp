@@ -116,17 +116,41 @@ double shortest_edge(const Refinement& refinement) {
                                    : part_of_threshold * refinement.threshold;
 }
 
-Refinement refinement_of(const Parameters& parameters, double default_threshold,
+OptionTable<RefinementOptions> refinement_options(double default_threshold) {
+  using Options = RefinementOptions;
+  return {
+      number("threshold", &Options::threshold,
+             {.min = 0,
+              .unit = "world units",
+              .help = fmt::format("a ribbon wider than this gets a particle; default {}, unless a "
+                                  "tolerance is given",
+                                  default_threshold)}),
+      number("tolerance", &Options::tolerance,
+             {.min = 0,
+              .unit = "world units",
+              .help = "largest distance of mesh and surface, instead of a threshold"}),
+      number("step", &Options::step,
+             {.min = 0,
+              .unit = "world units",
+              .help = "between a particle's vertices; default: by threshold or tolerance"}),
+      number("facet-angle", &Options::facet_angle,
+             {.min = 1,
+              .max = 180,
+              .unit = "degrees",
+              .help = "facets farther from the normals at their corners are mended; 180: none"})};
+}
+
+Refinement refinement_of(const RefinementOptions& options, double default_threshold,
                          double steps_per_threshold) {
   Refinement refinement;
-  refinement.tolerance = positive(parameters, "tolerance", 0);
-  if (refinement.by_tolerance() && parameters.is_set("threshold"))
+  refinement.tolerance = positive("tolerance", options.tolerance, 0);
+  if (refinement.by_tolerance() && options.threshold)
     throw InputError("threshold and tolerance are both given; accepted: one of them");
   if (!refinement.by_tolerance()) {
-    refinement.threshold = positive(parameters, "threshold", default_threshold);
+    refinement.threshold = positive("threshold", options.threshold, default_threshold);
     refinement.step = refinement.threshold / steps_per_threshold;
   }
-  refinement.step = positive(parameters, "step", refinement.step);
+  refinement.step = positive("step", options.step, refinement.step);
   return refinement;
 }
 

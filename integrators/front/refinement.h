@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/options/option_table.h"
 #include "integrators/front/front_particle.h"
 #include "integrators/front/surface_particles.h"
 
@@ -25,9 +26,20 @@ struct Refinement {
   double largest_step_sagitta() const { return 0.5 * largest_sagitta(); }
 };
 
-/// From the parameters threshold, tolerance and step. Throws InputError when both of the first two
-/// are given. By default a trajectory has `steps_per_threshold` vertices over a threshold's length.
-Refinement refinement_of(const Parameters& parameters, double default_threshold,
+/// When a front is fine enough, as a user has it.
+struct RefinementOptions {
+  std::optional<double> threshold;  // world units; not set: the row's own, unless by tolerance
+  std::optional<double> tolerance;  // world units; not set: by threshold
+  std::optional<double> step;       // world units; not set: by threshold or tolerance
+  double facet_angle = 25;  // degrees: facets farther from their corners' normals are mended
+};
+
+/// `default_threshold`, in world units, is the row's own.
+OptionTable<RefinementOptions> refinement_options(double default_threshold);
+
+/// Throws InputError when both threshold and tolerance are given. By default a trajectory has
+/// `steps_per_threshold` vertices over a threshold's length.
+Refinement refinement_of(const RefinementOptions& options, double default_threshold,
                          double steps_per_threshold);
 
 /// World units: edges as short are not refined for their normals' sake. Around a point where the

@@ -26,34 +26,35 @@ void check(const SurfaceRequest& request) {
     throw InputError("integrate: a field and a seed curve are needed");
 }
 
-Companion companion_of(const Parameters& parameters) {
-  const std::string& normals = parameters.text("normals");
-  if (normals == "none") return Companion::none;
-  if (normals == "variational") return Companion::variation;
-  return parameters.text("ghost") == "reset" ? Companion::ghost_reset : Companion::ghost_rescaled;
+Companion companion_of(const SurfaceOptions& options) {
+  switch (options.normals) {
+    case SurfaceNormals::none:
+      return Companion::none;
+    case SurfaceNormals::variational:
+      return Companion::variation;
+    case SurfaceNormals::ghost:
+      break;
+  }
+  return options.ghost == GhostControl::reset ? Companion::ghost_reset : Companion::ghost_rescaled;
 }
 
 }  // namespace
 
-SurfaceOptions surface_options(const SurfaceRequest& request, const Parameters& parameters) {
+SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& options) {
   check(request);
-  SurfaceOptions options;
-  options.extent = extent_of(request.seed);
-  options.rip = parameters.real("rip");
-  options.max_particles = std::uint64_t(parameters.real("max-particles"));
-  options.max_triangles = std::uint64_t(parameters.real("max-triangles"));
-
-  options.trajectory =
+  SurfaceSetup setup{options};
+  setup.extent = extent_of(request.seed);
+  setup.trajectory =
       trajectory_options(*request.field, {request.duration, request.start_time, request.path},
-                         options.extent, parameters);
-  options.trajectory.companion = companion_of(parameters);
-  options.trajectory.ghost_distance = 1e-5 * options.extent;
-  return options;
+                         setup.extent, options.stepping);
+  setup.trajectory.companion = companion_of(options);
+  setup.trajectory.ghost_distance = 1e-5 * setup.extent;
+  return setup;
 }
 
-ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceOptions& options)
+ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup& setup)
     : seed_(request.seed),
-      options_(options.trajectory),
+      options_(setup.trajectory),
       samplers_([field = request.field] { return CountingSampler(*field); }) {}
 
 Trajectory ParticleSource::start(double s) {

@@ -55,7 +55,7 @@ std::vector<double> seeds_of(const Piece& piece, const SeedCurve& curve, int par
 
 }  // namespace
 
-SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& options)
+SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceSetup& options)
     : request_(request),
       options_(options),
       source_(request, options),
@@ -134,13 +134,12 @@ IntegratedSurface SurfaceRun::finish() {
   return {builder_.finish(), stats_};
 }
 
-void bound_facets(SurfaceOptions& options, const Parameters& parameters,
-                  const Refinement& refinement) {
-  options.facet_angle = parameters.real("facet-angle");
-  options.shortest_edge = shortest_edge(refinement);
+void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement) {
+  setup.facet_angle = facet_angle;
+  setup.shortest_edge = shortest_edge(refinement);
 }
 
-IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOptions& options,
+IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup& options,
                               int particles, const Sweep& sweep) {
   const Stopwatch watch;
   std::vector<std::pair<double, double>> tears;

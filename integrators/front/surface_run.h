@@ -16,7 +16,7 @@ namespace pellucid::integrators {
 /// What the fronts of one surface share: where particles and triangles go, and the budgets.
 class SurfaceRun {
  public:
-  SurfaceRun(const SurfaceRequest& request, const SurfaceOptions& options);
+  SurfaceRun(const SurfaceRequest& request, const SurfaceSetup& options);
 
   /// A trajectory from the seed at s, integrated to time t; nothing when it ends before.
   std::unique_ptr<Trajectory> spawn(double s, double t);
@@ -36,7 +36,7 @@ class SurfaceRun {
   /// Ends a trajectory, if there is one, that was no particle of the front.
   void drop(std::unique_ptr<Trajectory> path, EndReason reason);
 
-  const SurfaceOptions& options() const { return options_; }
+  const SurfaceSetup& options() const { return options_; }
   const std::vector<std::pair<double, double>>& tears() const { return tears_; }
   /// Once the fronts are through: no facet stands off the surface farther than the options say.
   void mend();
@@ -44,7 +44,7 @@ class SurfaceRun {
 
  private:
   const SurfaceRequest& request_;
-  const SurfaceOptions& options_;
+  const SurfaceSetup& options_;
   ParticleSource source_;
   SurfaceBuilder builder_;
   std::vector<std::pair<double, double>> tears_;
@@ -52,9 +52,9 @@ class SurfaceRun {
   SurfaceStats stats_;
 };
 
-/// For rows that refine: no facet is farther from its corners' normals than `facet-angle`.
-void bound_facets(SurfaceOptions& options, const Parameters& parameters,
-                  const Refinement& refinement);
+/// For rows that refine: no facet is to be farther from its corners' normals than `facet_angle`
+/// degrees.
+void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement);
 
 /// Sweeps a stretch of the seed curve from these seeds, ascending in s; a ring closes from the last
 /// to the first.
@@ -63,7 +63,7 @@ using Sweep = std::function<void(SurfaceRun& run, std::span<const double> seeds,
 /// Sweeps the seed curve from `particles` evenly spaced seeds and its corners. Where the front had
 /// to be torn, the surface is swept a second time without the stretches between those seeds, so
 /// that no triangle before the tear spans it.
-IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceOptions& options,
+IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup& options,
                               int particles, const Sweep& sweep);
 
 }  // namespace pellucid::integrators

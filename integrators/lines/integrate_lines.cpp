@@ -11,9 +11,9 @@
 #include "core/error.h"
 #include "core/machine/stopwatch.h"
 #include "core/options/names.h"
+#include "core/options/option_table.h"
 #include "core/parallel.h"
 #include "integrators/paths/counting_sampler.h"
-#include "integrators/paths/stepping_parameters.h"
 #include "integrators/paths/trajectory_options.h"
 
 namespace pellucid::integrators {
@@ -132,12 +132,12 @@ void check(const LineRequest& request) {
 
 /// Runs `one(options, seed, sampler)` for all seeds in parallel.
 template <class One>
-IntegratedLines run_all(const LineRequest& request, const Parameters& parameters, bool path,
+IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepping, bool path,
                         const One& one) {
   check(request);
   const Stopwatch watch;
   const TrajectoryOptions options = trajectory_options(
-      *request.field, {request.duration, request.start_time, path}, extent_of(request), parameters);
+      *request.field, {request.duration, request.start_time, path}, extent_of(request), stepping);
   tbb::enumerable_thread_specific<CountingSampler> samplers(
       [&] { return CountingSampler(*request.field); });
   std::vector<Line> lines(request.seeds.size());
@@ -153,82 +153,102 @@ IntegratedLines run_all(const LineRequest& request, const Parameters& parameters
   return result;
 }
 
-Spacing spacing_of(const LineRequest& request, const Parameters& parameters) {
+/// Of stream lines and path lines.
+struct FollowingOptions {
+  int particles = 20;          // lines, evenly spaced on the seed curve
+  std::optional<double> step;  // world units between a line's vertices; not set: by the turn
+  double turn = 3;             // degrees: a line turns at most so far between two vertices
+  SteppingOptions stepping;
+};
+
+struct StreakOptions {
+  int particles = 20;  // lines, evenly spaced on the seed curve
+  int releases = 200;  // particles let go at each seed, evenly spaced in time
+  SteppingOptions stepping;
+};
+
+constexpr OptionText particles_text = {
+    .min = 1, .max = 1e6, .unit = "particles", .help = "lines, evenly spaced on the seed curve"};
+
+const OptionTable<FollowingOptions>& following_options() {
+  using Options = FollowingOptions;
+  static const OptionTable<Options> table{
+      number("particles", &Options::particles, particles_text),
+      number("step", &Options::step,
+             {.min = 0,
+              .unit = "world units",
+              .help = "between a line's vertices; default: by the turn"}),
+      number("turn", &Options::turn,
+             {.min = 0.01,
+              .max = 90,
+              .unit = "degrees",
+              .help = "a line turns at most so far between two vertices"}),
+      part(&Options::stepping, stepping_options())};
+  return table;
+}
+
+const OptionTable<StreakOptions>& streak_options() {
+  using Options = StreakOptions;
+  static const OptionTable<Options> table{
+      number("particles", &Options::particles, particles_text),
+      number("releases", &Options::releases,
+             {.min = 1,
+              .max = 1e6,
+              .unit = "particles",
+              .help = "let go at each seed, evenly spaced in time"}),
+      part(&Options::stepping, stepping_options())};
+  return table;
+}
+
+Spacing spacing_of(const LineRequest& request, const FollowingOptions& options) {
   constexpr double radians = 0.017453292519943295769;
-  return {positive(parameters, "step", 0), radians * parameters.real("turn"),
-          request.duration / 20};
+  return {positive("step", options.step, 0), radians * options.turn, request.duration / 20};
 }
 
 template <bool path>
 IntegratedLines run_following(const LineRequest& request, const Parameters& parameters) {
-  const Spacing spacing = spacing_of(request, parameters);
+  const FollowingOptions options = following_options().read(parameters);
+  const Spacing spacing = spacing_of(request, options);
   return run_all(
-      request, parameters, path,
-      [&](const TrajectoryOptions& options, const Vec3& seed, fields::FieldSampler& sampler) {
-        return follow(options, seed, spacing, sampler);
+      request, options.stepping, path,
+      [&](const TrajectoryOptions& trajectory, const Vec3& seed, fields::FieldSampler& sampler) {
+        return follow(trajectory, seed, spacing, sampler);
       });
 }
 
 IntegratedLines run_streaks(const LineRequest& request, const Parameters& parameters) {
-  const int releases = parameters.integer("releases");
+  const StreakOptions options = streak_options().read(parameters);
   return run_all(
-      request, parameters, true,
-      [&](const TrajectoryOptions& options, const Vec3& seed, fields::FieldSampler& sampler) {
-        return streak(options, seed, releases, sampler);
+      request, options.stepping, true,
+      [&](const TrajectoryOptions& trajectory, const Vec3& seed, fields::FieldSampler& sampler) {
+        return streak(trajectory, seed, options.releases, sampler);
       });
 }
 
-constexpr ParameterSpec particles_parameter = {.name = "particles",
-                                               .kind = ParameterSpec::Kind::integer,
-                                               .default_value = "20",
-                                               .min = 1,
-                                               .max = 1e6,
-                                               .unit = "particles",
-                                               .help = "lines, evenly spaced on the seed curve"};
+int following_particles(const Parameters& parameters) {
+  return following_options().read(parameters).particles;
+}
+int streak_particles(const Parameters& parameters) {
+  return streak_options().read(parameters).particles;
+}
 
-constexpr ParameterSpec following_own[] = {
-    particles_parameter,
-    {.name = "step",
-     .min = 0,
-     .unit = "world units",
-     .help = "between a line's vertices; default: by the turn"},
-    {.name = "turn",
-     .default_value = "3",
-     .min = 0.01,
-     .max = 90,
-     .unit = "degrees",
-     .help = "a line turns at most so far between two vertices"},
-};
-
-constexpr ParameterSpec streak_own[] = {
-    particles_parameter,
-    {.name = "releases",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "200",
-     .min = 1,
-     .max = 1e6,
-     .unit = "particles",
-     .help = "let go at each seed, evenly spaced in time"},
-};
-
-constexpr auto following_parameters = with_stepping_parameters(following_own);
-constexpr auto streak_parameters = with_stepping_parameters(streak_own);
-
-constexpr LineIntegratorRow rows[] = {
-    {"stream-lines", "Stream lines: the field stands still at the start time",
-     "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization",
-     following_parameters, run_following<false>},
-    {"path-lines", "Path lines: the field's time runs along",
-     "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization",
-     following_parameters, run_following<true>},
-    {"streak-lines", "Streak lines: particles let go at a seed one after another",
-     "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization",
-     streak_parameters, run_streaks},
-};
+constexpr std::string_view survey =
+    "McLoughlin et al. 2010, Over Two Decades of Integration-Based, Geometric Flow Visualization";
 
 }  // namespace
 
-std::span<const LineIntegratorRow> line_integrators() { return rows; }
+std::span<const LineIntegratorRow> line_integrators() {
+  const auto following = following_options().specs(), streaks = streak_options().specs();
+  static const LineIntegratorRow rows[] = {
+      {"stream-lines", "Stream lines: the field stands still at the start time", survey, following,
+       following_particles, run_following<false>},
+      {"path-lines", "Path lines: the field's time runs along", survey, following,
+       following_particles, run_following<true>},
+      {"streak-lines", "Streak lines: particles let go at a seed one after another", survey,
+       streaks, streak_particles, run_streaks},
+  };
+  return rows;
+}
 
 namespace {
 
@@ -246,7 +266,8 @@ RowAndParameters parse(std::string_view integrator) {
 }  // namespace
 
 int line_particles(std::string_view integrator) {
-  return parse(integrator).parameters.integer("particles");
+  const auto [row, parameters] = parse(integrator);
+  return row.particles(parameters);
 }
 
 IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& request) {

@@ -44,6 +44,7 @@ struct LineIntegratorRow {
   std::string_view title;
   std::string_view citation;
   std::span<const ParameterSpec> parameters;
+  int (*particles)(const Parameters&);  // lines on a seed curve
   IntegratedLines (*run)(const LineRequest&, const Parameters&);
 };
 

@@ -27,7 +27,7 @@ constexpr ButcherTableau rk4 = {
     .c = {0, 0.5, 0.5, 1},
 };
 
-constexpr ButcherTableau dopri5 = {
+constexpr ButcherTableau dormand_prince = {
     .name = "dopri5",
     .title = "Dormand-Prince 5(4) with PI step size control and dense output",
     .citation = "Dormand & Prince 1980, Journal of Computational and Applied Mathematics 6(1)",
@@ -48,10 +48,12 @@ constexpr ButcherTableau dopri5 = {
               69997945. / 29380423},
 };
 
-constexpr ButcherTableau table[] = {euler, rk4, dopri5};
+constexpr ButcherTableau table[] = {euler, rk4, dormand_prince};
 
 }  // namespace
 
 std::span<const ButcherTableau> steppers() { return table; }
+
+const ButcherTableau& dopri5() { return dormand_prince; }
 
 }  // namespace pellucid::integrators

@@ -31,4 +31,7 @@ struct ButcherTableau {
 /// euler, rk4, dopri5.
 std::span<const ButcherTableau> steppers();
 
+/// The one of them that is used unless another is asked for.
+const ButcherTableau& dopri5();
+
 }  // namespace pellucid::integrators

@@ -23,11 +23,11 @@ enum class Companion {
 };
 
 struct TrajectoryOptions {
-  const ButcherTableau* stepper = nullptr;  // of steppers(); default dopri5
-  double duration = 1;                      // time units
-  double start_time = 0;                    // the field's time at the seed
-  bool path = false;                        // the field's time runs along; else it stands still
-  double tolerance = 1e-9;                  // world units: largest estimated error of one step
+  const ButcherTableau* stepper = &dopri5();  // of steppers()
+  double duration = 1;                        // time units
+  double start_time = 0;                      // the field's time at the seed
+  bool path = false;                          // the field's time runs along; else it stands still
+  double tolerance = 1e-9;                    // world units: largest estimated error of one step
   double max_step = std::numeric_limits<double>::infinity();  // time units
   double max_move = std::numeric_limits<double>::infinity();  // world units in one step
   double velocity_error = 0;  // of the field; errors far below it are not worth steps

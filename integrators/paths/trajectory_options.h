@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
 
-#include "core/options/parameters.h"
 #include "fields/field.h"
+#include "integrators/paths/stepping_options.h"
 #include "integrators/paths/trajectory.h"
 
 namespace pellucid::integrators {
@@ -16,12 +17,12 @@ struct Journey {
   bool path = false;      // the field's time runs along
 };
 
-/// From the stepping parameters. `extent` is the unit of what is relative, in world units. Throws
+/// From the options of stepping. `extent` is the unit of what is relative, in world units. Throws
 /// InputError.
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
-                                     double extent, const Parameters& parameters);
+                                     double extent, const SteppingOptions& stepping);
 
-/// A number > 0, or what it is when it is not given. Throws InputError.
-double positive(const Parameters& parameters, std::string_view name, double otherwise);
+/// A number > 0 that was given as `name`, or what it is when it was not. Throws InputError.
+double positive(std::string_view name, const std::optional<double>& given, double otherwise);
 
 }  // namespace pellucid::integrators

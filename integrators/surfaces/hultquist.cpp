@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "integrators/front/front_line.h"
-#include "integrators/front/surface_parameters.h"
+#include "integrators/front/surface_options.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -170,44 +170,50 @@ void RibbonFront::merge(int p, int middle) {
   wake(beyond);
 }
 
-constexpr ParameterSpec own_parameters[] = {
-    {.name = "particles",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "2",
-     .min = 2,
-     .max = 1e6,
-     .unit = "particles",
-     .help = "evenly spaced on the seed curve; more follow where they are needed"},
-    threshold_parameter(
-        "a ribbon wider than this gets a particle; default 0.05, unless a tolerance is given"),
-    tolerance_parameter,
-    step_parameter,
-    facet_angle_parameter,
+constexpr double default_threshold = 0.05;  // world units
+
+struct HultquistOptions {
+  int particles = 2;  // evenly spaced on the seed curve, to begin with
+  RefinementOptions refinement;
+  SurfaceOptions surface;
 };
 
+const OptionTable<HultquistOptions>& hultquist_options() {
+  using Options = HultquistOptions;
+  static const OptionTable<Options> table{
+      number("particles", &Options::particles,
+             {.min = 2,
+              .max = 1e6,
+              .unit = "particles",
+              .help = "evenly spaced on the seed curve; more follow where they are needed"}),
+      part(&Options::refinement, refinement_options(default_threshold)),
+      part(&Options::surface, surface_options())};
+  return table;
+}
+
 IntegratedSurface run_hultquist(const SurfaceRequest& request, const Parameters& parameters) {
-  SurfaceOptions options = surface_options(request, parameters);
-  const Refinement refinement = refinement_of(parameters, 0.05, 1);
-  bound_facets(options, parameters, refinement);
-  return run_surface(request, options, parameters.integer("particles"),
+  const HultquistOptions options = hultquist_options().read(parameters);
+  SurfaceSetup setup = surface_setup(request, options.surface);
+  const Refinement refinement = refinement_of(options.refinement, default_threshold, 1);
+  bound_facets(setup, options.refinement.facet_angle, refinement);
+  return run_surface(request, setup, options.particles,
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
                        RibbonFront(run, refinement).sweep(seeds, ring);
                      });
 }
 
-constexpr auto parameters = with_surface_parameters(own_parameters);
-
-constexpr IntegratorRow row = {
-    .name = "hultquist",
-    .title = "Recursive ribbons",
-    .citation = "Hultquist 1992, Constructing Stream Surfaces in Steady 3D Vector Fields",
-    .parameters = parameters,
-    .promises = {.refines = true, .coarsens = true, .bounds_error = true},
-    .run = run_hultquist,
-};
-
 }  // namespace
 
-const IntegratorRow& hultquist_integrator() { return row; }
+const IntegratorRow& hultquist_integrator() {
+  static const IntegratorRow row = {
+      .name = "hultquist",
+      .title = "Recursive ribbons",
+      .citation = "Hultquist 1992, Constructing Stream Surfaces in Steady 3D Vector Fields",
+      .parameters = hultquist_options().specs(),
+      .promises = {.refines = true, .coarsens = true, .bounds_error = true},
+      .run = run_hultquist,
+  };
+  return row;
+}
 
 }  // namespace pellucid::integrators

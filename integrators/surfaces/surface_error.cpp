@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "integrators/front/surface_parameters.h"
 #include "integrators/front/surface_particles.h"
 #include "integrators/mesh/mesh_samples.h"
 
@@ -45,8 +44,8 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
 
 class ExactSurface {
  public:
-  ExactSurface(const SurfaceRequest& request, const SurfaceOptions& options)
-      : request_(request), source_(request, options) {}
+  ExactSurface(const SurfaceRequest& request, const SurfaceSetup& setup)
+      : request_(request), source_(request, setup) {}
 
   Deviation deviation(Sample sample);
 
@@ -135,9 +134,9 @@ SurfaceError summary(std::span<const MeshSample> samples,
 
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples) {
-  SurfaceOptions options = surface_options(request, Parameters("truth", surface_parameters, {}));
-  options.trajectory.tolerance = 1e-13 * options.extent;
-  ExactSurface truth(request, options);
+  SurfaceSetup setup = surface_setup(request, SurfaceOptions{});
+  setup.trajectory.tolerance = 1e-13 * setup.extent;
+  ExactSurface truth(request, setup);
   const std::vector<MeshSample> chosen = sample_mesh(mesh, samples);
   std::vector<Deviation> deviations(chosen.size());
   parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {

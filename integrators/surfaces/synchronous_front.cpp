@@ -13,7 +13,7 @@
 
 #include "core/parallel.h"
 #include "integrators/front/front_line.h"
-#include "integrators/front/surface_parameters.h"
+#include "integrators/front/surface_options.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -270,86 +270,96 @@ void SynchronousFront::tile(const FrontPoint& left, const FrontPoint& right,
       run_.add_triangle(a->vertex, b->vertex, c->vertex);
 }
 
-constexpr ParameterSpec fixed_own[] = {
-    {.name = "particles",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "500",
-     .min = 2,
-     .max = 1e6,
-     .unit = "particles",
-     .help = "evenly spaced on the seed curve"},
-    {.name = "rows",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "200",
-     .min = 1,
-     .max = 1e6,
-     .unit = "rows",
-     .help = "of vertices, evenly spaced in time"},
+struct FixedFrontOptions {
+  int particles = 500;  // evenly spaced on the seed curve
+  int rows = 200;       // of vertices, evenly spaced in time
+  SurfaceOptions surface;
 };
 
-constexpr ParameterSpec adaptive_own[] = {
-    {.name = "particles",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "500",
-     .min = 2,
-     .max = 1e6,
-     .unit = "particles",
-     .help = "evenly spaced on the seed curve; more follow where they are needed"},
-    threshold_parameter(
-        "a ribbon wider than this gets a particle; default 0.5, unless a tolerance is given"),
-    tolerance_parameter,
-    step_parameter,
-    facet_angle_parameter,
-};
+const OptionTable<FixedFrontOptions>& fixed_front_options() {
+  using Options = FixedFrontOptions;
+  static const OptionTable<Options> table{
+      number(
+          "particles", &Options::particles,
+          {.min = 2, .max = 1e6, .unit = "particles", .help = "evenly spaced on the seed curve"}),
+      number("rows", &Options::rows,
+             {.min = 1, .max = 1e6, .unit = "rows", .help = "of vertices, evenly spaced in time"}),
+      part(&Options::surface, surface_options())};
+  return table;
+}
 
 IntegratedSurface run_fixed(const SurfaceRequest& request, const Parameters& parameters) {
-  const SurfaceOptions options = surface_options(request, parameters);
+  const FixedFrontOptions options = fixed_front_options().read(parameters);
+  const SurfaceSetup setup = surface_setup(request, options.surface);
   const Refinement none{.threshold = std::numeric_limits<double>::infinity()};
-  return run_surface(request, options, parameters.integer("particles"),
+  return run_surface(request, setup, options.particles,
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
-                       SynchronousFront(run, none, parameters.integer("rows")).sweep(seeds, ring);
+                       SynchronousFront(run, none, options.rows).sweep(seeds, ring);
                      });
 }
 
+/// The paper's threshold for the front's particles, in world units; in time its rows lie closer.
+constexpr double default_threshold = 0.5, rows_per_threshold = 5;
+
+struct AdaptiveFrontOptions {
+  int particles = 500;  // evenly spaced on the seed curve, to begin with
+  RefinementOptions refinement;
+  SurfaceOptions surface;
+};
+
+const OptionTable<AdaptiveFrontOptions>& adaptive_front_options() {
+  using Options = AdaptiveFrontOptions;
+  static const OptionTable<Options> table{
+      number("particles", &Options::particles,
+             {.min = 2,
+              .max = 1e6,
+              .unit = "particles",
+              .help = "evenly spaced on the seed curve; more follow where they are needed"}),
+      part(&Options::refinement, refinement_options(default_threshold)),
+      part(&Options::surface, surface_options())};
+  return table;
+}
+
 IntegratedSurface run_adaptive(const SurfaceRequest& request, const Parameters& parameters) {
-  SurfaceOptions options = surface_options(request, parameters);
-  // The paper's threshold of 0.5 is for the front's particles; in time its rows lie closer.
-  const Refinement refinement = refinement_of(parameters, 0.5, 5);
-  bound_facets(options, parameters, refinement);
-  return run_surface(request, options, parameters.integer("particles"),
+  const AdaptiveFrontOptions options = adaptive_front_options().read(parameters);
+  SurfaceSetup setup = surface_setup(request, options.surface);
+  const Refinement refinement =
+      refinement_of(options.refinement, default_threshold, rows_per_threshold);
+  bound_facets(setup, options.refinement.facet_angle, refinement);
+  return run_surface(request, setup, options.particles,
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
                        SynchronousFront(run, refinement, 0).sweep(seeds, ring);
                      });
 }
 
-constexpr auto fixed_parameters = with_surface_parameters(fixed_own);
-constexpr auto adaptive_parameters = with_surface_parameters(adaptive_own);
-
-constexpr IntegratorRow fixed_row = {
-    .name = "fixed-front",
-    .title = "Front line without refinement",
-    .citation =
-        "as compared in Tian & Günther, Progressive Rendering of Transparent Integral Surfaces, "
-        "additional material, Fig. 4, left",
-    .parameters = fixed_parameters,
-    .promises = {},
-    .run = run_fixed,
-};
-
-constexpr IntegratorRow adaptive_row = {
-    .name = "adaptive-front",
-    .title = "Front line with particles inserted and removed",
-    .citation =
-        "as compared in Tian & Günther, Progressive Rendering of Transparent Integral Surfaces, "
-        "additional material, Fig. 4, middle left",
-    .parameters = adaptive_parameters,
-    .promises = {.refines = true, .coarsens = true, .bounds_error = true},
-    .run = run_adaptive,
-};
-
 }  // namespace
 
-const IntegratorRow& fixed_front_integrator() { return fixed_row; }
-const IntegratorRow& adaptive_front_integrator() { return adaptive_row; }
+const IntegratorRow& fixed_front_integrator() {
+  static const IntegratorRow row = {
+      .name = "fixed-front",
+      .title = "Front line without refinement",
+      .citation =
+          "as compared in Tian & Günther, Progressive Rendering of Transparent Integral Surfaces, "
+          "additional material, Fig. 4, left",
+      .parameters = fixed_front_options().specs(),
+      .promises = {},
+      .run = run_fixed,
+  };
+  return row;
+}
+
+const IntegratorRow& adaptive_front_integrator() {
+  static const IntegratorRow row = {
+      .name = "adaptive-front",
+      .title = "Front line with particles inserted and removed",
+      .citation =
+          "as compared in Tian & Günther, Progressive Rendering of Transparent Integral Surfaces, "
+          "additional material, Fig. 4, middle left",
+      .parameters = adaptive_front_options().specs(),
+      .promises = {.refines = true, .coarsens = true, .bounds_error = true},
+      .run = run_adaptive,
+  };
+  return row;
+}
 
 }  // namespace pellucid::integrators

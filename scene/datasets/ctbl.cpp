@@ -14,7 +14,11 @@
 namespace pellucid::scene {
 namespace {
 
-constexpr ParameterSpec parameters[] = {count_parameter("3700000", "points"), seed_parameter};
+struct CtblOptions {
+  static constexpr std::string_view unit = "points";
+  std::size_t count = 3'700'000;
+  std::uint64_t seed = 1;
+};
 
 constexpr std::size_t thermal_count = 40;
 const Box3 layer{Vec3(-1, -1, 0), Vec3(1, 1, 0.5)};
@@ -42,11 +46,11 @@ double updraft(const std::vector<Thermal>& thermals, const Vec3& x) {
   return w;
 }
 
-Dataset make(const Parameters& values, const Progress&) {
-  const auto thermals =
-      make_elements(thermal_count, seed_of(values) ^ 0x746865726d0000, make_thermal);
+Dataset make(const Parameters& parameters, const Progress&) {
+  const CtblOptions options = stand_in_options<CtblOptions>().read(parameters);
+  const auto thermals = make_elements(thermal_count, options.seed ^ 0x746865726d0000, make_thermal);
   geometry::PointSet set;
-  set.positions = make_elements(count_of(values), seed_of(values), [](const IndexedRandom& random) {
+  set.positions = make_elements(options.count, options.seed, [](const IndexedRandom& random) {
     return random.in_box(0, layer);
   });
   std::vector<double> w(set.positions.size());
@@ -59,11 +63,11 @@ Dataset make(const Parameters& values, const Progress&) {
 }  // namespace
 
 const DatasetRow& ctbl_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       .name = "ctbl",
       .title = "Particles of a cloud-topped boundary layer (stand-in: thermals)",
       .citation = "in place of Stevens et al. 2013; profile: Lenschow and Stephens 1980",
-      .parameters = parameters,
+      .parameters = stand_in_options<CtblOptions>().specs(),
       .make = make};
   return row;
 }

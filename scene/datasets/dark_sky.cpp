@@ -13,7 +13,11 @@
 namespace pellucid::scene {
 namespace {
 
-constexpr ParameterSpec parameters[] = {count_parameter("16300000", "points"), seed_parameter};
+struct DarkSkyOptions {
+  static constexpr std::string_view unit = "points";
+  std::size_t count = 16'300'000;
+  std::uint64_t seed = 1;
+};
 
 constexpr std::size_t halo_count = 1500, strands_per_halo = 3;
 constexpr double share_in_haloes = 0.3, share_in_strands = 0.5;
@@ -104,12 +108,13 @@ std::vector<double> log_density(const std::vector<Vec3>& points) {
   return density;
 }
 
-Dataset make(const Parameters& values, const Progress&) {
-  const Web web = make_web(seed_of(values));
+Dataset make(const Parameters& parameters, const Progress&) {
+  const DarkSkyOptions options = stand_in_options<DarkSkyOptions>().read(parameters);
+  const Web web = make_web(options.seed);
   geometry::PointSet set;
-  set.positions =
-      make_elements(count_of(values), seed_of(values),
-                    [&](const IndexedRandom& random) { return make_point(web, random); });
+  set.positions = make_elements(options.count, options.seed, [&](const IndexedRandom& random) {
+    return make_point(web, random);
+  });
   set_importance("density", log_density(set.positions), {.none = 0.6, .full = 0.99}, set);
   return set;
 }
@@ -117,11 +122,11 @@ Dataset make(const Parameters& values, const Progress&) {
 }  // namespace
 
 const DatasetRow& dark_sky_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       .name = "dark-sky",
       .title = "Cosmic web of dark matter (stand-in: haloes joined by strands)",
       .citation = "in place of Skillman et al. 2014, Dark Sky simulations",
-      .parameters = parameters,
+      .parameters = stand_in_options<DarkSkyOptions>().specs(),
       .make = make};
   return row;
 }

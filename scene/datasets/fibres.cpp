@@ -13,7 +13,11 @@
 namespace pellucid::scene {
 namespace {
 
-constexpr ParameterSpec parameters[] = {count_parameter("18000", "lines"), seed_parameter};
+struct FibresOptions {
+  static constexpr std::string_view unit = "lines";
+  std::size_t count = 18'000;
+  std::uint64_t seed = 1;
+};
 
 constexpr int points_per_fibre = 48;
 constexpr double share_of_callosum = 0.2, share_of_association = 0.45;
@@ -64,8 +68,9 @@ Fibre make_fibre(const IndexedRandom& random) {
   return jittered(projecting(random), random);
 }
 
-Dataset make(const Parameters& values, const Progress&) {
-  const auto fibres = make_elements(count_of(values), seed_of(values), make_fibre);
+Dataset make(const Parameters& parameters, const Progress&) {
+  const FibresOptions options = stand_in_options<FibresOptions>().read(parameters);
+  const auto fibres = make_elements(options.count, options.seed, make_fibre);
   geometry::LineSet lines;
   std::vector<double> connection;
   for (const Fibre& fibre : fibres) {
@@ -81,11 +86,11 @@ Dataset make(const Parameters& values, const Progress&) {
 }  // namespace
 
 const DatasetRow& dt_mri_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       .name = "dt-mri",
       .title = "Fibre tracks of a brain (stand-in: bundles of arcs)",
       .citation = "in place of a diffusion tensor scan, Central Hospital of Bremen",
-      .parameters = parameters,
+      .parameters = stand_in_options<FibresOptions>().specs(),
       .make = make};
   return row;
 }

@@ -11,6 +11,7 @@ namespace {
 
 /// A data set of this family: data.
 struct FlowLines {
+  std::size_t count;  // lines by default
   std::string_view field;
   std::string_view integrator;
   double duration;
@@ -37,7 +38,8 @@ Vec3 on_shell(const IndexedRandom& random, double z_from, double phi_width) {
 }
 
 // Seeds around the atoms, where the field's critical points are, and around the molecule.
-constexpr FlowLines benzene{"benzene",
+constexpr FlowLines benzene{32'000,
+                            "benzene",
                             "stream-lines:turn=8,accuracy=1e-5,length=5,max-steps=120",
                             1e3,
                             FlowQuantity::nearness,
@@ -46,7 +48,8 @@ constexpr FlowLines benzene{"benzene",
                             [](const IndexedRandom& random) {
                               return random.in_box(0, {Vec3(-3.5, -3.5, -2), Vec3(3.5, 3.5, 2)});
                             }};
-constexpr FlowLines bfs{"step",
+constexpr FlowLines bfs{40'000,
+                        "step",
                         "stream-lines:turn=6,accuracy=1e-5",
                         6,
                         FlowQuantity::vorticity,
@@ -55,7 +58,8 @@ constexpr FlowLines bfs{"step",
                         [](const IndexedRandom& random) {
                           return random.in_box(0, {Vec3(0.05, -0.98, 0.05), Vec3(11, 1.5, 5.95)});
                         }};
-constexpr FlowLines trefoil{"trefoil",
+constexpr FlowLines trefoil{500,
+                            "trefoil",
                             "stream-lines:turn=6,accuracy=1e-5,length=12",
                             1e3,
                             FlowQuantity::speed,
@@ -65,6 +69,7 @@ constexpr FlowLines trefoil{"trefoil",
                               return random.in_box(0, {Vec3(-3, -3, -1.6), Vec3(3, 3, 1.6)});
                             }};
 constexpr FlowLines helicopter{
+    700,
     "rotor-wake",
     "stream-lines:turn=6,accuracy=1e-5,length=5",
     60,
@@ -75,6 +80,7 @@ constexpr FlowLines helicopter{
       return random.in_box(0, {Vec3(-1.4, -1.4, -1.5), Vec3(1.4, 1.4, 0.3)});
     }};
 constexpr FlowLines ecmwf{
+    1500,
     winds,
     "stream-lines:turn=4,accuracy=1e-5",
     3,
@@ -82,7 +88,8 @@ constexpr FlowLines ecmwf{
     "wind",
     {.none = 0.6, .full = 0.97},
     [](const IndexedRandom& random) { return on_shell(random, -1, std::numbers::pi); }};
-constexpr FlowLines icon{winds,
+constexpr FlowLines icon{11'500,
+                         winds,
                          "stream-lines:turn=4,accuracy=1e-5",
                          0.8,
                          FlowQuantity::speed,
@@ -91,69 +98,72 @@ constexpr FlowLines icon{winds,
                          [](const IndexedRandom& random) { return on_shell(random, 0.2, 0.9); }};
 
 template <const FlowLines& set>
-Dataset make(const Parameters& values, const Progress& progress) {
+struct FlowLinesOptions {
+  static constexpr std::string_view unit = "lines";
+  std::size_t count = set.count;
+  std::uint64_t seed = 1;
+};
+
+template <const FlowLines& set>
+Dataset make(const Parameters& parameters, const Progress& progress) {
+  const FlowLinesOptions<set> options = stand_in_options<FlowLinesOptions<set>>().read(parameters);
   const auto field = fields::make_field(set.field);
-  integrators::LineRequest request{
-      .field = field.get(),
-      .seeds = make_elements(count_of(values), seed_of(values), set.seed),
-      .duration = set.duration,
-      .progress = progress};
+  integrators::LineRequest request{.field = field.get(),
+                                   .seeds = make_elements(options.count, options.seed, set.seed),
+                                   .duration = set.duration,
+                                   .progress = progress};
   geometry::LineSet lines = integrators::integrate_lines(set.integrator, request).lines;
   set_importance(set.scalar, measure_flow(set.quantity, *field, lines.positions), set.shares,
                  lines);
   return lines;
 }
 
-constexpr ParameterSpec benzene_parameters[] = {count_parameter("32000", "lines"), seed_parameter};
-constexpr ParameterSpec bfs_parameters[] = {count_parameter("40000", "lines"), seed_parameter};
-constexpr ParameterSpec trefoil_parameters[] = {count_parameter("500", "lines"), seed_parameter};
-constexpr ParameterSpec helicopter_parameters[] = {count_parameter("700", "lines"), seed_parameter};
-constexpr ParameterSpec ecmwf_parameters[] = {count_parameter("1500", "lines"), seed_parameter};
-constexpr ParameterSpec icon_parameters[] = {count_parameter("11500", "lines"), seed_parameter};
-
 }  // namespace
 
 const DatasetRow& benzene_dataset() {
-  static constexpr DatasetRow row{
-      "benzene", "Field lines of a benzene molecule (stand-in: point charges)",
-      "in place of Zoeckler et al. 1996; field: benzene", benzene_parameters, make<benzene>};
+  static const DatasetRow row{"benzene",
+                              "Field lines of a benzene molecule (stand-in: point charges)",
+                              "in place of Zoeckler et al. 1996; field: benzene",
+                              stand_in_options<FlowLinesOptions<benzene>>().specs(), make<benzene>};
   return row;
 }
 
 const DatasetRow& bfs_dataset() {
-  static constexpr DatasetRow row{
-      "bfs", "Stream lines behind a backward-facing step (stand-in: a model flow)",
-      "in place of Niemann and Froehlich; field: step", bfs_parameters, make<bfs>};
+  static const DatasetRow row{"bfs",
+                              "Stream lines behind a backward-facing step (stand-in: a model flow)",
+                              "in place of Niemann and Froehlich; field: step",
+                              stand_in_options<FlowLinesOptions<bfs>>().specs(), make<bfs>};
   return row;
 }
 
 const DatasetRow& trefoil_dataset() {
-  static constexpr DatasetRow row{"trefoil", "Field lines of a magnetic trefoil knot",
-                                  "after Candelaresi and Brandenburg 2011; field: trefoil",
-                                  trefoil_parameters, make<trefoil>};
+  static const DatasetRow row{"trefoil", "Field lines of a magnetic trefoil knot",
+                              "after Candelaresi and Brandenburg 2011; field: trefoil",
+                              stand_in_options<FlowLinesOptions<trefoil>>().specs(), make<trefoil>};
   return row;
 }
 
 const DatasetRow& helicopter_dataset() {
-  static constexpr DatasetRow row{"helicopter", "Stream lines in a rotor's wake (stand-in: hover)",
-                                  "in place of Kutz et al. 2012; field: rotor-wake",
-                                  helicopter_parameters, make<helicopter>};
+  static const DatasetRow row{"helicopter", "Stream lines in a rotor's wake (stand-in: hover)",
+                              "in place of Kutz et al. 2012; field: rotor-wake",
+                              stand_in_options<FlowLinesOptions<helicopter>>().specs(),
+                              make<helicopter>};
   return row;
 }
 
 const DatasetRow& ecmwf_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       "ecmwf", "Large-scale winds on a spherical shell (stand-in: jets and planetary waves)",
-      "in place of Dee et al. 2011, ERA-Interim; stream function in its source", ecmwf_parameters,
-      make<ecmwf>};
+      "in place of Dee et al. 2011, ERA-Interim; stream function in its source",
+      stand_in_options<FlowLinesOptions<ecmwf>>().specs(), make<ecmwf>};
   return row;
 }
 
 const DatasetRow& icon_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       "icon", "Tracks of air over a part of the globe (stand-in: jets and planetary waves)",
-      "in place of Heinze et al. 2017, HD(CP)2; stream function in its source", icon_parameters,
-      make<icon>};
+      "in place of Heinze et al. 2017, HD(CP)2; stream function in its source",
+      stand_in_options<FlowLinesOptions<icon>>().specs(), make<icon>};
   return row;
 }
 

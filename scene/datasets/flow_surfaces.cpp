@@ -10,6 +10,7 @@ namespace pellucid::scene {
 namespace {
 
 struct FlowSurfaces {
+  std::size_t count;  // surfaces by default
   std::string_view field;
   double duration;
   ImportantShares shares;  // of the vorticity
@@ -34,8 +35,8 @@ integrators::SeedCurve rake_of_wing(const IndexedRandom& random) {
   return integrators::segment_seed(beside_core(from), beside_core(from + 0.8));
 }
 
-constexpr FlowSurfaces tornado{"tornado", 8, {.none = 0.5, .full = 0.95}, rake_of_tornado};
-constexpr FlowSurfaces delta_wing{"delta-wing", 2.5, {.none = 0.5, .full = 0.85}, rake_of_wing};
+constexpr FlowSurfaces tornado{8, "tornado", 8, {.none = 0.5, .full = 0.95}, rake_of_tornado};
+constexpr FlowSurfaces delta_wing{16, "delta-wing", 2.5, {.none = 0.5, .full = 0.85}, rake_of_wing};
 
 void append(const geometry::TriangleMesh& part, geometry::TriangleMesh& whole) {
   const auto base = std::uint32_t(whole.positions.size());
@@ -46,9 +47,18 @@ void append(const geometry::TriangleMesh& part, geometry::TriangleMesh& whole) {
 }
 
 template <const FlowSurfaces& set>
-Dataset make(const Parameters& values, const Progress& progress) {
+struct FlowSurfacesOptions {
+  static constexpr std::string_view unit = "surfaces";
+  std::size_t count = set.count;
+  std::uint64_t seed = 1;
+};
+
+template <const FlowSurfaces& set>
+Dataset make(const Parameters& parameters, const Progress& progress) {
+  const FlowSurfacesOptions<set> options =
+      stand_in_options<FlowSurfacesOptions<set>>().read(parameters);
   const auto field = fields::make_field(set.field);
-  const auto seeds = make_elements(count_of(values), seed_of(values), set.seed);
+  const auto seeds = make_elements(options.count, options.seed, set.seed);
   geometry::TriangleMesh mesh;
   for (const integrators::SeedCurve& seed : seeds) {
     const integrators::SurfaceRequest request{
@@ -61,22 +71,21 @@ Dataset make(const Parameters& values, const Progress& progress) {
   return mesh;
 }
 
-constexpr ParameterSpec tornado_parameters[] = {count_parameter("8", "surfaces"), seed_parameter};
-constexpr ParameterSpec wing_parameters[] = {count_parameter("16", "surfaces"), seed_parameter};
-
 }  // namespace
 
 const DatasetRow& tornado_dataset() {
-  static constexpr DatasetRow row{"tornado", "Stream surfaces of the Crawfis tornado",
-                                  "R. A. Crawfis, The Ohio State University; field: tornado",
-                                  tornado_parameters, make<tornado>};
+  static const DatasetRow row{"tornado", "Stream surfaces of the Crawfis tornado",
+                              "R. A. Crawfis, The Ohio State University; field: tornado",
+                              stand_in_options<FlowSurfacesOptions<tornado>>().specs(),
+                              make<tornado>};
   return row;
 }
 
 const DatasetRow& delta_wing_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       "delta-wing", "Stream surfaces of leading-edge vortices (stand-in: a model flow)",
-      "in place of M. Ruetten's simulation; field: delta-wing", wing_parameters, make<delta_wing>};
+      "in place of M. Ruetten's simulation; field: delta-wing",
+      stand_in_options<FlowSurfacesOptions<delta_wing>>().specs(), make<delta_wing>};
   return row;
 }
 

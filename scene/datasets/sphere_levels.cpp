@@ -6,39 +6,44 @@
 #include <array>
 #include <cmath>
 
-#include "core/options/names.h"
+#include "core/options/option_table.h"
 #include "core/parallel.h"
 #include "fields/make_field.h"
 
 namespace pellucid::scene {
 namespace {
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "size",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "small",
-     .choices = "small|big",
-     .help = "small: 0.9 million samples; big: 7.1 million, half as far apart"},
-    {.name = "levels",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "4",
-     .min = 1,
-     .max = 4,
-     .unit = "levels",
-     .help = "from the coarsest on; 1: the same field at one resolution"},
-    {.name = "Re",
-     .default_value = "100",
-     .min = 1e-3,
-     .max = 1e3,
-     .unit = "1",
-     .help = "Reynolds number of the flow past a sphere of radius 1"},
-    {.name = "rings",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "0",
-     .min = 0,
-     .max = 16,
-     .unit = "rings",
-     .help = "vortex rings in the wake, see the field shed-wake; 5 reach its end"}};
+enum class Size { small, big };  // 0.9 or 7.1 million samples
+
+struct SphereLevelsOptions {
+  Size size = Size::small;
+  int levels = 4;   // from the coarsest on
+  double Re = 100;  // Reynolds number of the flow past a sphere of radius 1
+  int rings = 0;    // vortex rings in the wake
+};
+
+const OptionTable<SphereLevelsOptions>& sphere_levels_options() {
+  using Options = SphereLevelsOptions;
+  static const OptionTable<Options> table{
+      choice("size", &Options::size, {{"small", Size::small}, {"big", Size::big}},
+             "small: 0.9 million samples; big: 7.1 million, half as far apart"),
+      number("levels", &Options::levels,
+             {.min = 1,
+              .max = 4,
+              .unit = "levels",
+              .help = "from the coarsest on; 1: the same field at one resolution"}),
+      number("Re", &Options::Re,
+             {.min = 1e-3,
+              .max = 1e3,
+              .unit = "1",
+              .help = "Reynolds number of the flow past a sphere of radius 1"}),
+      number("rings", &Options::rings,
+             {.min = 0,
+              .max = 16,
+              .unit = "rings",
+              .help = "vortex rings in the wake, see the field shed-wake; 5 reach its end"})};
+  return table;
+}
 
 /// From the coarsest to the finest, in units of the coarsest cell, so that cells of one level hold
 /// whole cells of the next.
@@ -73,12 +78,13 @@ fields::VectorLevel sample(const fields::VectorField& field, const Nest& nest, d
   return level;
 }
 
-Dataset make_sphere_levels(const Parameters& values, const Progress&) {
+Dataset make_sphere_levels(const Parameters& parameters, const Progress&) {
+  const SphereLevelsOptions options = sphere_levels_options().read(parameters);
   const auto field = fields::make_field(
-      fmt::format("shed-wake:Re={},rings={}", values.text("Re"), values.text("rings")));
-  double width = values.text("size") == "big" ? coarsest_width / 2 : coarsest_width;
+      fmt::format("shed-wake:Re={},rings={}", number_text(options.Re), options.rings));
+  double width = options.size == Size::big ? coarsest_width / 2 : coarsest_width;
   VelocityLevels levels;
-  for (int i = 0; i < values.integer("levels"); ++i, width /= 2)
+  for (int i = 0; i < options.levels; ++i, width /= 2)
     levels.push_back(sample(*field, nests[std::size_t(i)], width));
   return levels;
 }
@@ -86,12 +92,12 @@ Dataset make_sphere_levels(const Parameters& values, const Progress&) {
 }  // namespace
 
 const DatasetRow& sphere_levels_dataset() {
-  static constexpr DatasetRow row{.name = "sphere-levels",
-                                  .title = "Velocity past a sphere on four nested resolutions",
-                                  .citation = "the fields sphere and shed-wake",
-                                  .parameters = parameters,
-                                  .make = make_sphere_levels,
-                                  .on_levels = true};
+  static const DatasetRow row{.name = "sphere-levels",
+                              .title = "Velocity past a sphere on four nested resolutions",
+                              .citation = "the fields sphere and shed-wake",
+                              .parameters = sphere_levels_options().specs(),
+                              .make = make_sphere_levels,
+                              .on_levels = true};
   return row;
 }
 

@@ -7,53 +7,66 @@
 #include <numeric>
 #include <random>
 
+#include "core/options/option_table.h"
+
 namespace pellucid::scene {
 namespace {
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "layers",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "8",
-     .min = 1,
-     .max = 1e6,
-     .unit = "sheets"},
-    {.name = "alpha", .default_value = "0.3", .min = 0, .max = 1, .help = "opacity of each sheet"},
-    {.name = "depths",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "even",
-     .choices = "even|equal|ulp",
-     .help = "even: from z = 1 to -1; equal: all at z = 0; ulp: from z = 1 down, one ulp apart"},
-    {.name = "order",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "shuffled",
-     .choices = "front|back|shuffled",
-     .help = "of the triangles: the front sheet first, the back sheet first, or by `seed`"},
-    {.name = "sheet",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "square",
-     .choices = "square|grid|needles",
-     .help = "a sheet's triangles: two; 64 x 64 x 2, whose edges meet the centres of a picture of "
-             "128 pixels; or a fan of 64 slivers and a triangle of no area"},
-    {.name = "scale", .default_value = "1", .min = 1e-30, .max = 1e30, .unit = "world units"},
-    {.name = "shift",
-     .default_value = "0",
-     .min = -1e30,
-     .max = 1e30,
-     .unit = "world units",
-     .help = "of the stack along x, y and z"},
-    {.name = "seed",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "1",
-     .min = 0,
-     .max = 1e9}};
+enum class Depths {
+  even,   // from z = 1 to -1
+  equal,  // all at z = 0
+  ulp     // from z = 1 down, one ulp apart
+};
+enum class Order { front, back, shuffled };  // which sheets' triangles come first
+enum class Sheet {
+  square,  // two triangles
+  grid,    // 64 x 64 x 2
+  needles  // a fan of 64 slivers and a triangle of no area
+};
+
+struct StackOptions {
+  int layers = 8;
+  double alpha = 0.3;  // opacity of each sheet
+  Depths depths = Depths::even;
+  Order order = Order::shuffled;
+  Sheet sheet = Sheet::square;
+  double scale = 1;        // world units
+  double shift = 0;        // world units, along x, y and z
+  std::uint32_t seed = 1;  // of the shuffled order
+};
+
+const OptionTable<StackOptions>& stack_options() {
+  using Options = StackOptions;
+  static const OptionTable<Options> table{
+      number("layers", &Options::layers, {.min = 1, .max = 1e6, .unit = "sheets"}),
+      number("alpha", &Options::alpha, {.min = 0, .max = 1, .help = "opacity of each sheet"}),
+      choice("depths", &Options::depths,
+             {{"even", Depths::even}, {"equal", Depths::equal}, {"ulp", Depths::ulp}},
+             "even: from z = 1 to -1; equal: all at z = 0; ulp: from z = 1 down, one ulp apart"),
+      choice("order", &Options::order,
+             {{"front", Order::front}, {"back", Order::back}, {"shuffled", Order::shuffled}},
+             "of the triangles: the front sheet first, the back sheet first, or by `seed`"),
+      choice("sheet", &Options::sheet,
+             {{"square", Sheet::square}, {"grid", Sheet::grid}, {"needles", Sheet::needles}},
+             "a sheet's triangles: two; 64 x 64 x 2, whose edges meet the centres of a picture of "
+             "128 pixels; or a fan of 64 slivers and a triangle of no area"),
+      number("scale", &Options::scale, {.min = 1e-30, .max = 1e30, .unit = "world units"}),
+      number("shift", &Options::shift,
+             {.min = -1e30,
+              .max = 1e30,
+              .unit = "world units",
+              .help = "of the stack along x, y and z"}),
+      number("seed", &Options::seed, {.min = 0, .max = 1e9})};
+  return table;
+}
 
 constexpr int pieces = 64;
 /// Half a sheet's side: beyond the square [-1, 1]² that the camera sees.
 constexpr double reach = 2;
 
-double depth_of(const std::string& depths, int i, int layers) {
-  if (depths == "equal" || layers == 1) return 0;
-  if (depths == "even") return 1 - 2.0 * i / (layers - 1);
+double depth_of(Depths depths, int i, int layers) {
+  if (depths == Depths::equal || layers == 1) return 0;
+  if (depths == Depths::even) return 1 - 2.0 * i / (layers - 1);
   return 1 - i * std::numeric_limits<double>::epsilon() / 2;  // an ulp below 1
 }
 
@@ -90,36 +103,41 @@ void add_fan(std::uint32_t first, geometry::TriangleMesh& mesh) {
   mesh.triangles.push_back({first, first + 1, first + 1});
 }
 
-void add_sheet(const std::string& sheet, geometry::TriangleMesh& mesh) {
+void add_sheet(Sheet sheet, geometry::TriangleMesh& mesh) {
   const auto first = std::uint32_t(mesh.positions.size());
-  if (sheet == "square") add_square(first, mesh);
-  if (sheet == "grid") add_grid(first, mesh);
-  if (sheet == "needles") add_fan(first, mesh);
+  switch (sheet) {
+    case Sheet::square:
+      return add_square(first, mesh);
+    case Sheet::grid:
+      return add_grid(first, mesh);
+    case Sheet::needles:
+      return add_fan(first, mesh);
+  }
 }
 
 /// The sheets, as numbers from the front, in the order in which they are drawn.
-std::vector<int> drawing_order(const Parameters& values) {
-  std::vector<int> order(std::size_t(values.integer("layers")));
+std::vector<int> drawing_order(const StackOptions& options) {
+  std::vector<int> order(std::size_t(options.layers));
   std::iota(order.begin(), order.end(), 0);
-  if (values.text("order") == "back") std::reverse(order.begin(), order.end());
+  if (options.order == Order::back) std::reverse(order.begin(), order.end());
   // std::shuffle is not the same everywhere; this is (Fisher and Yates, by the raw generator).
-  std::mt19937 random(std::uint32_t(values.integer("seed")));
-  if (values.text("order") == "shuffled")
+  std::mt19937 random(options.seed);
+  if (options.order == Order::shuffled)
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
   return order;
 }
 
-Dataset make(const Parameters& values, const Progress&) {
-  const double scale = values.real("scale"), alpha = values.real("alpha");
-  const Vec3 shift(values.real("shift"));
+Dataset make(const Parameters& parameters, const Progress&) {
+  const StackOptions options = stack_options().read(parameters);
+  const Vec3 shift(options.shift);
   geometry::TriangleMesh mesh;
-  for (const int i : drawing_order(values)) {
+  for (const int i : drawing_order(options)) {
     const std::size_t first = mesh.positions.size();
-    const double z = depth_of(values.text("depths"), i, values.integer("layers"));
-    add_sheet(values.text("sheet"), mesh);
+    const double z = depth_of(options.depths, i, options.layers);
+    add_sheet(options.sheet, mesh);
     for (std::size_t k = first; k < mesh.positions.size(); ++k)
-      mesh.positions[k] = scale * Vec3(Vec2(mesh.positions[k]), z) + shift;
-    mesh.colors.resize(mesh.positions.size(), stack_color(i, alpha));
+      mesh.positions[k] = options.scale * Vec3(Vec2(mesh.positions[k]), z) + shift;
+    mesh.colors.resize(mesh.positions.size(), stack_color(i, options.alpha));
   }
   return mesh;
 }
@@ -134,11 +152,11 @@ Rgba stack_color(int i, double alpha) {
 }
 
 const DatasetRow& stack_dataset() {
-  static constexpr DatasetRow row{.name = "stack",
-                                  .title = "Sheets above one another",
-                                  .citation = "closed form: Baeza Rojo et al. 2019, Eq. 12",
-                                  .parameters = parameters,
-                                  .make = make};
+  static const DatasetRow row{.name = "stack",
+                              .title = "Sheets above one another",
+                              .citation = "closed form: Baeza Rojo et al. 2019, Eq. 12",
+                              .parameters = stack_options().specs(),
+                              .make = make};
   return row;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 // What the stand-ins share: data sets that take the place of data that were never published.
 
+#include "core/options/option_table.h"
 #include "core/parallel.h"
 #include "scene/datasets/dataset.h"
 #include "scene/datasets/indexed_random.h"
@@ -20,28 +21,16 @@ struct ImportantShares {
 void set_importance(std::string_view name, std::vector<double> values,
                     const ImportantShares& shares, geometry::Vertices& vertices);
 
-constexpr ParameterSpec count_parameter(std::string_view count, std::string_view unit) {
-  return {.name = "count",
-          .kind = ParameterSpec::Kind::integer,
-          .default_value = count,
-          .min = 1,
-          .max = 1e8,
-          .unit = unit,
-          .help = "the same picture in any number"};
-}
-
-inline constexpr ParameterSpec seed_parameter = {.name = "seed",
-                                                 .kind = ParameterSpec::Kind::integer,
-                                                 .default_value = "1",
-                                                 .min = 0,
-                                                 .max = 1e9,
-                                                 .help = "of the random numbers"};
-
-inline std::uint64_t seed_of(const Parameters& values) {
-  return std::uint64_t(values.integer("seed"));
-}
-inline std::size_t count_of(const Parameters& values) {
-  return std::size_t(values.integer("count"));
+/// The table of a stand-in's options: a struct with the members `count`, of elements that its
+/// constant `unit` names, and `seed`, of the random numbers.
+template <class Options>
+const OptionTable<Options>& stand_in_options() {
+  static const OptionTable<Options> table{
+      number(
+          "count", &Options::count,
+          {.min = 1, .max = 1e8, .unit = Options::unit, .help = "the same picture in any number"}),
+      number("seed", &Options::seed, {.min = 0, .max = 1e9, .help = "of the random numbers"})};
+  return table;
 }
 
 /// make(random numbers of element i) for i < n, in parallel; the channels are the caller's.

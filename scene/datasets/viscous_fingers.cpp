@@ -12,7 +12,11 @@
 namespace pellucid::scene {
 namespace {
 
-constexpr ParameterSpec parameters[] = {count_parameter("1700000", "points"), seed_parameter};
+struct ViscousFingersOptions {
+  static constexpr std::string_view unit = "points";
+  std::size_t count = 1'700'000;
+  std::uint64_t seed = 1;
+};
 
 constexpr std::size_t finger_count = 60;
 constexpr double height = 2, layer_depth = 0.08;
@@ -48,10 +52,11 @@ double concentration(const std::vector<Finger>& fingers, const Vec3& x) {
   return c;
 }
 
-Dataset make(const Parameters& values, const Progress&) {
-  const auto fingers = make_elements(finger_count, seed_of(values) ^ 0x66696e67657200, make_finger);
+Dataset make(const Parameters& parameters, const Progress&) {
+  const ViscousFingersOptions options = stand_in_options<ViscousFingersOptions>().read(parameters);
+  const auto fingers = make_elements(finger_count, options.seed ^ 0x66696e67657200, make_finger);
   geometry::PointSet set;
-  set.positions = make_elements(count_of(values), seed_of(values), [](const IndexedRandom& random) {
+  set.positions = make_elements(options.count, options.seed, [](const IndexedRandom& random) {
     return Vec3(in_disc(random, 0), random.uniform(2, 0, height));
   });
   std::vector<double> c(set.positions.size());
@@ -64,11 +69,11 @@ Dataset make(const Parameters& values, const Progress&) {
 }  // namespace
 
 const DatasetRow& viscous_fingers_dataset() {
-  static constexpr DatasetRow row{
+  static const DatasetRow row{
       .name = "viscous-fingers",
       .title = "Salt that dissolves in a cylinder of water (stand-in: sinking columns)",
       .citation = "in place of Kuhnert et al. 2016, IEEE SciVis Contest",
-      .parameters = parameters,
+      .parameters = stand_in_options<ViscousFingersOptions>().specs(),
       .make = make};
   return row;
 }

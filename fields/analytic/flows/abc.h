@@ -14,27 +14,33 @@
 
 namespace pellucid::fields::flow {
 
-struct Abc {
+struct AbcOptions {
+  double A = std::numbers::sqrt3;
+  double B = std::numbers::sqrt2;
+  double C = 1;      // 0 makes the flow integrable
+  double decay = 0;  // 1/time: viscosity
+};
+
+struct Abc : AbcOptions {
+  using Options = AbcOptions;
   static constexpr FlowFacts facts{
       .name = "abc",
       .title = "Arnold-Beltrami-Childress flow",
       .citation = "Dombre et al., J. Fluid Mech. 167 (1986), Eq. 1.1",
       .formula = "(A sin z + C cos y, B sin x + A cos z, C sin y + B cos x) exp(-decay t)",
-      .unsteady_through = "decay",
       .divergence_free = true,
       .region = {Vec3(0), Vec3(2 * pi)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "A", .default_value = "1.7320508075688772", .unit = "1", .help = "√3 by default"},
-      {.name = "B", .default_value = "1.4142135623730951", .unit = "1", .help = "√2 by default"},
-      {.name = "C", .default_value = "1", .unit = "1", .help = "0 makes the flow integrable"},
-      {.name = "decay", .default_value = "0", .min = 0, .unit = "1/time", .help = "viscosity"},
-  };
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("A", &Options::A, {.unit = "1", .help = "√3 by default"}),
+        number("B", &Options::B, {.unit = "1", .help = "√2 by default"}),
+        number("C", &Options::C, {.unit = "1", .help = "0 makes the flow integrable"}),
+        number("decay", &Options::decay, {.min = 0, .unit = "1/time", .help = "viscosity"})};
+    return table;
+  }
 
-  double A, B, C, decay;
-
-  explicit Abc(const Parameters& p)
-      : A(p.real("A")), B(p.real("B")), C(p.real("C")), decay(p.real("decay")) {}
+  bool steady() const { return decay == 0; }
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double t) const {

@@ -16,7 +16,13 @@
 
 namespace pellucid::fields::flow {
 
+struct BenzeneOptions {
+  double q = 0.115;   // e: charge of a hydrogen
+  double soft = 0.1;  // Å: softening at the atoms
+};
+
 struct Benzene {
+  using Options = BenzeneOptions;
   static constexpr FlowFacts facts{
       .name = "benzene",
       .title = "Electrostatic field of benzene",
@@ -24,14 +30,13 @@ struct Benzene {
       .formula = "sum of q_i (x - x_i) / (|x - x_i|^2 + soft^2)^(3/2) over 6 C and 6 H",
       .region = {Vec3(-4, -4, -3), Vec3(4, 4, 3)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "q", .default_value = "0.115", .unit = "e", .help = "charge of a hydrogen"},
-      {.name = "soft",
-       .default_value = "0.1",
-       .min = 1e-6,
-       .unit = "Å",
-       .help = "softening at the atoms"},
-  };
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("q", &Options::q, {.unit = "e", .help = "charge of a hydrogen"}),
+        number("soft", &Options::soft,
+               {.min = 1e-6, .unit = "Å", .help = "softening at the atoms"})};
+    return table;
+  }
 
   struct Atom {
     double x, y, charge;
@@ -39,11 +44,11 @@ struct Benzene {
   std::array<Atom, 12> atoms;
   double soft2;
 
-  explicit Benzene(const Parameters& p) : soft2(p.real("soft") * p.real("soft")) {
+  explicit Benzene(const BenzeneOptions& given) : soft2(given.soft * given.soft) {
     for (std::size_t i = 0; i < 6; ++i) {
       const double angle = pi / 3 * double(i);
-      atoms[i] = {1.39 * cos(angle), 1.39 * sin(angle), -p.real("q")};
-      atoms[i + 6] = {2.48 * cos(angle), 2.48 * sin(angle), p.real("q")};
+      atoms[i] = {1.39 * cos(angle), 1.39 * sin(angle), -given.q};
+      atoms[i + 6] = {2.48 * cos(angle), 2.48 * sin(angle), given.q};
     }
   }
 

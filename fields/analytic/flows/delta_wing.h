@@ -15,7 +15,17 @@
 
 namespace pellucid::fields::flow {
 
+struct DeltaWingOptions {
+  double U = 1;        // world units/time: speed far away
+  double alpha = 15;   // degrees: angle of attack
+  double gamma = 1.5;  // world units²/time: circulation
+  double b = 0.35;     // spread of the vortices, per length
+  double h = 0.12;     // rise, per length
+  double core = 0.06;  // world units: core radius
+};
+
 struct DeltaWing {
+  using Options = DeltaWingOptions;
   static constexpr FlowFacts facts{
       .name = "delta-wing",
       .title = "Leading-edge vortex pair of a delta wing",
@@ -24,39 +34,30 @@ struct DeltaWing {
       .divergence_free = true,
       .region = {Vec3(-0.5, -1.5, -0.5), Vec3(3, 1.5, 1.5)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "U", .default_value = "1", .unit = "world units/time", .help = "speed far away"},
-      {.name = "alpha",
-       .default_value = "15",
-       .min = -90,
-       .max = 90,
-       .unit = "degrees",
-       .help = "angle of attack"},
-      {.name = "gamma", .default_value = "1.5", .unit = "world units²/time", .help = "circulation"},
-      {.name = "b",
-       .default_value = "0.35",
-       .min = 0.01,
-       .unit = "1",
-       .help = "spread of the vortices, per length"},
-      {.name = "h", .default_value = "0.12", .unit = "1", .help = "rise, per length"},
-      {.name = "core",
-       .default_value = "0.06",
-       .min = 1e-3,
-       .unit = "world units",
-       .help = "core radius"},
-  };
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("U", &Options::U, {.unit = "world units/time", .help = "speed far away"}),
+        number("alpha", &Options::alpha,
+               {.min = -90, .max = 90, .unit = "degrees", .help = "angle of attack"}),
+        number("gamma", &Options::gamma, {.unit = "world units²/time", .help = "circulation"}),
+        number("b", &Options::b,
+               {.min = 0.01, .unit = "1", .help = "spread of the vortices, per length"}),
+        number("h", &Options::h, {.unit = "1", .help = "rise, per length"}),
+        number("core", &Options::core,
+               {.min = 1e-3, .unit = "world units", .help = "core radius"})};
+    return table;
+  }
 
   static constexpr double length = 50;  // of the filaments: far beyond the region
   double b, h, core2, strength;
   Vec3 stream;
 
-  explicit DeltaWing(const Parameters& p)
-      : b(p.real("b")),
-        h(p.real("h")),
-        core2(p.real("core") * p.real("core")),
-        strength(p.real("gamma") / (4 * pi)),
-        stream(p.real("U") *
-               Vec3(cos(p.real("alpha") * pi / 180), 0, sin(p.real("alpha") * pi / 180))) {}
+  explicit DeltaWing(const DeltaWingOptions& given)
+      : b(given.b),
+        h(given.h),
+        core2(given.core * given.core),
+        strength(given.gamma / (4 * pi)),
+        stream(given.U * Vec3(cos(given.alpha * pi / 180), 0, sin(given.alpha * pi / 180))) {}
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double) const {

@@ -9,7 +9,15 @@
 
 namespace pellucid::fields::flow {
 
-struct DoubleGyre {
+struct DoubleGyreOptions {
+  double A = 0.1;              // world units²/time: strength
+  double eps = 0.25;           // world units: amplitude of swing
+  double omega = 2 * pi / 10;  // rad/time: of the swing
+  double c = 0.1;              // world units/time: drift along z
+};
+
+struct DoubleGyre : DoubleGyreOptions {
+  using Options = DoubleGyreOptions;
   static constexpr FlowFacts facts{
       .name = "double-gyre",
       .title = "Double gyre with drift",
@@ -21,20 +29,14 @@ struct DoubleGyre {
       .divergence_free = true,
       .region = {Vec3(0), Vec3(2, 1, 1)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "A", .default_value = "0.1", .unit = "world units²/time", .help = "strength"},
-      {.name = "eps", .default_value = "0.25", .unit = "world units", .help = "amplitude of swing"},
-      {.name = "omega",
-       .default_value = "0.6283185307179586",
-       .unit = "rad/time",
-       .help = "2π/10 by default"},
-      {.name = "c", .default_value = "0.1", .unit = "world units/time", .help = "drift along z"},
-  };
-
-  double A, eps, omega, c;
-
-  explicit DoubleGyre(const Parameters& p)
-      : A(p.real("A")), eps(p.real("eps")), omega(p.real("omega")), c(p.real("c")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("A", &Options::A, {.unit = "world units²/time", .help = "strength"}),
+        number("eps", &Options::eps, {.unit = "world units", .help = "amplitude of swing"}),
+        number("omega", &Options::omega, {.unit = "rad/time", .help = "2π/10 by default"}),
+        number("c", &Options::c, {.unit = "world units/time", .help = "drift along z"})};
+    return table;
+  }
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double t) const {

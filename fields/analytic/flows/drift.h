@@ -7,7 +7,7 @@
 
 namespace pellucid::fields::flow {
 
-struct Drift {
+struct Drift : WithoutOptions {
   static constexpr FlowFacts facts{
       .name = "drift",
       .title = "Turning uniform flow",
@@ -16,9 +16,6 @@ struct Drift {
       .steady = false,
       .divergence_free = true,
   };
-  static constexpr std::span<const ParameterSpec> parameters{};
-
-  explicit Drift(const Parameters&) {}
 
   template <class T>
   Triple<T> operator()(const Triple<T>&, double t) const {

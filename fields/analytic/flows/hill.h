@@ -11,7 +11,13 @@
 
 namespace pellucid::fields::flow {
 
-struct Hill {
+struct HillOptions {
+  double U = 1;  // world units/time: speed far away
+  double a = 1;  // world units: radius
+};
+
+struct Hill : HillOptions {
+  using Options = HillOptions;
   static constexpr FlowFacts facts{
       .name = "hill",
       .title = "Hill's spherical vortex",
@@ -22,14 +28,12 @@ struct Hill {
       .divergence_free = true,
       .region = {Vec3(-2), Vec3(2)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "U", .default_value = "1", .unit = "world units/time", .help = "speed far away"},
-      {.name = "a", .default_value = "1", .min = 1e-300, .unit = "world units", .help = "radius"},
-  };
-
-  double U, a;
-
-  explicit Hill(const Parameters& p) : U(p.real("U")), a(p.real("a")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("U", &Options::U, {.unit = "world units/time", .help = "speed far away"}),
+        number("a", &Options::a, {.min = 1e-300, .unit = "world units", .help = "radius"})};
+    return table;
+  }
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double) const {

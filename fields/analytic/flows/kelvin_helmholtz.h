@@ -11,7 +11,13 @@
 
 namespace pellucid::fields::flow {
 
+struct KelvinHelmholtzOptions {
+  double c = 1.25;      // 1: not rolled up
+  double drift = 0.25;  // world units/time: along z
+};
+
 struct KelvinHelmholtz {
+  using Options = KelvinHelmholtzOptions;
   static constexpr FlowFacts facts{
       .name = "kelvin-helmholtz",
       .title = "Kelvin-Helmholtz shear layer (Stuart's vortices)",
@@ -20,15 +26,17 @@ struct KelvinHelmholtz {
       .divergence_free = true,
       .region = {Vec3(0, -4, 0), Vec3(4 * pi, 4, 4)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "c", .default_value = "1.25", .min = 1, .unit = "1", .help = "1: not rolled up"},
-      {.name = "drift", .default_value = "0.25", .unit = "world units/time", .help = "along z"},
-  };
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("c", &Options::c, {.min = 1, .unit = "1", .help = "1: not rolled up"}),
+        number("drift", &Options::drift, {.unit = "world units/time", .help = "along z"})};
+    return table;
+  }
 
   double c, k, drift;
 
-  explicit KelvinHelmholtz(const Parameters& p)
-      : c(p.real("c")), k(std::sqrt(c * c - 1)), drift(p.real("drift")) {}
+  explicit KelvinHelmholtz(const KelvinHelmholtzOptions& given)
+      : c(given.c), k(std::sqrt(c * c - 1)), drift(given.drift) {}
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double) const {

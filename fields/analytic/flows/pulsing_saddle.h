@@ -7,7 +7,7 @@
 
 namespace pellucid::fields::flow {
 
-struct PulsingSaddle {
+struct PulsingSaddle : WithoutOptions {
   static constexpr FlowFacts facts{
       .name = "pulsing-saddle",
       .title = "Pulsing saddle",
@@ -16,9 +16,6 @@ struct PulsingSaddle {
       .steady = false,
       .divergence_free = true,
   };
-  static constexpr std::span<const ParameterSpec> parameters{};
-
-  explicit PulsingSaddle(const Parameters&) {}
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double t) const {

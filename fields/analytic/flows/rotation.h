@@ -7,7 +7,13 @@
 
 namespace pellucid::fields::flow {
 
-struct Rotation {
+struct RotationOptions {
+  double omega = 1;  // rad/time: angular velocity
+  double c = 0.2;    // world units/time: drift along z
+};
+
+struct Rotation : RotationOptions {
+  using Options = RotationOptions;
   static constexpr FlowFacts facts{
       .name = "rotation",
       .title = "Rigid rotation and translation",
@@ -15,14 +21,12 @@ struct Rotation {
       .formula = "(-omega y, omega x, c)",
       .divergence_free = true,
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "omega", .default_value = "1", .unit = "rad/time", .help = "angular velocity"},
-      {.name = "c", .default_value = "0.2", .unit = "world units/time", .help = "drift along z"},
-  };
-
-  double omega, c;
-
-  explicit Rotation(const Parameters& p) : omega(p.real("omega")), c(p.real("c")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("omega", &Options::omega, {.unit = "rad/time", .help = "angular velocity"}),
+        number("c", &Options::c, {.unit = "world units/time", .help = "drift along z"})};
+    return table;
+  }
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double) const {

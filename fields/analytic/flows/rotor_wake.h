@@ -12,7 +12,18 @@
 
 namespace pellucid::fields::flow {
 
+struct RotorWakeOptions {
+  int blades = 2;
+  double R = 1;        // world units: rotor's radius
+  double pitch = 0.5;  // world units: descent per turn
+  double turns = 3;    // of the wake, its length
+  double gamma = 1;    // world units²/time: circulation of a vortex
+  double core = 0.08;  // world units: core radius
+  double omega = 1;    // rad/time: rotor's speed
+};
+
 struct RotorWake {
+  using Options = RotorWakeOptions;
   static constexpr FlowFacts facts{
       .name = "rotor-wake",
       .title = "Tip vortices of a hovering rotor",
@@ -24,49 +35,32 @@ struct RotorWake {
       .divergence_free = true,
       .region = {Vec3(-1.6, -1.6, -1.6), Vec3(1.6, 1.6, 0.6)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "blades",
-       .kind = ParameterSpec::Kind::integer,
-       .default_value = "2",
-       .min = 1,
-       .max = 8,
-       .unit = "blades",
-       .help = "number of blades"},
-      {.name = "R",
-       .default_value = "1",
-       .min = 1e-3,
-       .unit = "world units",
-       .help = "rotor's radius"},
-      {.name = "pitch", .default_value = "0.5", .unit = "world units", .help = "descent per turn"},
-      {.name = "turns",
-       .default_value = "3",
-       .min = 0.1,
-       .max = 20,
-       .unit = "turns",
-       .help = "length of the wake"},
-      {.name = "gamma",
-       .default_value = "1",
-       .unit = "world units²/time",
-       .help = "circulation of a vortex"},
-      {.name = "core",
-       .default_value = "0.08",
-       .min = 1e-3,
-       .unit = "world units",
-       .help = "core radius"},
-      {.name = "omega", .default_value = "1", .unit = "rad/time", .help = "rotor's speed"},
-  };
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("blades", &Options::blades,
+               {.min = 1, .max = 8, .unit = "blades", .help = "number of blades"}),
+        number("R", &Options::R, {.min = 1e-3, .unit = "world units", .help = "rotor's radius"}),
+        number("pitch", &Options::pitch, {.unit = "world units", .help = "descent per turn"}),
+        number("turns", &Options::turns,
+               {.min = 0.1, .max = 20, .unit = "turns", .help = "length of the wake"}),
+        number("gamma", &Options::gamma,
+               {.unit = "world units²/time", .help = "circulation of a vortex"}),
+        number("core", &Options::core, {.min = 1e-3, .unit = "world units", .help = "core radius"}),
+        number("omega", &Options::omega, {.unit = "rad/time", .help = "rotor's speed"})};
+    return table;
+  }
 
   std::vector<FilamentElement> wake;  // at time 0
   double core, omega, strength;
 
-  explicit RotorWake(const Parameters& p)
-      : core(p.real("core")), omega(p.real("omega")), strength(p.real("gamma") / (4 * pi)) {
+  explicit RotorWake(const RotorWakeOptions& given)
+      : core(given.core), omega(given.omega), strength(given.gamma / (4 * pi)) {
     constexpr int per_turn = 64;
-    const double R = p.real("R"), sink = p.real("pitch") / (2 * pi), step = 2 * pi / per_turn;
-    const int count = static_cast<int>(std::ceil(p.real("turns") * per_turn));
-    for (int blade = 0; blade < p.integer("blades"); ++blade)
+    const double R = given.R, sink = given.pitch / (2 * pi), step = 2 * pi / per_turn;
+    const int count = static_cast<int>(std::ceil(given.turns * per_turn));
+    for (int blade = 0; blade < given.blades; ++blade)
       for (int i = 0; i < count; ++i) {
-        const double w = step * (i + 0.5), phi = 2 * pi * blade / p.integer("blades") - w;
+        const double w = step * (i + 0.5), phi = 2 * pi * blade / given.blades - w;
         wake.push_back({{R * cos(phi), R * sin(phi), -sink * w},
                         step * Vec3(R * sin(phi), -R * cos(phi), -sink)});
       }

@@ -7,7 +7,12 @@
 
 namespace pellucid::fields::flow {
 
-struct Saddle {
+struct SaddleOptions {
+  double a = 1;  // 1/time: rate of stretching
+};
+
+struct Saddle : SaddleOptions {
+  using Options = SaddleOptions;
   static constexpr FlowFacts facts{
       .name = "saddle",
       .title = "Saddle",
@@ -15,13 +20,11 @@ struct Saddle {
       .formula = "(a x, -a y, 0)",
       .divergence_free = true,
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "a", .default_value = "1", .unit = "1/time", .help = "rate of stretching"},
-  };
-
-  double a;
-
-  explicit Saddle(const Parameters& p) : a(p.real("a")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("a", &Options::a, {.unit = "1/time", .help = "rate of stretching"})};
+    return table;
+  }
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double) const {

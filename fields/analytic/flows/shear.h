@@ -6,7 +6,12 @@
 
 namespace pellucid::fields::flow {
 
-struct Shear {
+struct ShearOptions {
+  double b = 1;  // world units/time: speed at y = 0
+};
+
+struct Shear : ShearOptions {
+  using Options = ShearOptions;
   static constexpr FlowFacts facts{
       .name = "shear",
       .title = "Linear shear",
@@ -14,13 +19,11 @@ struct Shear {
       .formula = "(y + b, 0, 0)",
       .divergence_free = true,
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "b", .default_value = "1", .unit = "world units/time", .help = "speed at y = 0"},
-  };
-
-  double b;
-
-  explicit Shear(const Parameters& p) : b(p.real("b")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("b", &Options::b, {.unit = "world units/time", .help = "speed at y = 0"})};
+    return table;
+  }
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double) const {

@@ -21,7 +21,14 @@
 
 namespace pellucid::fields::flow {
 
+struct ShedWakeOptions {
+  SphereOptions sphere;
+  int rings = 5;       // 1.6 radii apart
+  double gamma = 0.5;  // U: strength of a ring
+};
+
 struct ShedWake {
+  using Options = ShedWakeOptions;
   static constexpr FlowFacts facts{
       .name = "shed-wake",
       .title = "Flow past a sphere with vortex rings in its wake",
@@ -32,17 +39,14 @@ struct ShedWake {
       .divergence_free = true,
       .region = {Vec3(-4, -3, -3), Vec3(10, 3, 3)},
   };
-  static constexpr auto parameters = concatenate(
-      std::to_array(Sphere::parameters),
-      std::array<ParameterSpec, 2>{
-          {{.name = "rings",
-            .kind = ParameterSpec::Kind::integer,
-            .default_value = "5",
-            .min = 0,
-            .max = 16,
-            .unit = "rings",
-            .help = "vortex rings, 1.6 radii apart"},
-           {.name = "gamma", .default_value = "0.5", .unit = "U", .help = "strength of a ring"}}});
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        part(&Options::sphere, Sphere::options()),
+        number("rings", &Options::rings,
+               {.min = 0, .max = 16, .unit = "rings", .help = "vortex rings, 1.6 radii apart"}),
+        number("gamma", &Options::gamma, {.unit = "U", .help = "strength of a ring"})};
+    return table;
+  }
 
   /// Lengths in units of the sphere's radius.
   struct Ring {
@@ -55,9 +59,10 @@ struct ShedWake {
   double g0;  // of a ring's circle
   std::vector<Ring> rings;
 
-  explicit ShedWake(const Parameters& p) : sphere(p), g0(-0.5 * p.real("gamma") * sphere.U) {
+  explicit ShedWake(const Options& given)
+      : sphere{given.sphere}, g0(-0.5 * given.gamma * sphere.U) {
     constexpr double first = 2.2, distance = 1.6, aside = 0.35, tilt = 0.6, core = 0.2;
-    for (int i = 0; i < p.integer("rings"); ++i) {
+    for (int i = 0; i < given.rings; ++i) {
       const double side = i % 2 == 0 ? 1 : -1;
       rings.push_back({{first + i * distance, side * aside, 0},
                        {std::cos(tilt), side * std::sin(tilt), 0},

@@ -15,7 +15,14 @@
 
 namespace pellucid::fields::flow {
 
-struct Sphere {
+struct SphereOptions {
+  double U = 1;   // world units/time: speed far away
+  double a = 1;   // world units: radius
+  double Re = 4;  // Reynolds number 2aU/ν
+};
+
+struct Sphere : SphereOptions {
+  using Options = SphereOptions;
   static constexpr FlowFacts facts{
       .name = "sphere",
       .title = "Flow past a sphere with its wake",
@@ -26,20 +33,14 @@ struct Sphere {
       .divergence_free = true,
       .region = {Vec3(-4, -3, -3), Vec3(10, 3, 3)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "U", .default_value = "1", .unit = "world units/time", .help = "speed far away"},
-      {.name = "a", .default_value = "1", .min = 1e-3, .unit = "world units", .help = "radius"},
-      {.name = "Re",
-       .default_value = "4",
-       .min = 1e-3,
-       .max = 1e3,
-       .unit = "1",
-       .help = "Reynolds number 2aU/ν"},
-  };
-
-  double U, a, Re;
-
-  explicit Sphere(const Parameters& p) : U(p.real("U")), a(p.real("a")), Re(p.real("Re")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("U", &Options::U, {.unit = "world units/time", .help = "speed far away"}),
+        number("a", &Options::a, {.min = 1e-3, .unit = "world units", .help = "radius"}),
+        number("Re", &Options::Re,
+               {.min = 1e-3, .max = 1e3, .unit = "1", .help = "Reynolds number 2aU/ν"})};
+    return table;
+  }
 
   /// Lengths are in units of the radius.
   template <class T>

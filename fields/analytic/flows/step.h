@@ -15,7 +15,19 @@
 
 namespace pellucid::fields::flow {
 
-struct Step {
+struct StepOptions {
+  double U = 1;         // world units/time: speed of the stream
+  double delta = 0.2;   // world units: shear layer's thickness
+  double bubble = 0.1;  // world units: strength of the recirculation
+  double L = 4;         // world units: length of the bubble
+  double roll = 0.06;   // world units: strength of rollers
+  double k = 3;         // rad/world unit: wave number of rollers
+  double rib = 0.04;    // world units: strength of ribs
+  double beta = pi;     // rad/world unit: wave number of ribs
+};
+
+struct Step : StepOptions {
+  using Options = StepOptions;
   static constexpr FlowFacts facts{
       .name = "step",
       .title = "Separated shear flow behind a step",
@@ -28,51 +40,21 @@ struct Step {
       .region = {Vec3(0, -1, 0), Vec3(12, 2, 6)},
       .bounded = true,
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "U",
-       .default_value = "1",
-       .unit = "world units/time",
-       .help = "speed of the stream"},
-      {.name = "delta",
-       .default_value = "0.2",
-       .min = 0.01,
-       .unit = "world units",
-       .help = "shear layer's thickness"},
-      {.name = "bubble",
-       .default_value = "0.1",
-       .unit = "world units",
-       .help = "strength of the recirculation"},
-      {.name = "L",
-       .default_value = "4",
-       .min = 0.1,
-       .unit = "world units",
-       .help = "length of the bubble"},
-      {.name = "roll",
-       .default_value = "0.06",
-       .unit = "world units",
-       .help = "strength of rollers"},
-      {.name = "k",
-       .default_value = "3",
-       .unit = "rad/world unit",
-       .help = "wave number of rollers"},
-      {.name = "rib", .default_value = "0.04", .unit = "world units", .help = "strength of ribs"},
-      {.name = "beta",
-       .default_value = "3.141592653589793",
-       .unit = "rad/world unit",
-       .help = "wave number of ribs"},
-  };
-
-  double U, delta, bubble, L, roll, k, rib, beta;
-
-  explicit Step(const Parameters& p)
-      : U(p.real("U")),
-        delta(p.real("delta")),
-        bubble(p.real("bubble")),
-        L(p.real("L")),
-        roll(p.real("roll")),
-        k(p.real("k")),
-        rib(p.real("rib")),
-        beta(p.real("beta")) {}
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("U", &Options::U, {.unit = "world units/time", .help = "speed of the stream"}),
+        number("delta", &Options::delta,
+               {.min = 0.01, .unit = "world units", .help = "shear layer's thickness"}),
+        number("bubble", &Options::bubble,
+               {.unit = "world units", .help = "strength of the recirculation"}),
+        number("L", &Options::L,
+               {.min = 0.1, .unit = "world units", .help = "length of the bubble"}),
+        number("roll", &Options::roll, {.unit = "world units", .help = "strength of rollers"}),
+        number("k", &Options::k, {.unit = "rad/world unit", .help = "wave number of rollers"}),
+        number("rib", &Options::rib, {.unit = "world units", .help = "strength of ribs"}),
+        number("beta", &Options::beta, {.unit = "rad/world unit", .help = "wave number of ribs"})};
+    return table;
+  }
 
   /// (∂ψ/∂y, ∂χ/∂z - ∂ψ/∂x, -∂χ/∂y), term by term.
   template <class T>

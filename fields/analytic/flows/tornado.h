@@ -13,7 +13,7 @@
 
 namespace pellucid::fields::flow {
 
-struct Tornado {
+struct Tornado : WithoutOptions {
   static constexpr FlowFacts facts{
       .name = "tornado",
       .title = "Crawfis tornado",
@@ -25,9 +25,6 @@ struct Tornado {
       .region = {Vec3(0), Vec3(1)},
       .bounded = true,
   };
-  static constexpr std::span<const ParameterSpec> parameters{};
-
-  explicit Tornado(const Parameters&) {}
 
   template <class T>
   Triple<T> operator()(const Triple<T>& p, double t) const {

@@ -14,7 +14,15 @@
 
 namespace pellucid::fields::flow {
 
+struct TrefoilOptions {
+  double C = 1.6;    // world units: ring's radius
+  double D = 1;      // world units: height of the crossings
+  double eps = 0.4;  // world units: tube's radius
+  double twist = 1;  // 1/world unit: current
+};
+
 struct Trefoil {
+  using Options = TrefoilOptions;
   static constexpr FlowFacts facts{
       .name = "trefoil",
       .title = "Magnetic trefoil knot",
@@ -25,24 +33,22 @@ struct Trefoil {
       .divergence_free = true,
       .region = {Vec3(-3.5, -3.5, -2), Vec3(3.5, 3.5, 2)},
   };
-  static constexpr ParameterSpec parameters[] = {
-      {.name = "C", .default_value = "1.6", .unit = "world units", .help = "ring's radius"},
-      {.name = "D", .default_value = "1", .unit = "world units", .help = "height of the crossings"},
-      {.name = "eps",
-       .default_value = "0.4",
-       .min = 0.3,
-       .max = 10,
-       .unit = "world units",
-       .help = "tube's radius"},
-      {.name = "twist", .default_value = "1", .unit = "1/world unit", .help = "current"},
-  };
+  static const OptionTable<Options>& options() {
+    static const OptionTable<Options> table{
+        number("C", &Options::C, {.unit = "world units", .help = "ring's radius"}),
+        number("D", &Options::D, {.unit = "world units", .help = "height of the crossings"}),
+        number("eps", &Options::eps,
+               {.min = 0.3, .max = 10, .unit = "world units", .help = "tube's radius"}),
+        number("twist", &Options::twist, {.unit = "1/world unit", .help = "current"})};
+    return table;
+  }
 
   std::vector<FilamentElement> axis;
   double eps, twist;
 
-  explicit Trefoil(const Parameters& p) : eps(p.real("eps")), twist(p.real("twist")) {
+  explicit Trefoil(const TrefoilOptions& given) : eps(given.eps), twist(given.twist) {
     constexpr int count = 192;
-    const double C = p.real("C"), D = p.real("D"), ds = 2 * pi / count;
+    const double C = given.C, D = given.D, ds = 2 * pi / count;
     for (int i = 0; i < count; ++i) {
       const double s = ds * i, r = C + sin(3 * s), slope = 3 * cos(3 * s);
       axis.push_back({{r * sin(2 * s), r * cos(2 * s), D * cos(3 * s)},

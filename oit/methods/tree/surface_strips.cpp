@@ -7,7 +7,6 @@
 
 #include "core/parallel.h"
 #include "integrators/front/front_particle.h"
-#include "integrators/front/surface_parameters.h"
 
 namespace pellucid::oit {
 namespace {
@@ -87,8 +86,7 @@ SurfaceStrips::SurfaceStrips(const scene::FlowSource& source, const scene::Scene
       nearest_(0.01 * range.far),
       lit_(scene.lighting != scene::Lighting::none),
       request_(request_of(source)),
-      integration_(integrators::surface_options(
-          request_, Parameters("tree", integrators::surface_parameters, {}))),
+      integration_(integrators::surface_setup(request_, integrators::SurfaceOptions{})),
       particles_(request_, integration_) {
   if (options.by_separation)
     seeds_ = integrators::LineSeeds([&](double s) { return largest_separation(s); });

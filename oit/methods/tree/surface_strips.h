@@ -48,7 +48,7 @@ class SurfaceStrips {
   double nearest_;  // view depths below this count as this: steps stay finite at the eye
   bool lit_;
   integrators::SurfaceRequest request_;
-  integrators::SurfaceOptions integration_;
+  integrators::SurfaceSetup integration_;
   integrators::ParticleSource particles_;
   integrators::LineSeeds seeds_;
 };

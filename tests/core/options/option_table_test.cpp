@@ -12,6 +12,12 @@ namespace {
 
 enum class Shape { disc, sphere };
 
+struct Scheme {
+  std::string_view name;
+  int order;
+};
+constexpr Scheme schemes[] = {{"euler", 1}, {"midpoint", 2}};
+
 struct Weights {
   double q = 50;
 };
@@ -27,11 +33,13 @@ struct Everything {
   std::string scalar = "speed";
   std::optional<double> bias;
   std::optional<Shape> profile;
+  const Scheme* scheme = &schemes[1];
   Weights weights;
 };
 
 const OptionTable<Weights>& weight_options() {
-  static const OptionTable<Weights> table{number("q", &Weights::q, {.min = 0})};
+  const std::string help = "percent, " + number_text(Weights{}.q) + " of all";
+  static const OptionTable<Weights> table{number("q", &Weights::q, {.min = 0, .help = help})};
   return table;
 }
 
@@ -47,6 +55,7 @@ const OptionTable<Everything>& everything() {
       text("scalar", &Everything::scalar),
       number("bias", &Everything::bias, {.min = 0}),
       choice("profile", &Everything::profile, {{"disc", Shape::disc}, {"sphere", Shape::sphere}}),
+      choice("scheme", &Everything::scheme, schemes, "moves"),
       part(&Everything::weights, weight_options())};
   return table;
 }
@@ -56,11 +65,13 @@ Everything read(std::string_view given) {
   return everything().read(Parameters(named.name, everything().specs(), named.options));
 }
 
-std::string_view default_of(std::string_view name) {
+const ParameterSpec& spec_of(std::string_view name) {
   for (const ParameterSpec& spec : everything().specs())
-    if (spec.name == name) return spec.default_value;
-  return "no such option";
+    if (spec.name == name) return spec;
+  throw InputError("no such option");
 }
+
+std::string_view default_of(std::string_view name) { return spec_of(name).default_value; }
 
 TEST(UnitOptionTable, PrintsTheDefaultsOfTheStruct) {
   EXPECT_EQ(default_of("bands"), "5");
@@ -72,6 +83,7 @@ TEST(UnitOptionTable, PrintsTheDefaultsOfTheStruct) {
   EXPECT_EQ(default_of("scalar"), "speed");
   EXPECT_EQ(default_of("bias"), "");
   EXPECT_EQ(default_of("profile"), "");
+  EXPECT_EQ(default_of("scheme"), "midpoint");
   EXPECT_EQ(default_of("q"), "50");
 }
 
@@ -103,6 +115,18 @@ TEST(UnitOptionTable, WhatIsGivenReachesItsMember) {
   EXPECT_EQ(options.bias, 1e-7);
   EXPECT_EQ(options.profile, Shape::sphere);
   EXPECT_EQ(options.weights.q, 3);
+}
+
+TEST(UnitOptionTable, ARowIsChosenByItsName) {
+  EXPECT_EQ(spec_of("scheme").choices, "euler|midpoint");
+  EXPECT_EQ(read("method").scheme, &schemes[1]);
+  EXPECT_EQ(read("method:scheme=euler").scheme, &schemes[0]);
+  EXPECT_THROW(read("method:scheme=verlet"), InputError);
+}
+
+TEST(UnitOptionTable, HelpThatWasComposedIsKept) {
+  EXPECT_EQ(spec_of("q").help, "percent, 50 of all");
+  EXPECT_EQ(spec_of("scheme").help, "moves");
 }
 
 TEST(UnitOptionTable, BoundsAndNamesAreChecked) {

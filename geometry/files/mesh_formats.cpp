@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/files/mesh_formats.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace pellucid::geometry {
+
+// Each is defined where the format is read.
+FormatRow ply_format();
+FormatRow obj_format();
+FormatRow vtp_format();
+FormatRow vtu_format();
+FormatRow legacy_vtk_format();
+FormatRow binlines_format();
+FormatRow csv_format();
+FormatRow vdb_format();
+
+std::span<const FormatRow> mesh_formats() {
+  static const FormatRow rows[] = {ply_format(), obj_format(),        vtp_format(),
+                                   vtu_format(), legacy_vtk_format(), binlines_format(),
+                                   csv_format(), vdb_format()};
+  return rows;
+}
+
+const FormatRow* mesh_format(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto formats = mesh_formats();
+  const auto found = std::ranges::find(formats, ending, &FormatRow::ending);
+  return found == formats.end() ? nullptr : &*found;
+}
+
+}  // namespace pellucid::geometry

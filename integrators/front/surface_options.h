@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/options/option_table.h"
+#include "integrators/paths/stepping_options.h"
+
+namespace pellucid::integrators {
+
+/// How the surface's tangent ∂x/∂s, and with it the normal, is known at a particle.
+enum class SurfaceNormals {
+  variational,  // by the variational equation
+  ghost,        // by a second particle beside it
+  none          // not at all
+};
+
+/// When the second particle is pulled back.
+enum class GhostControl {
+  reset,   // when it is too far
+  rescale  // after every step
+};
+
+/// What every surface integrator takes beside its own options.
+struct SurfaceOptions {
+  SurfaceNormals normals = SurfaceNormals::variational;
+  GhostControl ghost = GhostControl::reset;
+  double rip = 1e-4;  // neighbours whose seeds are closer, in s, are torn, not refined
+  std::uint64_t max_particles = 1'000'000;   // the surface is not refined any more
+  std::uint64_t max_triangles = 20'000'000;  // the surface ends
+  SteppingOptions stepping;
+};
+
+const OptionTable<SurfaceOptions>& surface_options();
+
+}  // namespace pellucid::integrators
