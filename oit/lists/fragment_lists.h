@@ -9,20 +9,22 @@
 
 namespace pellucid::oit {
 
-/// Every fragment of a pixel in a list, sorted: see oit/methods/lists/linked_list.h. What
-/// is done with the sorted ones, front to back, is list_consumer.glsl's.
+/// Every fragment of a pixel in a list, sorted: see oit/methods/lists/linked_list.h. What is done
+/// with the sorted ones, front to back, is list_consumer.glsl's.
 class FragmentLists {
  public:
   /// The screen passes that sort and consume.
   class Consumer {
    public:
-    Consumer(const Stage& stage, Defines defines);
+    /// `resources`: what the passes bind beside the lists.
+    Consumer(const Stage& stage, Defines defines, const Resources& resources = {});
     bool has_long_lists() const { return long_lists_.has_value(); }
 
    private:
     friend FragmentLists;
     const Stage& stage_;
     Defines defines_;
+    Resources resources_;
     Program resolve_;
     struct LongListPrograms {
       Program sort, merge, blend;
@@ -34,21 +36,20 @@ class FragmentLists {
   /// `method` for messages.
   FragmentLists(Stage& stage, std::string_view method);
 
-  /// Counts the fragments and makes a place for each. Throws WorkError where
-  /// the driver has none.
+  /// Counts the fragments and makes a place for each. Throws WorkError where the driver has none.
   void reserve();
   std::uint64_t fragments() const { return pool_.nodes; }
   bool reserved() const { return pool_.links.bytes() > 0; }
-  /// By a shader that calls append_fragment() of list_append.glsl for every
-  /// fragment.
+  /// By a shader that calls append_fragment() of list_append.glsl for every fragment.
   void build(const GeometryProgram& program) const;
   /// Empties the lists. Draws into `target`.
   void consume(Consumer& consumer, const Framebuffer& target) const;
 
  private:
-  void consume_long(std::uint32_t longest, Consumer& consumer, const Framebuffer& target) const;
+  Resources lists() const;
+  void consume_long(std::uint32_t longest, Consumer& consumer, const Pass& pass) const;
   void consume_deep(std::uint32_t longest, const Consumer::LongListPrograms& programs,
-                    const Framebuffer& target) const;
+                    const Pass& pass) const;
   void finish_stores() const;
 
   Stage& stage_;

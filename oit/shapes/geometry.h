@@ -21,6 +21,8 @@ struct ElementTextures {
   BufferTexture of_triangle, of_segment;  // which element
   std::uint32_t first_point = 0;          // of the elements
   BufferTexture opacities;                // of every element; the bits of a float
+
+  Resources resources() const;  // for reading
 };
 
 /// The scene's meshes, ribbons and discs on the OpenGL side.
@@ -47,7 +49,9 @@ class Geometry {
   /// The picture is sampled there, see pixel_samples.h.
   void sample_at(const Vec2& sample) const;
 
-  /// What is transparent, in the order of the scene.
+  /// What the shapes' shaders find in any pass that draws them.
+  Resources resources() const;
+  /// What is transparent, in the order of the scene, in the pass that has begun.
   void draw(const GeometryProgram& program) const { draw_all(program, false); }
   void draw(const GeometryProgram& program, const Subset& subset) const;
   void draw_opaque(const GeometryProgram& program) const { draw_all(program, true); }
@@ -65,7 +69,6 @@ class Geometry {
   void draw_batch(const GeometryProgram& program, const Batch& batch, const Source& source) const;
   void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
                     const Batch& batch) const;
-  void bind_elements(const Program& program, const Batch& batch) const;
   void draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const;
   Source everything() const;
 

@@ -3,20 +3,13 @@
 
 #include "oit/gl/gl_context.h"
 #include "oit/gl/gl_objects.h"
+#include "oit/gl/pass.h"
 #include "oit/gl/program.h"
 #include "oit/shapes/geometry.h"
 #include "oit/stage/ledger.h"
 #include "oit/stage/opaque_context.h"
 
 namespace pellucid::oit {
-
-enum class Blend {
-  replace,
-  add,      // destination + source
-  under,    // premultiplied source under the destination: front to back
-  over,     // … over it: back to front
-  transmit  // destination * (1 - source): the product of transmittances
-};
 
 /// What all methods draw on: a context, the scene's geometry, and the means to run a pass. A method
 /// makes its programs and targets from it.
@@ -40,7 +33,8 @@ class Stage {
   /// See Geometry. For programs with the define OPTIMIZED_VERTICES; counted.
   void use_elements(const ElementTextures& elements) { geometry_.use_elements(elements); }
   void set_opacities(std::span<const float> of_meshes, std::span<const float> of_lines);
-  /// From here on pictures are sampled there, see pixel_samples.h.
+  /// From here on pictures are sampled there, see pixel_samples.h: all passes of a picture are, so
+  /// that it is no argument of each.
   void sample_at(const Vec2& sample);
   bool has_opaque_context() const { return opaque_.has_value(); }
   /// Before a picture is drawn: what is opaque, sampled as the picture will be.
@@ -60,22 +54,22 @@ class Stage {
   /// A program over every pixel of the picture. What lies behind is set where it is used.
   Program screen_program(std::string_view fragment, Defines defines = {}) const;
 
-  /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow. Into
-  /// half targets by programs with the define HALF_RESOLUTION: pixel x, y is where 2 x, 2 y and its
-  /// neighbours to the right and below are, up to a pixel where the width or height is odd.
-  void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
-  void draw_geometry(const GeometryProgram& program) const { geometry_.draw(program); }
+  // Every draw is given the pass that it is: the target, and the method's own resources. The stage
+  // binds what it has itself beside them: shapes, opaque context, the opacities of the program.
+  //
+  // Half targets are drawn into by programs with the define HALF_RESOLUTION: pixel x, y is where
+  // 2 x, 2 y and its neighbours to the right and below are, up to a pixel where the width or height
+  // is odd.
+  void draw_geometry(const Pass& pass, const GeometryProgram& program) const;
   /// A geometry of the method's own.
-  void draw_geometry(const GeometryProgram& program, const Geometry& geometry) const {
-    geometry.sample_at(sample_);
-    geometry.draw(program);
-  }
-  void draw_geometry(const GeometryProgram& program, const Subset& subset) const {
-    geometry_.draw(program, subset);
-  }
-  void draw_screen(const Program& program) const;
+  void draw_geometry(const Pass& pass, const GeometryProgram& program,
+                     const Geometry& geometry) const;
+  void draw_geometry(const Pass& pass, const GeometryProgram& program, const Subset& subset) const;
+  void draw_screen(const Pass& pass, const Program& program) const;
 
  private:
+  void begin(Pass pass, const Resources& of_program) const;
+
   const scene::Scene& scene_;
   scene::FrameMemory* memory_;
   GlContext context_;
