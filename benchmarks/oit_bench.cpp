@@ -11,6 +11,7 @@
 #include "core/machine/stopwatch.h"
 #include "core/options/names.h"
 #include "fields/make_field.h"
+#include "oit/gl/bindings.h"
 #include "oit/registry.h"
 #include "oit/stage/stage.h"
 
@@ -81,10 +82,8 @@ BarePass picture() { return {false, {GL_RGBA32F}, write_constants(1)}; }
 
 // What storing a node of a list takes: one count, one exchange, two stores.
 constexpr const char* store_node = R"(
-layout(binding = 0, r32ui) coherent uniform uimage2D heads;
-layout(binding = 1, rgba32ui) uniform uimageBuffer nodes;
-layout(binding = 2, rgba32f) uniform imageBuffer colors;
-layout(binding = 0) uniform atomic_uint count;
+#include "oit/lists/fragment_list.glsl"
+layout(binding = node_counter) uniform atomic_uint count;
 void main() {
   int node = int(atomicCounterIncrement(count)) + 1;
   imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
@@ -95,8 +94,7 @@ void main() {
 
 // And fetching it: every node of the pool once, in the order of memory.
 constexpr const char* load_nodes = R"(
-layout(binding = 1, rgba32ui) uniform uimageBuffer nodes;
-layout(binding = 2, rgba32f) uniform imageBuffer colors;
+#include "oit/lists/fragment_list.glsl"
 layout(location = 0) out vec4 c;
 uniform int layers, width;
 void main() {
@@ -144,7 +142,7 @@ class BareRenderer {
 
   double seconds() {
     stage_.make_current();
-    bind();
+    counter_.clear(0);
     const Stopwatch watch;
     for (const Pass& pass : passes_) draw(pass);
     return watch.seconds();
@@ -176,29 +174,27 @@ class BareRenderer {
       pass.geometry = stage_.geometry_program(bare.shader);
     } else {
       pass.screen = stage_.screen_program(bare.shader);
-      pass.screen.set("layers", layers);
-      pass.screen.set("width", stage_.width());
+      pass.screen.set_if_used("layers", layers);
+      pass.screen.set_if_used("width", stage_.width());
     }
     passes_.push_back(std::move(pass));
   }
 
-  void bind() const {
-    counter_.clear(0);
-    heads_.bind_image(0);
-    nodes_.bind_image(1);
-    colors_.bind_image(2);
-    counter_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
+  oit::Resources lists() const {
+    return {heads_.as_image(oit::bindings::heads_image),
+            nodes_.as_image(oit::bindings::nodes_image),
+            colors_.as_image(oit::bindings::node_colors_image),
+            counter_.as_atomic_counter(oit::bindings::node_counter)};
   }
 
   void draw(const Pass& pass) const {
     const oit::Framebuffer& target = pass.framebuffers[0];
     target.clear_all(0);
     const oit::Blend blend = pass.over_geometry ? oit::Blend::add : oit::Blend::replace;
-    if (target.attachments() > 1)
-      stage_.begin_pass(target, {blend, pass.last_blend});
-    else
-      stage_.begin_pass(target, {blend});
-    pass.over_geometry ? stage_.draw_geometry(pass.geometry) : stage_.draw_screen(pass.screen);
+    const oit::Blend last = target.attachments() > 1 ? pass.last_blend : blend;
+    const oit::Pass drawn(target, {blend, last}, lists());
+    pass.over_geometry ? stage_.draw_geometry(drawn, pass.geometry)
+                       : stage_.draw_screen(drawn, pass.screen);
     stage_.gl().Finish();
   }
 

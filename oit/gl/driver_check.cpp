@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "oit/gl/bindings.h"
+#include "oit/gl/pass.h"
 #include "oit/gl/program.h"
 #include "oit_glsl.h"
 
@@ -22,8 +24,10 @@ void check_limits(const GlContext& context) {
     return value;
   };
   require(limit(GL_MAX_DRAW_BUFFERS) >= 8, context, "fewer than 8 colour attachments");
-  require(limit(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) >= 3, context,
-          "fewer than 3 images in a fragment shader");
+  require(limit(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) >= bindings::image_units, context,
+          "fewer than 8 images in a fragment shader");
+  require(limit(GL_MAX_TEXTURE_IMAGE_UNITS) >= bindings::texture_units, context,
+          "fewer than 16 textures in a fragment shader");
   require(limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= 1, context,
           "no storage blocks in a fragment shader");
   require(limit(GL_MAX_FRAGMENT_ATOMIC_COUNTERS) >= 1, context,
@@ -31,14 +35,12 @@ void check_limits(const GlContext& context) {
 }
 
 /// Draws the one pixel twice: it is written, then blended with itself.
-void draw_twice(const GlContext& context, const Framebuffer& target) {
+void draw_twice(const GlContext& context, const Pass& pass) {
   const Gl& gl = context.gl();
   const Program program(context, oit_glsl::screen_vert_glsl(), {oit_glsl::driver_check_frag_glsl()},
                         {});
   const VertexArray no_attributes(gl);
-  target.bind();
-  gl.Enablei(GL_BLEND, 0);
-  gl.BlendFunci(0, GL_ONE, GL_ONE);
+  pass.begin(gl);
   gl.BindVertexArray(no_attributes.id());
   program.use();
   for (int i = 0; i < 2; ++i) {
@@ -46,7 +48,6 @@ void draw_twice(const GlContext& context, const Framebuffer& target) {
     gl.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
   gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-  gl.Disablei(GL_BLEND, 0);
 }
 
 }  // namespace
@@ -62,10 +63,11 @@ void check_driver(const GlContext& context) {
   head.clear(0);
   stores.buffer().clear(0);
   counter.clear(0);
-  head.bind_image(0);
-  stores.bind_image(1);
-  counter.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
-  draw_twice(context, target);
+  draw_twice(context, {target,
+                       {Blend::add},
+                       {head.as_image(bindings::checked_head_image),
+                        stores.as_image(bindings::checked_stores_image),
+                        counter.as_atomic_counter(bindings::checked_counter)}});
   context.check("checking the driver");
 
   float color[4] = {};

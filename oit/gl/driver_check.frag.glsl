@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One node of a list and one blended value: see driver_check.cpp.
-layout(binding = 0) uniform atomic_uint count;
-layout(binding = 0, r32ui) coherent uniform uimage2D head;
-layout(binding = 1, rgba32ui) uniform uimageBuffer stores;
+#include "oit/gl/bindings.glsl"
+
+layout(binding = checked_counter) uniform atomic_uint count;
+layout(binding = checked_head_image, r32ui) coherent uniform uimage2D head;
+layout(binding = checked_stores_image, rgba32ui) uniform uimageBuffer stores;
 
 layout(location = 0) out vec4 color;
 

@@ -18,6 +18,7 @@
   X(LinkProgram, LINKPROGRAM) X(GetProgramiv, GETPROGRAMIV)                                     \
   X(GetProgramInfoLog, GETPROGRAMINFOLOG) X(DeleteProgram, DELETEPROGRAM)                       \
   X(UseProgram, USEPROGRAM) X(GetUniformLocation, GETUNIFORMLOCATION)                           \
+  X(GetActiveUniform, GETACTIVEUNIFORM)                                                         \
   X(ProgramUniform1f, PROGRAMUNIFORM1F) X(ProgramUniform2f, PROGRAMUNIFORM2F)                   \
   X(ProgramUniform3f, PROGRAMUNIFORM3F) X(ProgramUniform1i, PROGRAMUNIFORM1I)                   \
   X(ProgramUniform1ui, PROGRAMUNIFORM1UI)                                                       \

@@ -62,10 +62,6 @@ Texture::Texture(const Gl& gl, GLenum format, int width, int height, int layers)
   check_memory(gl, bytes_);
 }
 
-void Texture::bind_image(GLuint unit) const {
-  name_.gl().BindImageTexture(unit, id(), 0, GL_TRUE, 0, GL_READ_WRITE, format_);
-}
-
 void Texture::clear(std::uint32_t value) const {
   const std::uint32_t texel[] = {value, value, value, value};
   name_.gl().ClearTexImage(id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texel);
@@ -93,10 +89,6 @@ void* Buffer::map() const {
   return memory;
 }
 
-void Buffer::bind_base(GLenum target, GLuint binding) const {
-  name_.gl().BindBufferBase(target, binding, id());
-}
-
 void Buffer::clear(std::uint32_t value) const {
   name_.gl().ClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
 }
@@ -121,10 +113,6 @@ BufferTexture::BufferTexture(const Gl& gl, GLenum format, Buffer buffer)
       texels > std::uint64_t(most))
     throw InputError(fmt::format("{} texels in a buffer; the driver accepts {}", texels, most));
   gl.TextureBuffer(name_.id(), format, buffer_.id());
-}
-
-void BufferTexture::bind_image(GLuint unit) const {
-  name_.gl().BindImageTexture(unit, name_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, format_);
 }
 
 Framebuffer::Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachments)
@@ -185,11 +173,11 @@ void Framebuffer::clear_depth(float value) const {
 VertexArray::VertexArray(const Gl& gl)
     : name_(gl, create([&](GLuint* id) { gl.CreateVertexArrays(1, id); })) {}
 
-void VertexArray::attribute(GLuint location, GLuint binding, int count, unsigned offset) const {
+void VertexArray::attribute(int location, int binding, int count, unsigned offset) const {
   const Gl& gl = name_.gl();
-  gl.EnableVertexArrayAttrib(id(), location);
-  gl.VertexArrayAttribFormat(id(), location, count, GL_FLOAT, GL_FALSE, offset);
-  gl.VertexArrayAttribBinding(id(), location, binding);
+  gl.EnableVertexArrayAttrib(id(), GLuint(location));
+  gl.VertexArrayAttribFormat(id(), GLuint(location), count, GL_FLOAT, GL_FALSE, offset);
+  gl.VertexArrayAttribBinding(id(), GLuint(location), GLuint(binding));
 }
 
 SampleQuery::SampleQuery(const Gl& gl)

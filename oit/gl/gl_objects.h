@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/vec.h"
-#include "oit/gl/gl.h"
+#include "oit/gl/resources.h"
 
 namespace pellucid::oit {
 
@@ -52,10 +52,15 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   std::uint64_t bytes() const { return bytes_; }
-  /// Binds it for a sampler2D or sampler2DArray of layout(binding = unit).
-  void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, id()); }
-  /// Binds it for an image2D of layout(binding = unit), read and written.
-  void bind_image(GLuint unit) const;
+  /// Names it as what a sampler2D or sampler2DArray finds; units are those of bindings.glsl, here
+  /// and below.
+  Resource as_texture(int unit) const {
+    return {&name_.gl(), ResourceKind::texture, GLuint(unit), id()};
+  }
+  /// Names it as what an image2D or image2DArray finds, which reads and writes it.
+  Resource as_image(int unit) const {
+    return {&name_.gl(), ResourceKind::image, GLuint(unit), id(), format_, GL_TRUE};
+  }
   void clear(std::uint32_t value) const;  // every component of an unsigned integer format
   void read(GLenum format, GLenum type, std::size_t bytes, void* data) const;
   /// Reads one pixel of all `layers`, the first layer first.
@@ -101,8 +106,13 @@ class Buffer {
 
   GLuint id() const { return name_.id(); }
   std::uint64_t bytes() const { return bytes_; }
-  /// Binds it for an atomic counter, a storage or a uniform block: `target` names which.
-  void bind_base(GLenum target, GLuint binding) const;
+  /// Names it as what a block or a counter finds.
+  ///@{
+  Resource as_uniform_block(int unit) const { return as(ResourceKind::uniform_block, unit); }
+  Resource as_storage_block(int unit) const { return as(ResourceKind::storage_block, unit); }
+  Resource as_atomic_counter(int unit) const { return as(ResourceKind::atomic_counter, unit); }
+  ///@}
+
   void clear(std::uint32_t value) const;
   std::uint32_t read_word(std::size_t index) const;
   void read(void* data) const { read(bytes_, data); }
@@ -110,6 +120,7 @@ class Buffer {
 
  private:
   Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags);
+  Resource as(ResourceKind kind, int unit) const { return {&name_.gl(), kind, GLuint(unit), id()}; }
   void* map() const;
 
   GlName<&Gl::DeleteBuffers> name_;
@@ -128,8 +139,14 @@ class BufferTexture {
 
   std::uint64_t bytes() const { return buffer_.bytes(); }
   const Buffer& buffer() const { return buffer_; }
-  void bind(GLuint unit) const { name_.gl().BindTextureUnit(unit, name_.id()); }
-  void bind_image(GLuint unit) const;
+  /// For samplerBuffer.
+  Resource as_texture(int unit) const {
+    return {&name_.gl(), ResourceKind::texture, GLuint(unit), name_.id()};
+  }
+  /// For imageBuffer, read and written.
+  Resource as_image(int unit) const {
+    return {&name_.gl(), ResourceKind::image, GLuint(unit), name_.id(), format_, GL_FALSE};
+  }
 
  private:
   Buffer buffer_;
@@ -178,12 +195,12 @@ class VertexArray {
   explicit VertexArray(const Gl& gl);
   GLuint id() const { return name_.id(); }
   /// Takes `buffer` as source `binding`, with `stride` bytes a vertex.
-  void source(GLuint binding, const Buffer& buffer, unsigned stride) const {
-    name_.gl().VertexArrayVertexBuffer(id(), binding, buffer.id(), 0, GLsizei(stride));
+  void source(int binding, const Buffer& buffer, unsigned stride) const {
+    name_.gl().VertexArrayVertexBuffer(id(), GLuint(binding), buffer.id(), 0, GLsizei(stride));
   }
   /// Takes attribute `location` from source `binding`: `count` floats at byte `offset` of each
   /// vertex.
-  void attribute(GLuint location, GLuint binding, int count, unsigned offset) const;
+  void attribute(int location, int binding, int count, unsigned offset) const;
 
  private:
   GlName<&Gl::DeleteVertexArrays> name_;

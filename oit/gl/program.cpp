@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
+#include <algorithm>
 
 #include "core/error.h"
 #include "oit_glsl.h"
@@ -15,6 +15,13 @@ std::string_view shared_file(std::string_view path) {
   for (const oit_glsl::File& file : oit_glsl::files())
     if (file.path == path) return file.text();
   throw WorkError(fmt::format("a shader includes the unknown file '{}'", path));
+}
+
+/// The path of an embedded file's text; of another text there is none.
+std::string_view path_of(std::string_view text) {
+  for (const oit_glsl::File& file : oit_glsl::files())
+    if (file.text().data() == text.data()) return file.path;
+  return "a shader of no file";
 }
 
 std::string complete(const FragmentText& source, const Defines& defines) {
@@ -82,28 +89,68 @@ std::string expand_includes(std::string_view source) {
 
 Program::Program(const GlContext& context, std::string_view vertex, const FragmentText& fragment,
                  const Defines& defines)
-    : gl_(&context.gl()), id_(gl_->CreateProgram()) {
+    : gl_(&context.gl()),
+      id_(gl_->CreateProgram()),
+      vertex_(path_of(vertex)),
+      fragment_(path_of(fragment.body)) {
   const Shader vertex_shader(*gl_, GL_VERTEX_SHADER, complete({vertex}, defines));
   const Shader fragment_shader(*gl_, GL_FRAGMENT_SHADER, complete(fragment, defines));
   gl_->AttachShader(id_, vertex_shader.id());
   gl_->AttachShader(id_, fragment_shader.id());
   link(*gl_, id_);
+  find_uniforms();
 }
 
-void Program::set(const char* name, float value) const {
-  gl_->ProgramUniform1f(id_, location(name), value);
+void Program::swap(Program& other) noexcept {
+  std::swap(gl_, other.gl_);
+  std::swap(id_, other.id_);
+  std::swap(vertex_, other.vertex_);
+  std::swap(fragment_, other.fragment_);
+  std::swap(uniforms_, other.uniforms_);
 }
-void Program::set(const char* name, const glm::vec2& v) const {
-  gl_->ProgramUniform2f(id_, location(name), v.x, v.y);
+
+void Program::find_uniforms() {
+  GLint count = 0;
+  gl_->GetProgramiv(id_, GL_ACTIVE_UNIFORMS, &count);
+  for (GLuint i = 0; i < GLuint(count); ++i) {
+    char name[256];
+    GLint size;
+    GLenum type;
+    gl_->GetActiveUniform(id_, i, sizeof name, nullptr, &size, &type, name);
+    // -1: in a block.
+    if (const GLint at = gl_->GetUniformLocation(id_, name); at >= 0)
+      uniforms_.push_back({name, at});
+  }
+  std::ranges::sort(uniforms_, {}, &Uniform::name);
 }
-void Program::set(const char* name, const glm::vec3& v) const {
-  gl_->ProgramUniform3f(id_, location(name), v.x, v.y, v.z);
+
+GLint Program::location(std::string_view name) const {
+  const auto found = std::ranges::lower_bound(uniforms_, name, {}, &Uniform::name);
+  return found != uniforms_.end() && found->name == name ? found->location : -1;
 }
-void Program::set(const char* name, int value) const {
-  gl_->ProgramUniform1i(id_, location(name), value);
+
+GLint Program::required_location(std::string_view name) const {
+  const GLint at = location(name);
+  if (at < 0)
+    throw WorkError(
+        fmt::format("the program of {} and {} has no uniform '{}'", vertex_, fragment_, name));
+  return at;
 }
-void Program::set(const char* name, std::uint32_t value) const {
-  gl_->ProgramUniform1ui(id_, location(name), value);
+
+void Program::set_at(GLint location, float value) const {
+  gl_->ProgramUniform1f(id_, location, value);
+}
+void Program::set_at(GLint location, const glm::vec2& v) const {
+  gl_->ProgramUniform2f(id_, location, v.x, v.y);
+}
+void Program::set_at(GLint location, const glm::vec3& v) const {
+  gl_->ProgramUniform3f(id_, location, v.x, v.y, v.z);
+}
+void Program::set_at(GLint location, int value) const {
+  gl_->ProgramUniform1i(id_, location, value);
+}
+void Program::set_at(GLint location, std::uint32_t value) const {
+  gl_->ProgramUniform1ui(id_, location, value);
 }
 
 }  // namespace pellucid::oit

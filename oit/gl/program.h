@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/vec.h"
 #include "oit/gl/gl_context.h"
@@ -31,10 +31,9 @@ class Program {
   /// log.
   Program(const GlContext& context, std::string_view vertex, const FragmentText& fragment,
           const Defines& defines);
-  Program(Program&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
+  Program(Program&& other) noexcept { swap(other); }
   Program& operator=(Program&& other) noexcept {
-    std::swap(gl_, other.gl_);
-    std::swap(id_, other.id_);
+    swap(other);
     return *this;
   }
   ~Program() {
@@ -42,20 +41,38 @@ class Program {
   }
 
   void use() const { gl_->UseProgram(id_); }
-  /// Sets a uniform; one that the shader does not use is ignored, as OpenGL does with location -1.
-  ///@{
-  void set(const char* name, float value) const;
-  void set(const char* name, const glm::vec2& value) const;
-  void set(const char* name, const glm::vec3& value) const;
-  void set(const char* name, int value) const;
-  void set(const char* name, std::uint32_t value) const;
-  ///@}
+  /// Sets a uniform; T: float, glm::vec2, glm::vec3, int (also for bool), std::uint32_t. Throws
+  /// WorkError that names the uniform and the shaders where they use none of that name.
+  template <class T>
+  void set(std::string_view name, const T& value) const {
+    set_at(required_location(name), value);
+  }
+  /// Sets a uniform that only some of the programs use that are set alike.
+  template <class T>
+  void set_if_used(std::string_view name, const T& value) const {
+    if (const GLint at = location(name); at >= 0) set_at(at, value);
+  }
 
  private:
-  GLint location(const char* name) const { return gl_->GetUniformLocation(id_, name); }
+  struct Uniform {
+    std::string name;
+    GLint location;
+  };
+
+  void swap(Program& other) noexcept;
+  void find_uniforms();
+  GLint location(std::string_view name) const;  // -1: not used
+  GLint required_location(std::string_view name) const;
+  void set_at(GLint location, float value) const;
+  void set_at(GLint location, const glm::vec2& value) const;
+  void set_at(GLint location, const glm::vec3& value) const;
+  void set_at(GLint location, int value) const;
+  void set_at(GLint location, std::uint32_t value) const;
 
   const Gl* gl_ = nullptr;
   GLuint id_ = 0;
+  std::string_view vertex_, fragment_;  // the embedded files' paths
+  std::vector<Uniform> uniforms_;       // by name
 };
 
 /// Returns `source` with every line `#include "path"` replaced by the embedded file of that path,

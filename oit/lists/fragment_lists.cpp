@@ -9,19 +9,19 @@
 namespace pellucid::oit {
 namespace {
 
-// llvmpipe silently ends the loops of a shader after 65535 iterations in all.
-// Sorting and consuming takes about 6 for each layer: up to here one pass does
-// it all …
+// llvmpipe silently ends the loops of a shader after 65535 iterations in all. Sorting and consuming
+// takes about 6 for each layer: up to here one pass does it all …
 constexpr std::uint32_t most_layers_at_once = 4096;
-// … and deeper pixels take a pass for each level of a merge sort, at a quarter
-// of an iteration for each layer.
+// … and deeper pixels take a pass for each level of a merge sort, at a quarter of an iteration for
+// each layer.
 constexpr std::uint32_t most_layers = 250'000;
 
 }  // namespace
 
-FragmentLists::Consumer::Consumer(const Stage& stage, Defines defines)
+FragmentLists::Consumer::Consumer(const Stage& stage, Defines defines, const Resources& resources)
     : stage_(stage),
       defines_(std::move(defines)),
+      resources_(resources),
       resolve_(stage.screen_program(oit_glsl::list_resolve_frag_glsl(), defines_)) {}
 
 const FragmentLists::Consumer::LongListPrograms& FragmentLists::Consumer::long_lists() {
@@ -47,9 +47,8 @@ FragmentLists::FragmentLists(Stage& stage, std::string_view method)
 }
 
 void FragmentLists::reserve() {
-  stage_.begin_pass(no_targets_, {Blend::replace});
   query_.begin();
-  stage_.draw_geometry(count_);
+  stage_.draw_geometry({no_targets_, {Blend::replace}}, count_);
   const std::uint64_t fragments = query_.end();
   if (fragments == pool_.nodes && reserved()) return;
   pool_ = {};  // the old pool is gone before the new one is there
@@ -60,44 +59,44 @@ void FragmentLists::reserve() {
 void FragmentLists::build(const GeometryProgram& program) const {
   heads_.clear(0);
   node_count_.clear(0);
-  heads_.bind_image(0);
-  pool_.bind();
-  node_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
-  stage_.begin_pass(no_targets_, {Blend::replace});
-  stage_.draw_geometry(program);
+  const Resource counter = node_count_.as_atomic_counter(bindings::node_counter);
+  stage_.draw_geometry({no_targets_, {Blend::replace}, lists() + counter}, program);
   finish_stores();
+}
+
+Resources FragmentLists::lists() const {
+  return pool_.resources() + heads_.as_image(bindings::heads_image);
 }
 
 void FragmentLists::consume(Consumer& consumer, const Framebuffer& target) const {
   longest_.clear(0);
-  longest_.bind_base(GL_SHADER_STORAGE_BUFFER, 0);
-  stage_.begin_pass(target, {Blend::replace});
-  stage_.draw_screen(consumer.resolve_);
+  const Resource longest_block = longest_.as_storage_block(bindings::longest_storage);
+  const Pass pass(target, {Blend::replace}, lists() + longest_block + consumer.resources_);
+  stage_.draw_screen(pass, consumer.resolve_);
   finish_stores();
-  if (const std::uint32_t longest = longest_.read_word(0)) consume_long(longest, consumer, target);
+  if (const std::uint32_t longest = longest_.read_word(0)) consume_long(longest, consumer, pass);
 }
 
 void FragmentLists::consume_long(std::uint32_t longest, Consumer& consumer,
-                                 const Framebuffer& target) const {
+                                 const Pass& pass) const {
   if (longest > most_layers)
     throw WorkError(fmt::format("{}: a pixel has {} layers or more; sorted are at most {}", method_,
                                 longest, most_layers));
   const Consumer::LongListPrograms& programs = consumer.long_lists();
-  stage_.draw_screen(programs.sort);
+  stage_.draw_screen(pass, programs.sort);
   finish_stores();
-  if (longest > most_layers_at_once) consume_deep(longest, programs, target);
+  if (longest > most_layers_at_once) consume_deep(longest, programs, pass);
 }
 
 void FragmentLists::consume_deep(std::uint32_t longest, const Consumer::LongListPrograms& programs,
-                                 const Framebuffer& target) const {
-  stage_.begin_pass(no_targets_, {Blend::replace});
+                                 const Pass& pass) const {
+  const Pass merging(no_targets_, {Blend::replace}, lists());
   for (std::uint32_t length = 1; length < longest; length *= 2) {
     programs.merge.set("length_of_runs", int(length));
-    stage_.draw_screen(programs.merge);
+    stage_.draw_screen(merging, programs.merge);
     finish_stores();
   }
-  stage_.begin_pass(target, {Blend::replace});
-  stage_.draw_screen(programs.blend);
+  stage_.draw_screen(pass, programs.blend);
 }
 
 void FragmentLists::finish_stores() const {

@@ -17,13 +17,15 @@ class FragmentLists {
   /// A Consumer holds the screen passes that sort and consume.
   class Consumer {
    public:
-    Consumer(const Stage& stage, Defines defines);
+    /// `resources`: what the passes bind beside the lists.
+    Consumer(const Stage& stage, Defines defines, const Resources& resources = {});
     bool has_long_lists() const { return long_lists_.has_value(); }
 
    private:
     friend FragmentLists;
     const Stage& stage_;
     Defines defines_;
+    Resources resources_;
     Program resolve_;
     struct LongListPrograms {
       Program sort, merge, blend;
@@ -48,9 +50,10 @@ class FragmentLists {
   void consume(Consumer& consumer, const Framebuffer& target) const;
 
  private:
-  void consume_long(std::uint32_t longest, Consumer& consumer, const Framebuffer& target) const;
+  Resources lists() const;
+  void consume_long(std::uint32_t longest, Consumer& consumer, const Pass& pass) const;
   void consume_deep(std::uint32_t longest, const Consumer::LongListPrograms& programs,
-                    const Framebuffer& target) const;
+                    const Pass& pass) const;
   void finish_stores() const;
 
   Stage& stage_;

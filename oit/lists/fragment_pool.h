@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "oit/gl/bindings.h"
 #include "oit/gl/gl_objects.h"
 
 namespace pellucid::oit {
@@ -12,9 +13,8 @@ struct FragmentPool {
   BufferTexture links, colors;
 
   std::uint64_t bytes() const { return links.bytes() + colors.bytes(); }
-  void bind() const {
-    links.bind_image(1);
-    colors.bind_image(2);
+  Resources resources() const {
+    return {links.as_image(bindings::nodes_image), colors.as_image(bindings::node_colors_image)};
   }
 };
 

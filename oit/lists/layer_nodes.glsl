@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pixels' trees in memory. Layer 0 stands for none.
+#include "oit/gl/bindings.glsl"
 #include "oit/lists/layer_tree.glsl"
 
-layout(binding = 3, rg32ui) coherent uniform uimage2D trees;
-layout(binding = 4, rgba32ui) uniform uimageBuffer layers;  // left, right, bits of d, priority
-layout(binding = 5, rg32ui) uniform uimageBuffer layer_links;  // next; fragments, or a crossing's order
-layout(binding = 6, rgba32f) uniform imageBuffer layer_colors;  // mean straight colour, mean opacity
+layout(binding = trees_image, rg32ui) coherent uniform uimage2D trees;
+// Left, right, bits of d, priority.
+layout(binding = layers_image, rgba32ui) uniform uimageBuffer layers;
+// Next; fragments, or a crossing's order.
+layout(binding = layer_links_image, rg32ui) uniform uimageBuffer layer_links;
+// Mean straight colour, mean opacity.
+layout(binding = layer_colors_image, rgba32f) uniform imageBuffer layer_colors;
 
 Tree load_tree(ivec2 pixel) {
   uvec2 texel = imageLoad(trees, pixel).rg;

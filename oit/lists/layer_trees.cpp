@@ -54,11 +54,8 @@ void LayerTrees::rasterize(const Geometry& geometry, bool crossings) {
   for (;;) {
     heads_.clear(0);
     fragment_count_.clear(0);
-    heads_.bind_image(0);
-    pool_.bind();
-    fragment_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
-    stage_.begin_pass(no_targets_, {Blend::replace});
-    stage_.draw_geometry(build_, geometry);
+    const Resource counter = fragment_count_.as_atomic_counter(bindings::node_counter);
+    stage_.draw_geometry({no_targets_, {Blend::replace}, lists() + counter}, build_, geometry);
     finish_stores();
     frame_fragments_ = fragment_count_.read_word(0);
     if (frame_fragments_ <= pool_.nodes) break;
@@ -84,15 +81,12 @@ void LayerTrees::reserve(std::uint64_t layers) {
 
 void LayerTrees::insert() {
   reserve(layers_ + frame_fragments_);
-  heads_.bind_image(0);
-  pool_.bind();
-  bind();
-  layer_count_.bind_base(GL_ATOMIC_COUNTER_BUFFER, 0);
   insert_.set("crossings", int(crossings_));
-  stage_.begin_pass(no_targets_, {Blend::replace});
+  const Resource counter = layer_count_.as_atomic_counter(bindings::layer_counter);
+  const Pass pass(no_targets_, {Blend::replace}, lists() + trees() + counter);
   do {
     unfinished_.clear(0);
-    stage_.draw_screen(insert_);
+    stage_.draw_screen(pass, insert_);
     finish_stores();
   } while (unfinished_.read_word(0) > 0);
   layers_ = layer_count_.read_word(0);
@@ -100,20 +94,21 @@ void LayerTrees::insert() {
 
 void LayerTrees::composite(const Framebuffer& picture) const {
   unfinished_.clear(0);
-  bind();
-  stage_.begin_pass(picture, {Blend::replace});
-  stage_.draw_screen(composite_);
+  stage_.draw_screen({picture, {Blend::replace}, trees()}, composite_);
   finish_stores();
   if (unfinished_.read_word(0) > 0)
     throw WorkError("tree: a pixel has more than 500000 layers; draw a smaller picture");
 }
 
-void LayerTrees::bind() const {
-  trees_.bind_image(3);
-  nodes_.bind_image(4);
-  links_.bind_image(5);
-  colors_.bind_image(6);
-  unfinished_.bind_base(GL_SHADER_STORAGE_BUFFER, 0);
+Resources LayerTrees::lists() const {
+  return pool_.resources() + heads_.as_image(bindings::heads_image);
+}
+
+Resources LayerTrees::trees() const {
+  return {trees_.as_image(bindings::trees_image), nodes_.as_image(bindings::layers_image),
+          links_.as_image(bindings::layer_links_image),
+          colors_.as_image(bindings::layer_colors_image),
+          unfinished_.as_storage_block(bindings::unfinished_storage)};
 }
 
 void LayerTrees::finish_stores() const {
@@ -125,9 +120,7 @@ LayerTrees::Counts LayerTrees::count() const {
   const Texture target(stage_.gl(), GL_RG32F, stage_.width(), stage_.height());
   const Framebuffer framebuffer(stage_.gl(), {{target}});
   const Program program = stage_.screen_program(oit_glsl::tree_count_frag_glsl());
-  bind();
-  stage_.begin_pass(framebuffer, {Blend::replace});
-  stage_.draw_screen(program);
+  stage_.draw_screen({framebuffer, {Blend::replace}, trees()}, program);
   std::vector<glm::vec2> pixels(stage_.pixel_count());
   target.read(GL_RG, GL_FLOAT, pixels.size() * sizeof pixels[0], pixels.data());
   Counts counts{CountImage(stage_.width(), stage_.height()), 0, 0};

@@ -43,7 +43,8 @@ class LayerTrees {
 
  private:
   void reserve(std::uint64_t layers);
-  void bind() const;
+  Resources lists() const;
+  Resources trees() const;
   void finish_stores() const;
 
   Stage& stage_;

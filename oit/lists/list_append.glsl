@@ -2,7 +2,7 @@
 // Building the lists. After fragment.glsl.
 #include "oit/lists/fragment_list.glsl"
 
-layout(binding = 0) uniform atomic_uint node_count;
+layout(binding = node_counter) uniform atomic_uint node_count;
 
 // `content`: straight colour and opacity, or what list_consumer.glsl finds in their place.
 void append_fragment(Fragment f, vec4 content) {

@@ -38,7 +38,6 @@ void consume(inout Consumer c, uint node) {
 void finish(Consumer c) {}
 #else
 #include "oit/stage/composite.glsl"
-#include "oit/stage/front_to_back.glsl"
 #define Consumer Composite
 
 Consumer start(uint list) { return nothing; }

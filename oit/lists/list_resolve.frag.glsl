@@ -4,7 +4,7 @@
 // shader: on llvmpipe a branch costs its time whether it is taken or not.
 #include "oit/lists/list_consumer.glsl"
 
-layout(binding = 0) buffer Longest { uint longest; };
+layout(binding = longest_storage) buffer Longest { uint longest; };
 
 void consume_run(uint list) {
   Consumer c = start(list);

@@ -3,10 +3,9 @@
 // links of the layers replace. A pixel of so many that llvmpipe ends its
 // loop (after 65535 iterations, without an error) is counted.
 #include "oit/stage/composite.glsl"
-#include "oit/stage/front_to_back.glsl"
 #include "oit/lists/layer_nodes.glsl"
 
-layout(binding = 0) buffer Unfinished { uint unfinished; };
+layout(binding = unfinished_storage) buffer Unfinished { uint unfinished; };
 
 #define REPEAT8(X) X X X X X X X X
 

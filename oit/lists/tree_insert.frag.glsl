@@ -4,8 +4,8 @@
 #include "oit/lists/fragment_list.glsl"
 #include "oit/lists/layer_nodes.glsl"
 
-layout(binding = 0) uniform atomic_uint layer_count;
-layout(binding = 0) buffer Unfinished { uint unfinished; };
+layout(binding = layer_counter) uniform atomic_uint layer_count;
+layout(binding = unfinished_storage) buffer Unfinished { uint unfinished; };
 
 uniform float epsilon2;
 uniform bool crossings;   // the lists hold crossings of meshes

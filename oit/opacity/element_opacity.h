@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/stage.h"
 #include "scene/elements/elements.h"
 
@@ -23,6 +24,8 @@ class ElementOpacity {
   void begin() const { textures_.opacities.buffer().clear(opaque_bits); }
   /// After it: for programs whose fragments have these opacities.
   void smooth_and_interpolate();
+  /// What that pass finds bound, for element_opacity.glsl.
+  Resource image() const { return textures_.opacities.as_image(bindings::element_opacities_image); }
   static FragmentOpacity fragment_opacity() { return {.defines = {{"OPTIMIZED_VERTICES", 1}}}; }
   std::string describe() const;
 

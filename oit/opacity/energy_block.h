@@ -15,7 +15,6 @@ struct EnergyBlock {
 
   explicit EnergyBlock(const scene::EnergyWeights& w) : weights(w.p, w.q, w.r, w.lambda) {}
   Buffer buffer(const Gl& gl) const { return {gl, std::vector<EnergyBlock>{*this}}; }
-  static void bind(const Buffer& buffer) { buffer.bind_base(GL_UNIFORM_BUFFER, 1); }
 };
 static_assert(sizeof(EnergyBlock) == 32);
 

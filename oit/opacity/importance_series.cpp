@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/opacity/importance_series.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/opacity/energy_block.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
 namespace {
-
-constexpr GLuint coefficients_image = 6;  // of importance_series.glsl
 
 EnergyBlock energy(const Stage& stage, const Parameters& parameters) {
   EnergyBlock block(scene::energy_weights(parameters, stage.scene().energy));
@@ -55,12 +54,12 @@ void ImportanceSeries::project() const { projection_.project(); }
 FragmentOpacity ImportanceSeries::fragment_opacity() const {
   Defines defines = defines_;
   defines.emplace_back("OPTIMIZED_FRAGMENTS", 1);
-  return {std::move(defines), oit_glsl::optimized_fragments_glsl()};
+  return {std::move(defines), oit_glsl::optimized_fragments_glsl(), resources()};
 }
 
-void ImportanceSeries::bind() const {
-  EnergyBlock::bind(energy_);
-  coefficients_.bind_image(coefficients_image);
+Resources ImportanceSeries::resources() const {
+  return {energy_.as_uniform_block(bindings::energy_block),
+          coefficients_.as_image(bindings::importance_image)};
 }
 
 }  // namespace pellucid::oit

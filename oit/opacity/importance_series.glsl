@@ -7,9 +7,9 @@
 #include "oit/opacity/energy.glsl"
 
 #if IMPORTANCE_PRECISION == 16
-layout(binding = 6, rgba16f) readonly uniform image2DArray importance_coefficients;
+layout(binding = importance_image, rgba16f) readonly uniform image2DArray importance_coefficients;
 #else
-layout(binding = 6, rgba32f) readonly uniform image2DArray importance_coefficients;
+layout(binding = importance_image, rgba32f) readonly uniform image2DArray importance_coefficients;
 #endif
 ivec2 importance_pixel() { return ivec2(gl_FragCoord.xy) / PIXELS_PER_SERIES; }
 FOURIER_SUM(importance_sum, importance_coefficients, IMPORTANCE_BANDS, importance_pixel())

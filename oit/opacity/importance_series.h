@@ -14,10 +14,9 @@ class ImportanceSeries {
   ImportanceSeries(Stage& stage, const Parameters& parameters);
 
   void project() const;
-  /// For the programs that follow.
-  void bind() const;
-  /// Of programs that include importance_series.glsl.
+  /// Of programs that include importance_series.glsl, and what these find bound.
   const Defines& defines() const { return defines_; }
+  Resources resources() const;
   /// For programs whose fragments have the opacities of least energy, each its own.
   FragmentOpacity fragment_opacity() const;
 

@@ -45,8 +45,9 @@ FourierProjection::Pass FourierProjection::pass(int first_target, const Paramete
 void FourierProjection::project() const {
   for (const Pass& pass : passes_) {
     pass.targets.clear_all(0);
-    stage_.begin_pass(pass.targets, {Blend::add});
-    subset_ ? stage_.draw_geometry(pass.program, *subset_) : stage_.draw_geometry(pass.program);
+    const oit::Pass adding(pass.targets, {Blend::add});
+    subset_ ? stage_.draw_geometry(adding, pass.program, *subset_)
+            : stage_.draw_geometry(adding, pass.program);
   }
 }
 

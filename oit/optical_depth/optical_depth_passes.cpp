@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "oit/gl/bindings.h"
+
 namespace pellucid::oit {
 
 OpticalDepthPasses::OpticalDepthPasses(Stage& stage, const std::vector<Target>& coefficients,
@@ -14,34 +16,35 @@ OpticalDepthPasses::OpticalDepthPasses(Stage& stage, const std::vector<Target>& 
   color_sum_target_ = {stage.gl(), {{color_sum_}}};
 }
 
-void OpticalDepthPasses::begin_sum(const Framebuffer& target) const {
-  target.clear_all(0);
-  stage_.begin_pass(target, {Blend::add});
-}
-
 void OpticalDepthPasses::weight_and_composite(Frame& frame) const {
   frame.step("weight", [&] { weight_colors(); });
   frame.step("composite", [&] { composite(frame.picture()); });
 }
 
 void OpticalDepthPasses::weight_colors() const {
-  for (std::size_t i = 0; i < coefficients_.size(); ++i) coefficients_[i].bind_image(GLuint(i));
-  begin_sum(color_sum_target_);
-  stage_.draw_geometry(weight_);
+  color_sum_target_.clear_all(0);
+  stage_.draw_geometry({color_sum_target_, {Blend::add}, coefficient_images()}, weight_);
+}
+
+Resources OpticalDepthPasses::coefficient_images() const {
+  Resources images;
+  for (std::size_t i = 0; i < coefficients_.size(); ++i)
+    images.add(coefficients_[i].as_image(bindings::coefficients_image + int(i)));
+  return images;
 }
 
 void OpticalDepthPasses::composite(const Framebuffer& picture) const {
-  coefficients_[0].bind(0);
-  color_sum_.bind(1);
-  stage_.begin_pass(picture, {Blend::replace});
-  stage_.draw_screen(composite_);
+  const Resources textures{coefficients_[0].as_texture(bindings::coefficients_texture),
+                           color_sum_.as_texture(bindings::color_sums_texture)};
+  stage_.draw_screen({picture, {Blend::replace}, coefficient_images() + textures}, composite_);
 }
 
 GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fragment,
                                          Defines defines, const Parameters& parameters,
                                          const FragmentOpacity& opacity) {
   GeometryProgram program = stage.geometry_program(fragment, std::move(defines), opacity);
-  program.set("clamp_alpha", float(parameters.real("clamp")));
+  // A projection of the importance has none.
+  program.set_if_used("clamp_alpha", float(parameters.real("clamp")));
   return program;
 }
 

@@ -15,9 +15,9 @@ namespace pellucid::oit {
 ///   weight      sums the colours, each weighted by what the coefficients say of tau at its depth
 ///   composite   lays that sum over the background
 ///
-/// The shaders find coefficient target i as image i of the weight pass and target 0, which says how
-/// opaque the pixel is, as sampler 0 of the composite pass; sampler 1 is the sum of the colours.
-/// An image stays bound after the weight pass, for a composite pass that prefers it.
+/// The weight pass has coefficient target i at coefficients_image + i. The composite pass has them
+/// there, too, and target 0, which says how opaque the pixel is, as coefficients_texture beside
+/// color_sums_texture: it reads what its shader prefers.
 class OpticalDepthPasses {
  public:
   struct Target {
@@ -31,11 +31,10 @@ class OpticalDepthPasses {
 
   const Texture& coefficients(int target) const { return coefficients_[std::size_t(target)]; }
 
-  /// Draws into `target` from zero on, adding.
-  void begin_sum(const Framebuffer& target) const;
   void weight_and_composite(Frame& frame) const;
 
  private:
+  Resources coefficient_images() const;
   void weight_colors() const;
   void composite(const Framebuffer& picture) const;
 

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A disc as the one triangle around it: a third of its area is cut away by the fragment shader, but
 // small discs take the time of their triangles. Points are fetched, so that each is stored once.
+#define VARYING out
+#include "oit/gl/bindings.glsl"
+#include "oit/shapes/varyings.glsl"
 #include "oit/shapes/view.glsl"
 
-layout(binding = 14) uniform samplerBuffer points;  // two texels each: position and radius; colour
+// Two texels each: position and radius; colour.
+layout(binding = points_texture) uniform samplerBuffer points;
 uniform uint first_point, stride_of_points;
-
-layout(location = 0) flat out vec4 vertex_color;
-layout(location = 1) flat out float vertex_depth;
-layout(location = 2) out vec2 vertex_corner;  // units of the radius from the centre
 #ifdef IMPORTANCE
-layout(binding = 13) uniform samplerBuffer importances;
-layout(location = 5) flat out float vertex_importance;
+layout(binding = point_importances_texture) uniform samplerBuffer importances;
 #endif
 #ifdef OPTIMIZED_VERTICES
-layout(binding = 11) uniform usamplerBuffer element_opacities;  // the bits of a float
+// The bits of a float.
+layout(binding = element_opacities_texture) uniform usamplerBuffer element_opacities;
 uniform uint first_point_element;
-layout(location = 6) flat out float vertex_opacity;
 #endif
 
 // Of an equilateral triangle around the unit circle.

@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every method's geometry pass is given of a fragment, whatever the shape that it is of.
-#ifdef DISC
-#define OF_SHAPE flat
-#else
-#define OF_SHAPE
-#endif
-layout(location = 0) OF_SHAPE in vec4 vertex_color;
-layout(location = 1) OF_SHAPE in float vertex_depth;
-#ifdef DISC
-layout(location = 2) in vec2 vertex_corner;  // units of the radius from the centre
-#elif defined(RIBBON) && defined(LIT)
-layout(location = 2) in vec3 vertex_direction;
-layout(location = 3) in vec3 vertex_position;
-layout(location = 4) in float vertex_across;
-#elif defined(LIT)
-layout(location = 2) in vec3 vertex_normal;
-layout(location = 3) in vec3 vertex_position;
-#endif
-#ifdef IMPORTANCE
-layout(location = 5) OF_SHAPE in float vertex_importance;
-#endif
-#ifdef OPTIMIZED_VERTICES
-layout(location = 6) OF_SHAPE in float vertex_opacity;
-#endif
+#define VARYING in
+#include "oit/gl/bindings.glsl"
+#include "oit/shapes/varyings.glsl"
 #ifdef OPAQUE_CONTEXT
-layout(binding = 15) uniform usampler2D opaque_keys;  // of the nearest opaque fragment
+// Of the nearest opaque fragment.
+layout(binding = opaque_keys_texture) uniform usampler2D opaque_keys;
 
 uvec2 opaque_key() {
 #ifdef HALF_RESOLUTION
@@ -73,7 +54,7 @@ float facing() {
   return length_of_direction > 0.0 ? profile * sine / length_of_direction : 0.0;
 }
 #else
-float facing() { return abs(dot(normalize(vertex_normal), view_direction())); }
+float facing() { return abs(dot(normalize(vertex_direction), view_direction())); }
 #endif
 #endif
 #endif

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 
-namespace pellucid::oit {
-namespace {
+#include "oit/gl/bindings.h"
 
-// Units of disc.vert.glsl, out of the way of the methods' own.
-constexpr GLuint points_unit = 14, importances_unit = 13;
-// Of element.glsl and of disc.vert.glsl: which elements, or their opacities.
-constexpr GLuint elements_unit = 11, opacities_image = 7;
+namespace pellucid::oit {
+
+Resources ElementTextures::resources() const {
+  return {of_triangle.as_texture(bindings::triangle_elements_texture),
+          of_segment.as_texture(bindings::segment_elements_texture),
+          opacities.as_texture(bindings::element_opacities_texture)};
+}
+
+namespace {
 
 /// A subset of triangles `indices` that is kept group by group: a segment has two triangles.
 class Thinning {
@@ -101,6 +105,15 @@ void Geometry::sample_at(const Vec2& sample) const {
       [&](ViewSpace::Uniforms* out) { *out = view_.uniforms(sample); });
 }
 
+Resources Geometry::resources() const {
+  using namespace bindings;
+  Resources list{uniforms_.as_uniform_block(view_block)};
+  if (points_) list.add(points_->as_texture(points_texture));
+  if (point_importance_) list.add(point_importance_->as_texture(point_importances_texture));
+  if (elements_) list.add(elements_->resources());
+  return list;
+}
+
 Geometry::Source Geometry::everything() const {
   return {meshes_ ? &meshes_->indices : nullptr, ribbons_ ? &ribbons_->indices : nullptr, 1};
 }
@@ -118,23 +131,14 @@ void Geometry::draw(const GeometryProgram& program, const Subset& subset) const 
 
 void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
                           const Source& source) const {
-  uniforms_.bind_base(GL_UNIFORM_BUFFER, 0);
   const Program& of_kind = program.of(batch.kind);
   of_kind.use();
-  of_kind.set("first_primitive", batch.first_primitive);
-  if (elements_) bind_elements(of_kind, batch);
+  of_kind.set_if_used("first_primitive", batch.first_primitive);
+  of_kind.set_if_used("first_of_kind", batch.first);
+  if (elements_) of_kind.set_if_used("first_point_element", elements_->first_point);
   if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
   if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
   if (batch.kind == ShapeKind::disc) draw_discs(of_kind, batch, source.stride_of_points);
-}
-
-void Geometry::bind_elements(const Program& program, const Batch& batch) const {
-  program.set("first_of_kind", batch.first);
-  program.set("first_point_element", elements_->first_point);
-  if (batch.kind == ShapeKind::mesh) elements_->of_triangle.bind(elements_unit);
-  if (batch.kind == ShapeKind::ribbon) elements_->of_segment.bind(elements_unit);
-  if (batch.kind == ShapeKind::disc) elements_->opacities.bind(elements_unit);
-  elements_->opacities.bind_image(opacities_image);
 }
 
 void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
@@ -148,8 +152,6 @@ void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indic
 void Geometry::draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const {
   program.set("first_point", batch.first);
   program.set("stride_of_points", stride);
-  points_->bind(points_unit);
-  if (point_importance_) point_importance_->bind(importances_unit);
   gl_.BindVertexArray(no_attributes_.id());
   gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(3 * batch.count));
 }

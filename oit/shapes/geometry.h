@@ -21,6 +21,8 @@ struct ElementTextures {
   BufferTexture of_triangle, of_segment;  // which element
   std::uint32_t first_point = 0;          // of the elements
   BufferTexture opacities;                // of every element; the bits of a float
+
+  Resources resources() const;  // for reading
 };
 
 /// A Geometry is the scene's meshes, ribbons and discs on the OpenGL side.
@@ -51,7 +53,10 @@ class Geometry {
   /// Places the sample of each pixel, in pixels from its top left corner; see pixel_samples.h.
   void sample_at(const Vec2& sample) const;
 
-  /// Draws what is transparent, or a subset of it, in the order of the scene.
+  /// Returns what the shapes' shaders find in any pass that draws them.
+  Resources resources() const;
+  /// Draws what is transparent, or a subset of it, in the order of the scene, in the pass that has
+  /// begun.
   ///@{
   void draw(const GeometryProgram& program) const { draw_all(program, false); }
   void draw(const GeometryProgram& program, const Subset& subset) const;
@@ -74,7 +79,6 @@ class Geometry {
   void draw_batch(const GeometryProgram& program, const Batch& batch, const Source& source) const;
   void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
                     const Batch& batch) const;
-  void bind_elements(const Program& program, const Batch& batch) const;
   void draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const;
   Source everything() const;
 

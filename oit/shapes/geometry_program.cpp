@@ -19,7 +19,9 @@ constexpr ShapeShader shape_shaders[] = {{oit_glsl::mesh_vert_glsl, "MESH"},
 }  // namespace
 
 GeometryProgram::GeometryProgram(const GlContext& context, std::span<const ShapeKind> kinds,
-                                 const FragmentText& fragment, const Defines& defines) {
+                                 const FragmentText& fragment, const Defines& defines,
+                                 const Resources& resources)
+    : resources_(resources) {
   for (const ShapeKind kind : kinds) {
     const ShapeShader& shape = shape_shaders[std::size_t(kind)];
     Defines all = defines;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/geometry_upload.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/shapes/batch.h"
 #include "scene/view/ribbon.h"
 
@@ -54,19 +55,19 @@ Counts count(const scene::Scene& scene, ShapeKind kind) {
 }
 
 void describe_vertices(const IndexedVertices& v) {
-  v.array.source(0, v.vertices, sizeof(Vertex));
-  v.array.attribute(0, 0, 3, 0);
-  v.array.attribute(1, 0, 4, sizeof(glm::vec3));
+  v.array.source(bindings::vertices_buffer, v.vertices, sizeof(Vertex));
+  v.array.attribute(bindings::position_attribute, bindings::vertices_buffer, 3, 0);
+  v.array.attribute(bindings::color_attribute, bindings::vertices_buffer, 4, sizeof(glm::vec3));
 }
 
 void describe_directions(const IndexedVertices& v) {
-  v.array.source(1, v.directions, sizeof(glm::vec3));
-  v.array.attribute(2, 1, 3, 0);
+  v.array.source(bindings::directions_buffer, v.directions, sizeof(glm::vec3));
+  v.array.attribute(bindings::direction_attribute, bindings::directions_buffer, 3, 0);
 }
 
 void describe_importance(const IndexedVertices& v) {
-  v.array.source(2, v.importance, sizeof(float));
-  v.array.attribute(3, 2, 1, 0);
+  v.array.source(bindings::importances_buffer, v.importance, sizeof(float));
+  v.array.attribute(bindings::importance_attribute, bindings::importances_buffer, 1, 0);
 }
 
 /// Of every vertex of a kind, `copies` times.
@@ -173,8 +174,8 @@ void upload_opacities(const Gl& gl, std::span<const float> opacities, int copies
   const std::uint64_t n = opacities.size() * std::uint64_t(copies);
   if (vertices.opacity.bytes() == 0) {
     vertices.opacity = Buffer::writable(gl, n * sizeof(float));
-    vertices.array.source(3, vertices.opacity, sizeof(float));
-    vertices.array.attribute(4, 3, 1, 0);
+    vertices.array.source(bindings::opacities_buffer, vertices.opacity, sizeof(float));
+    vertices.array.attribute(bindings::opacity_attribute, bindings::opacities_buffer, 1, 0);
   }
   if (n > 0)
     vertices.opacity.write<float>([&](float* out) {

@@ -1,38 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles of meshes.
-#include "oit/shapes/view.glsl"
+#include "oit/shapes/indexed_vertex.glsl"
 
-layout(location = 0) in vec3 position;  // see view.glsl
-layout(location = 1) in vec4 color;     // straight colour, opacity
-
-layout(location = 0) out vec4 vertex_color;
-layout(location = 1) out float vertex_depth;
-#ifdef LIT
-layout(location = 2) in vec3 normal;  // view frame
-layout(location = 2) out vec3 vertex_normal;
-layout(location = 3) out vec3 vertex_position;  // view frame, the eye at 0
-#endif
-#ifdef IMPORTANCE
-layout(location = 3) in float importance;
-layout(location = 5) out float vertex_importance;
-#endif
-#ifdef OPTIMIZED_VERTICES
-layout(location = 4) in float opacity;
-layout(location = 6) out float vertex_opacity;
-#endif
-
-void main() {
-  gl_Position = clip_position(position);
-  vertex_color = color;
-  vertex_depth = position.z;
-#ifdef LIT
-  vertex_normal = normal;
-  vertex_position = vec3(position.xy, view_w(position.z));
-#endif
-#ifdef IMPORTANCE
-  vertex_importance = importance;
-#endif
-#ifdef OPTIMIZED_VERTICES
-  vertex_opacity = opacity;
-#endif
-}
+void main() { hand_on_vertex(); }

@@ -2,7 +2,9 @@
 // From the frame of the vertices to clip space, the same for every vertex of a picture.
 //
 // The frame: x right and y up in view units, the eye at 0; in place of z the depth d of the scene.
-layout(binding = 0, std140) uniform View {
+#include "oit/gl/bindings.glsl"
+
+layout(binding = view_block, std140) uniform View {
   vec2 clip_scale;  // from view units to clip space; y points down: row 0 is the top
   vec2 clip_shift;  // moves the picture so that a sample lies at a pixel's centre; clip units
   vec2 clip_w;      // w = clip_w.x + clip_w.y d

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last pass of every method: one layer of `color` and `opacity` over the background.
+#include "oit/gl/bindings.glsl"
+#include "oit/stage/front_to_back.glsl"
+
 layout(location = 0) out vec4 picture;
 
 // Colour and opacity, premultiplied, of what lies behind the transparent layers: the background,
 // whose opacity counts as 0, or the nearest opaque fragment.
 #ifdef OPAQUE_CONTEXT
-layout(binding = 12) uniform sampler2D opaque_picture;
+layout(binding = opaque_picture_texture) uniform sampler2D opaque_picture;
 vec4 behind() { return texelFetch(opaque_picture, ivec2(gl_FragCoord.xy), 0); }
 #else
 uniform vec3 background;

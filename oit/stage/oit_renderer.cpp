@@ -110,10 +110,10 @@ CountImage OitRenderer::count_layers() {
   stage_.sample_at(Vec2(0.5));
   stage_.draw_opaque_context();
   target.clear_all(0);
-  stage_.begin_pass(target, {Blend::add});
-  stage_.draw_geometry(program);
+  const Pass pass(target, {Blend::add});
+  stage_.draw_geometry(pass, program);
   if (stage_.has_opaque_context())
-    stage_.draw_screen(stage_.screen_program(oit_glsl::count_opaque_frag_glsl()));
+    stage_.draw_screen(pass, stage_.screen_program(oit_glsl::count_opaque_frag_glsl()));
   std::vector<float> floats(stage_.pixel_count());
   counts.read(GL_RED, GL_FLOAT, floats.size() * sizeof(float), floats.data());
   stage_.context().check("counting layers");

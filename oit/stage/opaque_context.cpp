@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/opaque_context.h"
 
+#include "oit/gl/bindings.h"
+#include "oit/gl/pass.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
@@ -20,15 +22,13 @@ void OpaqueContext::draw(const glm::vec3& background) const {
   target_.clear(0, {background, 0});
   keys_.clear(~0u);  // nothing there: follows every fragment
   target_.clear_depth(1);
-  target_.bind();
-  gl_.Disablei(GL_BLEND, 0);
-  gl_.Disablei(GL_BLEND, 1);
-  gl_.Enable(GL_DEPTH_TEST);
-  gl_.DepthFunc(GL_LESS);
+  Pass(target_, {Blend::replace}, geometry_.resources(), DepthTest::less).begin(gl_);
   geometry_.draw_opaque(program_);
-  gl_.Disable(GL_DEPTH_TEST);
-  picture_.bind(12);
-  keys_.bind(15);
+}
+
+Resources OpaqueContext::resources() const {
+  return {picture_.as_texture(bindings::opaque_picture_texture),
+          keys_.as_texture(bindings::opaque_keys_texture)};
 }
 
 }  // namespace pellucid::oit

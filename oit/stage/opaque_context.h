@@ -13,8 +13,9 @@ class OpaqueContext {
   OpaqueContext(const GlContext& context, const Geometry& geometry, int width, int height);
 
   std::uint64_t bytes() const { return picture_.bytes() + keys_.bytes() + depth_.bytes(); }
-  /// Draws it and leaves it bound for OPAQUE_CONTEXT in composite.glsl and fragment.glsl.
   void draw(const glm::vec3& background) const;
+  /// What programs with the define OPAQUE_CONTEXT find in composite.glsl and fragment.glsl.
+  Resources resources() const;
 
  private:
   const Gl& gl_;

@@ -10,16 +10,6 @@
 namespace pellucid::oit {
 namespace {
 
-void set_blend(const Gl& gl, GLuint attachment, Blend blend) {
-  if (blend == Blend::replace) return gl.Disablei(GL_BLEND, attachment);
-  gl.Enablei(GL_BLEND, attachment);
-  gl.BlendEquationi(attachment, GL_FUNC_ADD);
-  if (blend == Blend::add) gl.BlendFunci(attachment, GL_ONE, GL_ONE);
-  if (blend == Blend::under) gl.BlendFunci(attachment, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  if (blend == Blend::over) gl.BlendFunci(attachment, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (blend == Blend::transmit) gl.BlendFunci(attachment, GL_ZERO, GL_ONE_MINUS_SRC_COLOR);
-}
-
 // llvmpipe's largest framebuffer is 16384; a larger one is refused before anything is allocated.
 void check_size(const Gl& gl, int width, int height) {
   GLint largest = 0;
@@ -66,13 +56,13 @@ GeometryProgram Stage::geometry_program(std::string_view fragment, Defines defin
   for (auto& define : geometry_.defines()) defines.push_back(std::move(define));
   defines.insert(defines.end(), opacity.defines.begin(), opacity.defines.end());
   if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
-  return {context_, geometry_.kinds(false), {fragment, opacity.text}, defines};
+  return {context_, geometry_.kinds(false), {fragment, opacity.text}, defines, opacity.resources};
 }
 
 Program Stage::screen_program(std::string_view fragment, Defines defines) const {
   if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
   Program program(context_, oit_glsl::screen_vert_glsl(), {fragment}, defines);
-  program.set("background", background_);
+  program.set_if_used("background", background_);  // where it does not composite, it has none
   return program;
 }
 
@@ -91,16 +81,32 @@ void Stage::draw_opaque_context() const {
   if (opaque_) opaque_->draw(background_);
 }
 
-void Stage::begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const {
-  target.bind();
-  const Blend* blend = blends.begin();
-  for (int i = 0; i < target.attachments(); ++i) {
-    set_blend(gl(), GLuint(i), *blend);
-    if (blend + 1 != blends.end()) ++blend;
-  }
+void Stage::begin(Pass pass, const Resources& of_program) const {
+  pass.resources.add(of_program);
+  if (opaque_) pass.resources.add(opaque_->resources());
+  pass.begin(gl());
 }
 
-void Stage::draw_screen(const Program& program) const {
+void Stage::draw_geometry(const Pass& pass, const GeometryProgram& program) const {
+  begin(pass, program.resources() + geometry_.resources());
+  geometry_.draw(program);
+}
+
+void Stage::draw_geometry(const Pass& pass, const GeometryProgram& program,
+                          const Geometry& geometry) const {
+  geometry.sample_at(sample_);
+  begin(pass, program.resources() + geometry.resources());
+  geometry.draw(program);
+}
+
+void Stage::draw_geometry(const Pass& pass, const GeometryProgram& program,
+                          const Subset& subset) const {
+  begin(pass, program.resources() + geometry_.resources());
+  geometry_.draw(program, subset);
+}
+
+void Stage::draw_screen(const Pass& pass, const Program& program) const {
+  begin(pass, {});
   program.use();
   gl().BindVertexArray(no_attributes_.id());
   gl().DrawArrays(GL_TRIANGLES, 0, 3);

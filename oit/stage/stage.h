@@ -3,21 +3,13 @@
 
 #include "oit/gl/gl_context.h"
 #include "oit/gl/gl_objects.h"
+#include "oit/gl/pass.h"
 #include "oit/gl/program.h"
 #include "oit/shapes/geometry.h"
 #include "oit/stage/ledger.h"
 #include "oit/stage/opaque_context.h"
 
 namespace pellucid::oit {
-
-/// A Blend says how fragments are combined with what is at the destination.
-enum class Blend {
-  replace,
-  add,      // destination + source
-  under,    // premultiplied source under the destination: front to back
-  over,     // … over it: back to front
-  transmit  // destination * (1 - source): the product of transmittances
-};
 
 /// A Stage is what all methods draw on: a context, the scene's geometry, and the means to run a
 /// pass. A method makes its programs and targets from it.
@@ -46,8 +38,8 @@ class Stage {
   /// Uploads the opacities of the vertices of meshes and of the points of lines, in [0, 1], for
   /// programs with the define OPTIMIZED_VERTICES; the ledger counts them.
   void set_opacities(std::span<const float> of_meshes, std::span<const float> of_lines);
-  /// Places the sample of each pixel from here on, in pixels from its top left corner; see
-  /// pixel_samples.h.
+  /// Places the sample of each pixel from here on, in pixels from its top left corner (see
+  /// pixel_samples.h): all passes of a picture share it, so that it is no argument of each.
   void sample_at(const Vec2& sample);
   bool has_opaque_context() const { return opaque_.has_value(); }
   /// Draws what is opaque, before the picture, sampled as the picture will be.
@@ -68,22 +60,24 @@ class Stage {
   /// Makes a program over every pixel of the picture. What lies behind is set where it is used.
   Program screen_program(std::string_view fragment, Defines defines = {}) const;
 
-  /// Draws into `target`, attachment i blended by blends[i], the last one for all that follow. Into
-  /// half targets by programs with the define HALF_RESOLUTION: pixel x, y is where 2 x, 2 y and its
-  /// neighbours to the right and below are, up to a pixel where the width or height is odd.
-  void begin_pass(const Framebuffer& target, std::initializer_list<Blend> blends) const;
-  void draw_geometry(const GeometryProgram& program) const { geometry_.draw(program); }
-  /// Draws a geometry of the method's own.
-  void draw_geometry(const GeometryProgram& program, const Geometry& geometry) const {
-    geometry.sample_at(sample_);
-    geometry.draw(program);
-  }
-  void draw_geometry(const GeometryProgram& program, const Subset& subset) const {
-    geometry_.draw(program, subset);
-  }
-  void draw_screen(const Program& program) const;
+  /// Draws the scene's geometry, a geometry of the method's own, or a subset, in a pass: the target,
+  /// and the method's own resources. The stage binds what it has itself beside them: shapes, opaque
+  /// context, the opacities of the program. Half targets are drawn into by programs with the define
+  /// HALF_RESOLUTION: pixel x, y is where 2 x, 2 y and its neighbours to the right and below are, up
+  /// to a pixel where the width or height is odd.
+  ///@{
+  void draw_geometry(const Pass& pass, const GeometryProgram& program) const;
+  void draw_geometry(const Pass& pass, const GeometryProgram& program,
+                     const Geometry& geometry) const;
+  void draw_geometry(const Pass& pass, const GeometryProgram& program, const Subset& subset) const;
+  ///@}
+
+  /// Draws every pixel of the pass's target once.
+  void draw_screen(const Pass& pass, const Program& program) const;
 
  private:
+  void begin(Pass pass, const Resources& of_program) const;
+
   const scene::Scene& scene_;
   scene::FrameMemory* memory_;
   GlContext context_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Turns the optical depth of each bin into tau at the bin's far edge.
-layout(binding = 0, r32ui) uniform uimage2DArray bins;
+#include "oit/gl/bindings.glsl"
+
+layout(binding = coefficients_image, r32ui) uniform uimage2DArray bins;
 
 void main() {
   float tau = 0.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oit/gl/bindings.h"
 #include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
@@ -21,7 +22,7 @@ class Binning final : public OitMethod {
   void draw(Frame& frame) override {
     frame.step("project", [&] { project(); });
     frame.step("accumulate", [&] {
-      stage_.draw_screen(accumulate_);
+      stage_.draw_screen({no_targets_, {Blend::replace}, bins()}, accumulate_);
       finish_stores();
     });
     passes_.weight_and_composite(frame);
@@ -58,11 +59,11 @@ class Binning final : public OitMethod {
                                          parameters),
                 stage.screen_program(oit_glsl::binning_composite_frag_glsl(), defines)) {}
 
+  Resource bins() const { return passes_.coefficients(0).as_image(bindings::coefficients_image); }
+
   void project() const {
     passes_.coefficients(0).clear(0);
-    passes_.coefficients(0).bind_image(0);
-    stage_.begin_pass(no_targets_, {Blend::replace});
-    stage_.draw_geometry(project_);
+    stage_.draw_geometry({no_targets_, {Blend::replace}, bins()}, project_);
     finish_stores();
   }
 

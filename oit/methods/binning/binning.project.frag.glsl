@@ -3,7 +3,7 @@
 #include "oit/optical_depth/optical_depth.glsl"
 
 uniform float clamp_alpha;
-layout(binding = 0, r32ui) coherent uniform uimage2DArray bins;  // bits of floats
+layout(binding = coefficients_image, r32ui) coherent uniform uimage2DArray bins;  // bits of floats
 
 // OpenGL has no atomic addition of floats: try again until nobody else was faster.
 void add(ivec3 at, float x) {

@@ -3,7 +3,7 @@
 #include "oit/optical_depth/optical_weight.glsl"
 
 uniform float clamp_alpha;
-layout(binding = 0, r32ui) uniform uimage2DArray bins;
+layout(binding = coefficients_image, r32ui) uniform uimage2DArray bins;
 
 layout(location = 0) out vec4 sums;  // sum of C w, sum of w
 

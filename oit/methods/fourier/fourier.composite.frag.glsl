@@ -2,8 +2,8 @@
 #include "oit/stage/composite.glsl"
 #include "oit/optical_depth/optical_depth.glsl"
 
-layout(binding = 0) uniform sampler2DArray coefficients;
-layout(binding = 1) uniform sampler2D sums;
+layout(binding = coefficients_texture) uniform sampler2DArray coefficients;
+layout(binding = color_sums_texture) uniform sampler2D sums;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -13,6 +13,6 @@ void main() {
 #if NORMALIZE
   composite_mean(sum, alpha);  // Eq. 19
 #else
-  picture = vec4(sum.rgb, alpha) + (1.0 - alpha) * behind();  // Eq. 15
+  picture = over(vec4(sum.rgb, alpha), behind());  // Eq. 15
 #endif
 }

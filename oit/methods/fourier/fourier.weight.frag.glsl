@@ -6,9 +6,9 @@
 uniform float clamp_alpha;
 uniform float margin;  // of the series' period on either side of [0, 1]
 #if PRECISION == 16
-layout(binding = 0, rgba16f) readonly uniform image2DArray coefficients;
+layout(binding = coefficients_image, rgba16f) readonly uniform image2DArray coefficients;
 #else
-layout(binding = 0, rgba32f) readonly uniform image2DArray coefficients;
+layout(binding = coefficients_image, rgba32f) readonly uniform image2DArray coefficients;
 #endif
 
 layout(location = 0) out vec4 sums;  // sum of C w, sum of w

@@ -35,10 +35,7 @@ class FourierOpacity final : public OitMethod {
   }
 
   void draw(Frame& frame) override {
-    if (importance_) {
-      frame.step("project importance", [&] { importance_->project(); });
-      importance_->bind();
-    }
+    if (importance_) frame.step("project importance", [&] { importance_->project(); });
     if (objects_) {
       frame.step("optimize opacity", [&] { optimize_elements(); });
       frame.step("smooth opacity", [&] { objects_->opacity.smooth_and_interpolate(); });
@@ -63,8 +60,8 @@ class FourierOpacity final : public OitMethod {
 
   void optimize_elements() const {
     objects_->opacity.begin();
-    stage_.begin_pass(objects_->no_targets, {Blend::replace});
-    stage_.draw_geometry(objects_->optimize);
+    const Resources bound = importance_->resources() + objects_->opacity.image();
+    stage_.draw_geometry({objects_->no_targets, {Blend::replace}, bound}, objects_->optimize);
   }
 
   Stage& stage_;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/composite.glsl"
-#include "oit/stage/front_to_back.glsl"
 #include "oit/methods/k_buffer/k_nearest.glsl"
 
-layout(binding = 0) uniform sampler2D tail;
-layout(binding = 1) uniform sampler2D tail_transmittance;
+layout(binding = tail_texture) uniform sampler2D tail;
+layout(binding = tail_transmittance_texture) uniform sampler2D tail_transmittance;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/k_buffer/k_buffer.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -27,24 +28,19 @@ class KBuffer final : public OitMethod {
   void draw(Frame& frame) override {
     frame.step("find the nearest", [&] {
       depths_.clear(~0u);
-      depths_.bind_image(0);
-      colors_.bind_image(1);
-      stage_.begin_pass(no_targets_, {Blend::replace});
-      stage_.draw_geometry(nearest_);
+      stage_.draw_geometry({no_targets_, {Blend::replace}, layers()}, nearest_);
       finish_stores();
     });
     frame.step("colour", [&] {
       tail_target_.clear(0, 0);
       tail_target_.clear(1, 1);
-      stage_.begin_pass(tail_target_, {Blend::add, Blend::transmit});
-      stage_.draw_geometry(color_);
+      stage_.draw_geometry({tail_target_, {Blend::add, Blend::transmit}, layers()}, color_);
       finish_stores();
     });
     frame.step("composite", [&] {
-      tail_.bind(0);
-      transmittance_.bind(1);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      const Resources tail{tail_.as_texture(bindings::tail_texture),
+                           transmittance_.as_texture(bindings::tail_transmittance_texture)};
+      stage_.draw_screen({frame.picture(), {Blend::replace}, layers() + tail}, composite_);
     });
   }
 
@@ -54,6 +50,9 @@ class KBuffer final : public OitMethod {
   }
 
  private:
+  Resources layers() const {
+    return {depths_.as_image(bindings::k_depths_image), colors_.as_image(bindings::k_colors_image)};
+  }
   void finish_stores() const { stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT); }
 
   const Stage& stage_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/lists/decoupled_lists.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/lists/fragment_lists.h"
 #include "oit/opacity/element_opacity.h"
 #include "oit/opacity/energy_block.h"
@@ -18,12 +19,12 @@ struct ExactOpacity {
                    .buffer(stage.gl())),
         build(stage.geometry_program(oit_glsl::decoupled_lists_build_frag_glsl(),
                                      {{"IMPORTANCE", 1}})),
-        optimize(stage, {{"OPTIMIZE_OPACITY", 1}}),
+        optimize(stage, {{"OPTIMIZE_OPACITY", 1}},
+                 {elements.image(), energy.as_uniform_block(bindings::energy_block)}),
         no_targets(stage.gl(), stage.width(), stage.height()) {}
 
   void find(const FragmentLists& lists) {
     elements.begin();
-    EnergyBlock::bind(energy);
     lists.consume(optimize, no_targets);
   }
 

@@ -4,11 +4,11 @@
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  Layer sum = Layer(0u, vec4(0.0, 0.0, 0.0, 1.0));
+  Composite sum = nothing;
   for (int i = 0; i < LAYERS; ++i) {
     Layer layer = load_layer(pixel, i);
     if (is_empty(layer)) break;
-    sum = over(sum, layer);
+    sum = over(sum, layer.sum);
   }
-  picture = vec4(sum.color.rgb, 1.0 - sum.color.a) + sum.color.a * behind();
+  picture = over(sum, behind());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/mlab/mlab.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -24,16 +25,12 @@ class Mlab final : public OitMethod {
     frame.step("insert", [&] {
       depths_.clear(~0u);
       locks_.clear(0);
-      depths_.bind_image(0);
-      colors_.bind_image(1);
-      locks_.bind_image(7);
-      stage_.begin_pass(no_targets_, {Blend::replace});
-      stage_.draw_geometry(insert_);
+      const Resource locks = locks_.as_image(bindings::locks_image);
+      stage_.draw_geometry({no_targets_, {Blend::replace}, layers() + locks}, insert_);
       stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     });
     frame.step("composite", [&] {
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      stage_.draw_screen({frame.picture(), {Blend::replace}, layers()}, composite_);
     });
   }
 
@@ -44,6 +41,11 @@ class Mlab final : public OitMethod {
   }
 
  private:
+  Resources layers() const {
+    return {depths_.as_image(bindings::layer_depths_image),
+            colors_.as_image(bindings::layer_sums_image)};
+  }
+
   const Stage& stage_;
   int layers_;
   Texture depths_, colors_, locks_;

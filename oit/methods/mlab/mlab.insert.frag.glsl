@@ -19,6 +19,6 @@ void insert(ivec2 pixel, Layer layer) {
 void main() {
   Fragment f = fragment();
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  Layer layer = Layer(floatBitsToUint(f.depth), vec4(f.alpha * f.color, 1.0 - f.alpha));
+  Layer layer = Layer(floatBitsToUint(f.depth), Composite(f.alpha * f.color, 1.0 - f.alpha));
   ONE_AT_A_TIME(pixel, insert(pixel, layer))
 }

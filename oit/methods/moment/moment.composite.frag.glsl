@@ -2,8 +2,8 @@
 #include "oit/stage/composite.glsl"
 #include "oit/optical_depth/optical_depth.glsl"
 
-layout(binding = 0) uniform sampler2D total;
-layout(binding = 1) uniform sampler2D sums;
+layout(binding = coefficients_texture) uniform sampler2D total;
+layout(binding = color_sums_texture) uniform sampler2D sums;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -50,8 +50,8 @@ class Moment final : public OitMethod {
 
   void draw(Frame& frame) override {
     frame.step("project", [&] {
-      passes_.begin_sum(moment_targets_);
-      stage_.draw_geometry(project_);
+      moment_targets_.clear_all(0);
+      stage_.draw_geometry({moment_targets_, {Blend::add}}, project_);
     });
     passes_.weight_and_composite(frame);
   }
@@ -62,9 +62,9 @@ class Moment final : public OitMethod {
     if (trigonometric(parameters)) defines.emplace_back("TRIGONOMETRIC", 1);
     GeometryProgram program =
         clamped_geometry_program(stage_, fragment, std::move(defines), parameters);
-    program.set("angle_range", float(angle_range));
-    program.set("overestimation", float(parameters.real("overestimation")));
-    program.set("bias", float(bias(parameters)));
+    program.set_if_used("angle_range", float(angle_range));
+    program.set_if_used("overestimation", float(parameters.real("overestimation")));
+    program.set_if_used("bias", float(bias(parameters)));
     return program;
   }
 

@@ -10,12 +10,12 @@ uniform float angle_range;
 
 uniform float clamp_alpha, bias, overestimation;
 // Images, not samplers: on llvmpipe a load costs a third of a texel fetch.
-layout(binding = 0, r32f) readonly uniform image2D total;
-layout(binding = 1, rgba32f) readonly uniform image2D moments;
+layout(binding = coefficients_image, r32f) readonly uniform image2D total;
+layout(binding = coefficients_image + 1, rgba32f) readonly uniform image2D moments;
 #if MOMENTS == 6
-layout(binding = 2, rg32f) readonly uniform image2D more;
+layout(binding = coefficients_image + 2, rg32f) readonly uniform image2D more;
 #else
-layout(binding = 2, rgba32f) readonly uniform image2D more;
+layout(binding = coefficients_image + 2, rgba32f) readonly uniform image2D more;
 #endif
 
 layout(location = 0) out vec4 sums;  // sum of C w, sum of w

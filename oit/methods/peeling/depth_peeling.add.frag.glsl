@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blends the peeled layer under those before it.
-layout(binding = 0) uniform sampler2D layer;
-layout(binding = 1) uniform usampler2D layer_key;
+#include "oit/gl/bindings.glsl"
+
+layout(binding = peeled_layer_texture) uniform sampler2D layer;
+layout(binding = peeled_layer_key_texture) uniform usampler2D layer_key;
 
 layout(location = 0) out vec4 sum;
 layout(location = 1) out uvec2 peeled;

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -41,9 +42,8 @@ class DepthPeeling final : public OitMethod {
       if (left > 0) frame.step("peel", [&] { peel_layer(); });
     }
     frame.step("composite", [&] {
-      sum_.bind(0);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      const Resource sum = sum_.as_texture(bindings::peeled_sum_texture);
+      stage_.draw_screen({frame.picture(), {Blend::replace}, sum}, composite_);
     });
     if (left > 0) frame.stats().dropped = count_left();
   }
@@ -56,42 +56,30 @@ class DepthPeeling final : public OitMethod {
   }
 
  private:
-  void depth_test(bool on) const {
-    on ? stage_.gl().Enable(GL_DEPTH_TEST) : stage_.gl().Disable(GL_DEPTH_TEST);
-    stage_.gl().DepthFunc(GL_LEQUAL);
-  }
+  Resource peeled_keys() const { return peeled_.as_texture(bindings::peeled_keys_texture); }
 
   // Returns 0 when nothing is left.
   std::uint64_t find_nearest() const {
     depth_target_.clear_depth(1);
-    depth_test(true);
-    const std::uint64_t passed = draw_left();
-    depth_test(false);
-    return passed;
+    return draw_left(DepthTest::less_or_equal);
   }
 
   void peel_layer() const {
     layer_target_.clear(0, -1);
     layer_target_.clear_depth(1);
-    depth_test(true);
-    depth_.bind(1);
-    stage_.begin_pass(layer_target_, {Blend::replace});
-    stage_.draw_geometry(peel_);
-    depth_test(false);
-    layer_.bind(0);
-    layer_key_.bind(1);
-    stage_.begin_pass(sum_target_, {Blend::under, Blend::replace});
-    stage_.draw_screen(add_);
+    const Resources found{peeled_keys(), depth_.as_texture(bindings::nearest_depth_texture)};
+    stage_.draw_geometry({layer_target_, {Blend::replace}, found, DepthTest::less_or_equal}, peel_);
+    const Resources layer{layer_.as_texture(bindings::peeled_layer_texture),
+                          layer_key_.as_texture(bindings::peeled_layer_key_texture)};
+    stage_.draw_screen({sum_target_, {Blend::under, Blend::replace}, layer}, add_);
   }
 
   // Without a depth test every fragment that is left passes.
-  std::uint64_t count_left() const { return draw_left(); }
+  std::uint64_t count_left() const { return draw_left(DepthTest::off); }
 
-  std::uint64_t draw_left() const {
-    peeled_.bind(0);
-    stage_.begin_pass(depth_target_, {Blend::replace});
+  std::uint64_t draw_left(DepthTest test) const {
     query_.begin();
-    stage_.draw_geometry(nearest_);
+    stage_.draw_geometry({depth_target_, {Blend::replace}, peeled_keys(), test}, nearest_);
     return query_.end();
   }
 

@@ -3,7 +3,7 @@
 #include "oit/shapes/fragment.glsl"
 #include "oit/methods/peeling/peel_key.glsl"
 
-layout(binding = 1) uniform sampler2D nearest;
+layout(binding = nearest_depth_texture) uniform sampler2D nearest;
 
 layout(location = 0) out vec4 layer;
 layout(location = 1) out uvec2 layer_key;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blends the nearest layer under those before it, the farthest over those behind it.
-layout(binding = 0) uniform usampler2D ends;
-layout(binding = 1) uniform sampler2D nearest_layer;
-layout(binding = 2) uniform sampler2D farthest_layer;
+#include "oit/gl/bindings.glsl"
+
+layout(binding = ends_texture) uniform usampler2D ends;
+layout(binding = nearest_layer_texture) uniform sampler2D nearest_layer;
+layout(binding = farthest_layer_texture) uniform sampler2D farthest_layer;
 
 layout(location = 0) out vec4 front;
 layout(location = 1) out vec4 back;

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -42,10 +43,9 @@ class DualDepthPeeling final : public OitMethod {
       if (some_left) frame.step("add", [&] { add_ends(); });
     }
     frame.step("composite", [&] {
-      front_.bind(0);
-      back_.bind(1);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      const Resources sums{front_.as_texture(bindings::front_sum_texture),
+                           back_.as_texture(bindings::back_sum_texture)};
+      stage_.draw_screen({frame.picture(), {Blend::replace}, sums}, composite_);
     });
     if (some_left) frame.stats().dropped = count_left();
   }
@@ -60,10 +60,6 @@ class DualDepthPeeling final : public OitMethod {
  private:
   bool peel_ends() const {
     ends_.clear(0);
-    ends_.bind_image(0);
-    nearest_.bind_image(1);
-    farthest_.bind_image(2);
-    locks_.bind_image(7);
     const bool found = draw_left(peel_) > 0;
     stage_.gl().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     return found;
@@ -76,19 +72,25 @@ class DualDepthPeeling final : public OitMethod {
 
   // Returns how many fragments passed.
   std::uint64_t draw_left(const GeometryProgram& program) const {
-    left_.bind(0);
-    stage_.begin_pass(no_targets_, {Blend::replace});
     query_.begin();
-    stage_.draw_geometry(program);
+    stage_.draw_geometry(
+        {no_targets_,
+         {Blend::replace},
+         {left_.as_texture(bindings::left_keys_texture), ends_.as_image(bindings::ends_image),
+          nearest_.as_image(bindings::nearest_layer_image),
+          farthest_.as_image(bindings::farthest_layer_image),
+          locks_.as_image(bindings::locks_image)}},
+        program);
     return query_.end();
   }
 
   void add_ends() const {
-    ends_.bind(0);
-    nearest_.bind(1);
-    farthest_.bind(2);
-    stage_.begin_pass(sums_target_, {Blend::under, Blend::over, Blend::replace});
-    stage_.draw_screen(add_);
+    stage_.draw_screen({sums_target_,
+                        {Blend::under, Blend::over, Blend::replace},
+                        {ends_.as_texture(bindings::ends_texture),
+                         nearest_.as_texture(bindings::nearest_layer_texture),
+                         farthest_.as_texture(bindings::farthest_layer_texture)}},
+                       add_);
   }
 
   const Stage& stage_;

@@ -7,10 +7,10 @@
 // Keys of the nearest fragment found, as its complement, and of the farthest one; and those of the
 // last ones peeled, the farthest as its complement. So 0 stands for nothing found and for nothing
 // peeled, and after a peel left = ~ends.
-layout(binding = 0, rgba32ui) coherent uniform uimage2D ends;
-layout(binding = 0) uniform usampler2D left;
-layout(binding = 1, rgba32f) coherent uniform image2D nearest_layer;
-layout(binding = 2, rgba32f) coherent uniform image2D farthest_layer;
+layout(binding = ends_image, rgba32ui) coherent uniform uimage2D ends;
+layout(binding = left_keys_texture) uniform usampler2D left;
+layout(binding = nearest_layer_image, rgba32f) coherent uniform image2D nearest_layer;
+layout(binding = farthest_layer_image, rgba32f) coherent uniform image2D farthest_layer;
 
 bool is_nearer(uvec2 key, uvec4 found) { return precedes(found.xy, ~key); }
 bool is_farther(uvec2 key, uvec4 found) { return precedes(found.zw, key); }

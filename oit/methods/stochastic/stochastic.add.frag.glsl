@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adds a sample to the sum.
-layout(binding = 0) uniform sampler2D nearest;
+#include "oit/gl/bindings.glsl"
+
+layout(binding = sample_texture) uniform sampler2D nearest;
 
 layout(location = 0) out vec4 sum;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/composite.glsl"
 
-layout(binding = 0) uniform sampler2D samples;
-layout(binding = 1) uniform sampler2D average;
-layout(binding = 2) uniform sampler2D transmittance;
+layout(binding = sample_sum_texture) uniform sampler2D samples;
+layout(binding = sample_average_texture) uniform sampler2D average;
+layout(binding = sample_transmittance_texture) uniform sampler2D transmittance;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/stochastic/stochastic.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -30,19 +31,19 @@ class Stochastic final : public OitMethod {
       average_target_.clear(0, 0);
       average_target_.clear(1, 1);
       sum_target_.clear_all(0);
-      stage_.begin_pass(average_target_, {Blend::add, Blend::transmit});
-      stage_.draw_geometry(accumulate_);
+      stage_.draw_geometry({average_target_, {Blend::add, Blend::transmit}}, accumulate_);
     });
     frame.step("sample", [&] {
       for (int sample = 0; sample < samples_; ++sample)
         draw_sample(std::uint32_t(sample + samples_ * int(frame.sample())));
     });
     frame.step("composite", [&] {
-      sum_.bind(0);
-      average_.bind(1);
-      transmittance_.bind(2);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      stage_.draw_screen({frame.picture(),
+                          {Blend::replace},
+                          {sum_.as_texture(bindings::sample_sum_texture),
+                           average_.as_texture(bindings::sample_average_texture),
+                           transmittance_.as_texture(bindings::sample_transmittance_texture)}},
+                         composite_);
     });
   }
 
@@ -51,14 +52,10 @@ class Stochastic final : public OitMethod {
     nearest_target_.clear_all(0);
     nearest_target_.clear_depth(1);
     sample_.set("sample_index", sample);
-    stage_.begin_pass(nearest_target_, {Blend::replace});
-    stage_.gl().Enable(GL_DEPTH_TEST);
-    stage_.gl().DepthFunc(GL_LEQUAL);
-    stage_.draw_geometry(sample_);
-    stage_.gl().Disable(GL_DEPTH_TEST);
-    nearest_.bind(0);
-    stage_.begin_pass(sum_target_, {Blend::add});
-    stage_.draw_screen(add_);
+    stage_.draw_geometry({nearest_target_, {Blend::replace}, {}, DepthTest::less_or_equal},
+                         sample_);
+    const Resource nearest = nearest_.as_texture(bindings::sample_texture);
+    stage_.draw_screen({sum_target_, {Blend::add}, nearest}, add_);
   }
 
   const Stage& stage_;

@@ -2,8 +2,8 @@
 #include "oit/stage/composite.glsl"
 #include "oit/optical_depth/optical_depth.glsl"
 
-layout(binding = 0) uniform sampler2D sums;
-layout(binding = 1) uniform sampler2D count;
+layout(binding = weighted_sums_texture) uniform sampler2D sums;
+layout(binding = fragment_count_texture) uniform sampler2D count;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

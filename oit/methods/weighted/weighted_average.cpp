@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/weighted/weighted_average.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -20,14 +21,14 @@ class WeightedAverage final : public OitMethod {
   void draw(Frame& frame) override {
     frame.step("accumulate", [&] {
       targets_.clear_all(0);
-      stage_.begin_pass(targets_, {Blend::add});
-      stage_.draw_geometry(accumulate_);
+      stage_.draw_geometry({targets_, {Blend::add}}, accumulate_);
     });
     frame.step("composite", [&] {
-      sums_.bind(0);
-      count_.bind(1);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      stage_.draw_screen({frame.picture(),
+                          {Blend::replace},
+                          {sums_.as_texture(bindings::weighted_sums_texture),
+                           count_.as_texture(bindings::fragment_count_texture)}},
+                         composite_);
     });
   }
 

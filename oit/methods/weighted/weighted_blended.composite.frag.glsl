@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/stage/composite.glsl"
 
-layout(binding = 0) uniform sampler2D sums;
-layout(binding = 1) uniform sampler2D transmittance;
+layout(binding = weighted_sums_texture) uniform sampler2D sums;
+layout(binding = weighted_transmittance_texture) uniform sampler2D transmittance;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);

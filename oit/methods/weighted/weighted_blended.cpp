@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/weighted/weighted_blended.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -22,14 +23,14 @@ class WeightedBlended final : public OitMethod {
     frame.step("accumulate", [&] {
       targets_.clear(0, 0);
       targets_.clear(1, 1);
-      stage_.begin_pass(targets_, {Blend::add, Blend::transmit});
-      stage_.draw_geometry(accumulate_);
+      stage_.draw_geometry({targets_, {Blend::add, Blend::transmit}}, accumulate_);
     });
     frame.step("composite", [&] {
-      sums_.bind(0);
-      transmittance_.bind(1);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      stage_.draw_screen({frame.picture(),
+                          {Blend::replace},
+                          {sums_.as_texture(bindings::weighted_sums_texture),
+                           transmittance_.as_texture(bindings::weighted_transmittance_texture)}},
+                         composite_);
     });
   }
 

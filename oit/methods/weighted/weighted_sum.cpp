@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/weighted/weighted_sum.h"
 
+#include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
 
@@ -20,13 +21,11 @@ class WeightedSum final : public OitMethod {
   void draw(Frame& frame) override {
     frame.step("accumulate", [&] {
       target_.clear_all(0);
-      stage_.begin_pass(target_, {Blend::add});
-      stage_.draw_geometry(accumulate_);
+      stage_.draw_geometry({target_, {Blend::add}}, accumulate_);
     });
     frame.step("composite", [&] {
-      sums_.bind(0);
-      stage_.begin_pass(frame.picture(), {Blend::replace});
-      stage_.draw_screen(composite_);
+      const Resource sums = sums_.as_texture(bindings::weighted_sums_texture);
+      stage_.draw_screen({frame.picture(), {Blend::replace}, sums}, composite_);
     });
   }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the vertex shaders hand to the fragment shaders. Whoever includes this defines VARYING, as
+// out or in.
+#ifdef DISC
+#define OF_SHAPE flat  // one value for a whole disc
+#else
+#define OF_SHAPE
+#endif
+layout(location = 0) OF_SHAPE VARYING vec4 vertex_color;   // straight colour, opacity
+layout(location = 1) OF_SHAPE VARYING float vertex_depth;  // d
+#ifdef DISC
+layout(location = 2) VARYING vec2 vertex_corner;  // units of the radius from the centre
+#elif defined(LIT)
+layout(location = 2) VARYING vec3 vertex_direction;  // a mesh's normal, a line's direction; view frame
+layout(location = 3) VARYING vec3 vertex_position;   // view frame, the eye at 0
+#ifdef RIBBON
+layout(location = 4) VARYING float vertex_across;  // -1 … 1 from one rim to the other
+#endif
+#endif
+#ifdef IMPORTANCE
+layout(location = 5) OF_SHAPE VARYING float vertex_importance;
+#endif
+#ifdef OPTIMIZED_VERTICES
+layout(location = 6) OF_SHAPE VARYING float vertex_opacity;
+#endif
