@@ -60,11 +60,11 @@ class Stage {
   /// Makes a program over every pixel of the picture. What lies behind is set where it is used.
   Program screen_program(std::string_view fragment, Defines defines = {}) const;
 
-  /// Draws the scene's geometry, a geometry of the method's own, or a subset, in a pass: the target,
-  /// and the method's own resources. The stage binds what it has itself beside them: shapes, opaque
-  /// context, the opacities of the program. Half targets are drawn into by programs with the define
-  /// HALF_RESOLUTION: pixel x, y is where 2 x, 2 y and its neighbours to the right and below are, up
-  /// to a pixel where the width or height is odd.
+  /// Draws the scene's geometry, a geometry of the method's own, or a subset, in a pass: the
+  /// target, and the method's own resources. The stage binds what it has itself beside them:
+  /// shapes, opaque context, the opacities of the program. Half targets are drawn into by programs
+  /// with the define HALF_RESOLUTION: pixel x, y is where 2 x, 2 y and its neighbours to the right
+  /// and below are, up to a pixel where the width or height is odd.
   ///@{
   void draw_geometry(const Pass& pass, const GeometryProgram& program) const;
   void draw_geometry(const Pass& pass, const GeometryProgram& program,
