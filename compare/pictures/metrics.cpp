@@ -145,7 +145,7 @@ std::optional<double> ssim(const Image& reference, const Image& test) {
   return similarity(pair_of(reference, test));
 }
 
-Metrics measure(const Image& reference, const Image& test) {
+Metrics metrics_of(const Image& reference, const Image& test) {
   const PicturePair pair = pair_of(reference, test);
   Metrics measured;
   for (std::size_t row = 0; row < std::size(rows); ++row) measured[row] = rows[row].measure(pair);
@@ -155,7 +155,8 @@ Metrics measure(const Image& reference, const Image& test) {
 }
 
 Comparison compare_images(const Image& reference, const Image& test) {
-  return {measure(reference, test), measure(displayed_values(reference), displayed_values(test))};
+  return {metrics_of(reference, test),
+          metrics_of(displayed_values(reference), displayed_values(test))};
 }
 
 }  // namespace pellucid::compare

@@ -86,7 +86,7 @@ class Metrics {
 };
 
 /// Computes all metrics. Throws as rmse() does.
-Metrics measure(const Image& reference, const Image& test);
+Metrics metrics_of(const Image& reference, const Image& test);
 
 /// A Comparison has the metrics of the float pictures, and those of the 8-bit values that a screen
 /// shows of them.
