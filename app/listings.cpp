@@ -102,7 +102,7 @@ nlohmann::ordered_json list_columns() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const compare::Column& column : compare::columns())
     rows.push_back({{"name", column.name},
-                    {"title", column.heading},
+                    {"title", heading(column)},
                     {"unit of the value", column.unit},
                     {"better", compare::name_of(column.better)}});
   return rows;

@@ -49,14 +49,33 @@ const ResultRow* find(std::span<const ResultRow> rows, const Cell& cell) {
   return nullptr;
 }
 
+json column_json(const Column& column) {
+  return {{"name", column.name},
+          {"title", column.title},
+          {"heading", heading(column)},
+          {"style", name_of(column.style)},
+          {"unit", unit_for_people(column.style)},
+          {"factor", in_unit_for_people(column.style, 1)},
+          {"better", name_of(column.better)},
+          {"card", column.shown.card},
+          {"sweeps", column.shown.sweeps},
+          {"role", name_of(column.shown.role)}};
+}
+
 json columns_json() {
   json list = json::array();
   for (const Column& column : columns())
-    if (column.in_report)
-      list.push_back({{"name", column.name},
-                      {"heading", column.heading},
-                      {"style", name_of(column.style)},
-                      {"better", name_of(column.better)}});
+    if (column.shown.report) list.push_back(column_json(column));
+  return list;
+}
+
+json metrics_json() {
+  json list = json::array();
+  for (const MetricRow& metric : metrics())
+    list.push_back({{"symbol", metric.symbol},
+                    {"title", metric.title},
+                    {"definition", metric.definition},
+                    {"citation", metric.citation}});
   return list;
 }
 
@@ -64,7 +83,7 @@ json columns_json() {
 json values_json(const ResultRow& row) {
   json values = json::object();
   for (const Column& column : columns()) {
-    if (!column.in_report) continue;
+    if (!column.shown.report) continue;
     const std::optional<double> value = column.value(row);
     values[column.name] = value && std::isfinite(*value) ? json(*value) : json();
   }
@@ -153,7 +172,7 @@ json claims_json(const Study& study, std::span<const ResultRow> rows) {
     json checks = json::array();
     for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
       checks.push_back(check_json(claim, check));
-    claims.push_back({{"text", claim.text}, {"by", claim.by->heading}, {"checks", checks}});
+    claims.push_back({{"text", claim.text}, {"by", heading(*claim.by)}, {"checks", checks}});
   }
   return claims;
 }
@@ -195,6 +214,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
     scenes.push_back(scene_json(study, folder, scene));
   return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
           {"columns", columns_json()},
+          {"metrics", metrics_json()},
           {"rows", list},
           {"scenes", scenes},
           {"methods", methods_json(study)},

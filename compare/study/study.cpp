@@ -94,7 +94,7 @@ std::vector<std::string> read_measures(const JsonNode& node) {
   return names;
 }
 
-/// A study while it is read, and what its names mean.
+/// A Reading is a study while it is read, with the tables whose rows its calls name.
 struct Reading {
   Catalogue methods, integrators;
   Study study = {};
@@ -111,13 +111,14 @@ struct StudyKey {
   std::string_view instead = {};  // the key beside which a required one need not stand
 };
 
-/// What says that a file is a study. It is checked first: all keys of another file are unknown.
+/// These keys say that a file is a study. They are checked first: another file would have nothing
+/// but unknown keys.
 constexpr StudyKey marks[] = {
     {"format", [](const JsonNode& value, Reading&) { value.one_of({"pellucid-study"}); }, true},
     {"version", [](const JsonNode& value, Reading&) { value.integer(1, 1); }, true}};
 
-/// All other keys, in the order in which they are read: what names scenes or calls comes after
-/// them, and integrators come before methods.
+/// These are all other keys, in the order in which they are read: what names scenes or calls comes
+/// after them, and integrators come before methods.
 constexpr StudyKey keys[] = {
     {"title", [](const JsonNode& value, Reading& to) { to.study.title = value.string(); }},
     {"source", [](const JsonNode& value, Reading& to) { to.study.source = value.string(); }},
