@@ -33,7 +33,7 @@ void print_metrics(std::string_view title, const compare::Metrics& m) {
   fmt::print("{}\n", title);
   for (std::size_t row = 0; row < compare::metrics().size(); ++row) {
     const compare::MetricRow& metric = compare::metrics()[row];
-    fmt::print("  {:10} {}\n", metric.heading,
+    fmt::print("  {:10} {}\n", heading(metric),
                m[row] ? fmt::format("{:.6g}", *m[row]) : "none for pictures so small");
   }
   fmt::print("  its pixel  ({}, {})\n", m.max_error_x, m.max_error_y);
@@ -50,9 +50,9 @@ void check_threshold(const compare::MetricRow& metric, double threshold,
   const bool higher = metric.better == compare::Better::higher;
   if (!value)
     throw InputError(fmt::format("{}: the pictures have no {}; accepted: larger ones",
-                                 threshold_option(metric), metric.heading));
+                                 threshold_option(metric), heading(metric)));
   if (higher ? *value < threshold : *value > threshold)
-    throw WorkError(fmt::format("{} {:.6g} is {} {} {}", metric.heading, *value,
+    throw WorkError(fmt::format("{} {:.6g} is {} {} {}", heading(metric), *value,
                                 higher ? "below" : "above", threshold_option(metric), threshold));
 }
 
@@ -85,7 +85,7 @@ void add_compare_command(CLI::App& app, GlobalOptions& globals) {
       "Write the error map (.png, .exr): largest RGB error, logarithmic from 0.001 to 1");
   for (const compare::MetricRow& metric : compare::metrics())
     command->add_option(threshold_option(metric), arguments->fail[metric.name],
-                        fmt::format("Exit 1 when the {} is {} this", metric.heading,
+                        fmt::format("Exit 1 when the {} is {} this", heading(metric),
                                     metric.better == compare::Better::higher ? "below" : "above"));
   command->footer("Exit code: 0 compared, within the thresholds; 1 beyond one; 2 wrong input.");
   add_global_options(*command, globals);

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "compare/measures/further_measures.h"
+#include "compare/measures/study_measures.h"
 #include "compare/methods/methods.h"
 #include "compare/pictures/metrics.h"
 #include "compare/results/columns.h"
@@ -102,7 +102,7 @@ nlohmann::ordered_json list_columns() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const compare::Column& column : compare::columns())
     rows.push_back({{"name", column.name},
-                    {"title", column.heading},
+                    {"title", heading(column)},
                     {"unit of the value", column.unit},
                     {"better", compare::name_of(column.better)}});
   return rows;
@@ -148,7 +148,7 @@ nlohmann::ordered_json list_colormaps() {
 
 nlohmann::ordered_json list_measures() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const compare::FurtherMeasure& row : compare::further_measures())
+  for (const compare::StudyMeasure& row : compare::study_measures())
     rows.push_back({{"name", row.name}, {"title", row.title}});
   return rows;
 }

@@ -17,7 +17,7 @@ struct Cell {
   std::string scene;
   MethodCall call;
   bool reference = false;
-  std::vector<std::string> measures = {};  // names of FurtherMeasure
+  std::vector<std::string> measures = {};  // names of StudyMeasure
   std::vector<Pixel> probes = {};          // rays to look along
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/measures/further_measures.h"
+#include "compare/measures/study_measures.h"
 #include "compare/pictures/error_map.h"
 #include "groundtruth/sums/picture_sums.h"
 
@@ -52,9 +52,9 @@ void measure(const scene::Scene& scene, const Image& reference, CellMeasurement&
 
 }  // namespace
 
-const FurtherMeasure& depth_error_measure() {
-  static constexpr FurtherMeasure row{"depth-error", "Error over the depth of the nearest layer",
-                                      measure};
+const StudyMeasure& depth_error_measure() {
+  static constexpr StudyMeasure row{"depth-error", "Error over the depth of the nearest layer",
+                                    measure};
   return row;
 }
 

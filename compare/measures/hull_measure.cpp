@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "compare/measures/further_measures.h"
 #include "compare/measures/hull_distance.h"
+#include "compare/measures/study_measures.h"
 #include "compare/pictures/error_map.h"
 #include "core/parallel.h"
 #include "groundtruth/sums/picture_sums.h"
@@ -52,9 +52,9 @@ void measure(const scene::Scene& scene, const Image&, CellMeasurement& cell) {
 
 }  // namespace
 
-const FurtherMeasure& hull_measure() {
-  static constexpr FurtherMeasure row{"hull", "Distance to the convex hull of a pixel's colours",
-                                      measure};
+const StudyMeasure& hull_measure() {
+  static constexpr StudyMeasure row{"hull", "Distance to the convex hull of a pixel's colours",
+                                    measure};
   return row;
 }
 

@@ -98,23 +98,33 @@ std::optional<double> similarity(const PicturePair& pair) {
 
 std::optional<double> largest(const PicturePair& pair) { return pair.max_error.value; }
 
+constexpr Shown nowhere = {};
+constexpr Shown in_report = {.report = true};
+constexpr Shown in_tables = {.tables = true, .report = true};
+
+constexpr Shown everywhere(TradeOff role = TradeOff::none) {
+  return {.tables = true, .report = true, .card = true, .sweeps = true, .role = role};
+}
+
 // The first three lead the columns of results.csv.
 constexpr MetricRow rows[] = {
     {"rmse", "Root mean square error", "RMSE", "sqrt(mean (x - y)²) over all RGB values", "", "1",
-     Better::lower, NumberStyle::scientific, root_mean_square},
+     Better::lower, NumberStyle::scientific, root_mean_square, everywhere(TradeOff::error)},
     {"ssim", "Structural similarity", "SSIM",
      "11×11 Gaussian window, σ = 1.5, K₁ = 0.01, K₂ = 0.03, L = 1, population covariance; mean "
      "over RGB and over the pixels whose window lies inside",
      "Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment. IEEE TIP 13(4), 2004", "1",
-     Better::higher, NumberStyle::similarity, similarity},
-    {"psnr", "Peak signal to noise ratio", "PSNR [dB]", "20 log10(1 / RMSE)", "", "dB",
-     Better::higher, NumberStyle::decibels, decibels, true},
+     Better::higher, NumberStyle::similarity, similarity, everywhere(), in_report},
+    {"psnr", "Peak signal to noise ratio", "PSNR", "20 log10(1 / RMSE)", "", "dB", Better::higher,
+     NumberStyle::decibels, decibels, in_tables, nowhere, true},
     {"max_error", "Largest error", "Max error", "max |x - y| over all RGB values, and its pixel",
-     "", "1", Better::lower, NumberStyle::scientific, largest}};
+     "", "1", Better::lower, NumberStyle::scientific, largest, in_report}};
 
 }  // namespace
 
 std::span<const MetricRow> metrics() { return rows; }
+
+std::string heading(const MetricRow& metric) { return heading(metric.symbol, metric.style); }
 
 const std::optional<double>& Metrics::of(std::string_view name) const {
   return values_[std::size_t(&find_row("metric", name, rows) - rows)];
@@ -145,7 +155,7 @@ std::optional<double> ssim(const Image& reference, const Image& test) {
   return similarity(pair_of(reference, test));
 }
 
-Metrics measure(const Image& reference, const Image& test) {
+Metrics metrics_of(const Image& reference, const Image& test) {
   const PicturePair pair = pair_of(reference, test);
   Metrics measured;
   for (std::size_t row = 0; row < std::size(rows); ++row) measured[row] = rows[row].measure(pair);
@@ -155,7 +165,8 @@ Metrics measure(const Image& reference, const Image& test) {
 }
 
 Comparison compare_images(const Image& reference, const Image& test) {
-  return {measure(reference, test), measure(displayed_values(reference), displayed_values(test))};
+  return {metrics_of(reference, test),
+          metrics_of(displayed_values(reference), displayed_values(test))};
 }
 
 }  // namespace pellucid::compare

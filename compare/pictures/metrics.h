@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "compare/pictures/number_style.h"
 #include "core/raster.h"
 
 namespace pellucid::compare {
@@ -43,29 +45,28 @@ struct PicturePair {
   MaxError max_error = {};
 };
 
-/// A Better says which way a number is better.
-enum class Better { lower, higher, neither };
-
-/// A NumberStyle says how a number is written for people; see number_for_people().
-enum class NumberStyle { scientific, similarity, decibels, milliseconds, megabytes, count };
-
 /// A MetricRow is one row of the table of metrics: command line, study files, tables, JSON, report
 /// and `list` read it. A metric is a function of two pictures and its row.
 struct MetricRow {
-  std::string_view name;     // in JSON, CSV and study files
-  std::string_view title;    // for people
-  std::string_view heading;  // of a narrow column, unit included
+  std::string_view name;    // in JSON, CSV and study files
+  std::string_view title;   // for people
+  std::string_view symbol;  // of a narrow column: "PSNR"
   std::string_view definition;
   std::string_view citation;
   std::string_view unit;
   Better better;
   NumberStyle style;
   std::optional<double> (*measure)(const PicturePair&);
+  Shown shown;                       // of the float pictures
+  Shown shown_displayed = {};        // of the 8-bit values
   bool infinite_when_equal = false;  // JSON has no infinity: it writes null
 };
 
 /// The table of metrics; the first three lead the columns of results.csv.
 std::span<const MetricRow> metrics();
+
+/// Returns the symbol with the unit: "PSNR [dB]".
+std::string heading(const MetricRow& metric);
 
 /// Metrics holds the values of metrics() for one pair of pictures.
 class Metrics {
@@ -86,7 +87,7 @@ class Metrics {
 };
 
 /// Computes all metrics. Throws as rmse() does.
-Metrics measure(const Image& reference, const Image& test);
+Metrics metrics_of(const Image& reference, const Image& test);
 
 /// A Comparison has the metrics of the float pictures, and those of the 8-bit values that a screen
 /// shows of them.

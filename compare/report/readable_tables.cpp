@@ -16,7 +16,7 @@ namespace {
 std::vector<Column> table_columns() {
   std::vector<Column> chosen;
   for (const Column& column : columns())
-    if (column.in_tables) chosen.push_back(column);
+    if (column.shown.tables) chosen.push_back(column);
   return chosen;
 }
 
@@ -54,7 +54,7 @@ std::string markdown_line(const ResultRow& row) {
 std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
   std::string header = "| Method |", rule = "|---|";
   for (const Column& column : table_columns()) {
-    header += fmt::format(" {} |", column.heading);
+    header += fmt::format(" {} |", heading(column));
     rule += "---:|";
   }
   std::string text = fmt::format("\n## {}\n\n{}\n{}\n", scene, header, rule);
@@ -98,7 +98,7 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
 /// "fourier:bands=5 2.1e-02, …: the same here", a line for each scene.
 std::string markdown_claim(const Claim& claim, const Study& study,
                            std::span<const ResultRow> rows) {
-  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, claim.by->heading);
+  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, heading(*claim.by));
   for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows)) {
     text += fmt::format("- {}:", check.scene);
     for (const auto& [call, value] : check.values)
@@ -187,7 +187,7 @@ std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n", study.title);
   text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
                       std::string(table_columns().size(), 'r'));
-  for (const Column& column : table_columns()) text += fmt::format(" & {}", column.heading);
+  for (const Column& column : table_columns()) text += fmt::format(" & {}", heading(column));
   text += " \\\\\n";
   for (const auto& scene : study.scenes)
     text += latex_block(scene_name(scene), rows_of(scene_name(scene), rows));

@@ -11,6 +11,7 @@
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/crop.h"
+#include "compare/report/source_json.h"
 #include "compare/results/columns.h"
 #include "core/files/output_file.h"
 
@@ -49,14 +50,33 @@ const ResultRow* find(std::span<const ResultRow> rows, const Cell& cell) {
   return nullptr;
 }
 
+json column_json(const Column& column) {
+  return {{"name", column.name},
+          {"title", column.title},
+          {"heading", heading(column)},
+          {"style", name_of(column.style)},
+          {"unit", unit_for_people(column.style)},
+          {"factor", in_unit_for_people(column.style, 1)},
+          {"better", name_of(column.better)},
+          {"card", column.shown.card},
+          {"sweeps", column.shown.sweeps},
+          {"role", name_of(column.shown.role)}};
+}
+
 json columns_json() {
   json list = json::array();
   for (const Column& column : columns())
-    if (column.in_report)
-      list.push_back({{"name", column.name},
-                      {"heading", column.heading},
-                      {"style", name_of(column.style)},
-                      {"better", name_of(column.better)}});
+    if (column.shown.report) list.push_back(column_json(column));
+  return list;
+}
+
+json metrics_json() {
+  json list = json::array();
+  for (const MetricRow& metric : metrics())
+    list.push_back({{"symbol", metric.symbol},
+                    {"title", metric.title},
+                    {"definition", metric.definition},
+                    {"citation", metric.citation}});
   return list;
 }
 
@@ -64,7 +84,7 @@ json columns_json() {
 json values_json(const ResultRow& row) {
   json values = json::object();
   for (const Column& column : columns()) {
-    if (!column.in_report) continue;
+    if (!column.shown.report) continue;
     const std::optional<double> value = column.value(row);
     values[column.name] = value && std::isfinite(*value) ? json(*value) : json();
   }
@@ -140,50 +160,6 @@ json methods_json(const Study& study) {
   return methods;
 }
 
-json check_json(const Claim& claim, const ClaimCheck& check) {
-  json values = json::array();
-  for (const auto& [call, value] : check.values)
-    values.push_back({{"call", call}, {"text", number_for_people(claim.by->style, value)}});
-  return {{"scene", check.scene}, {"values", values}, {"against", check.against}};
-}
-
-json claims_json(const Study& study, std::span<const ResultRow> rows) {
-  json claims = json::array();
-  for (const Claim& claim : study.claims) {
-    json checks = json::array();
-    for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
-      checks.push_back(check_json(claim, check));
-    claims.push_back({{"text", claim.text}, {"by", claim.by->heading}, {"checks", checks}});
-  }
-  return claims;
-}
-
-json cost_line_json(const CostLine& line) {
-  json steps = json::array();
-  for (const std::optional<double>& step : line.steps) steps.push_back(step ? json(*step) : json());
-  return {{"scene", line.scene},
-          {"call", line.call},
-          {"milliseconds", line.milliseconds},
-          {"bytes", line.bytes ? json(*line.bytes) : json()},
-          {"steps", steps},
-          {"bottleneck", line.bottleneck ? json(*line.bottleneck) : json()}};
-}
-
-json costs_json(const Study& study, std::span<const ResultRow> rows) {
-  json tables = json::array(), ratios = json::array();
-  for (const CostTable& table : cost_tables(study, rows)) {
-    json lines = json::array();
-    for (const CostLine& line : table.lines) lines.push_back(cost_line_json(line));
-    tables.push_back({{"title", table.title}, {"steps", table.steps}, {"lines", lines}});
-  }
-  for (const CostRatio& ratio : cost_ratios(study, rows))
-    ratios.push_back({{"scene", ratio.scene},
-                      {"call", ratio.call},
-                      {"here", ratio.here},
-                      {"published", ratio.published ? json(*ratio.published) : json()}});
-  return {{"tables", tables}, {"ratios", ratios}, {"reference", study.reference.text()}};
-}
-
 }  // namespace
 
 json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
@@ -195,6 +171,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
     scenes.push_back(scene_json(study, folder, scene));
   return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
           {"columns", columns_json()},
+          {"metrics", metrics_json()},
           {"rows", list},
           {"scenes", scenes},
           {"methods", methods_json(study)},

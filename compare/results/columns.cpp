@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/results/columns.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <vector>
 
 namespace pellucid::compare {
@@ -16,12 +13,11 @@ constexpr std::size_t leading_metrics = 3;
 Column metric_column(std::size_t row) {
   const MetricRow& metric = metrics()[row];
   return {.name = std::string(metric.name),
-          .heading = std::string(metric.heading),
+          .title = std::string(metric.symbol),
           .unit = std::string(metric.unit),
           .better = metric.better,
           .style = metric.style,
-          .in_tables = row < leading_metrics,
-          .in_report = true,
+          .shown = metric.shown,
           .value = [row](const ResultRow& r) { return r.metrics.linear[row]; }};
 }
 
@@ -29,9 +25,8 @@ Column metric_column(std::size_t row) {
 Column displayed_column(std::size_t row) {
   Column column = metric_column(row);
   column.name += "_8bit";
-  column.heading += ", 8 bits";
-  column.in_tables = false;
-  column.in_report = metrics()[row].name == "ssim";
+  column.title += ", 8 bits";
+  column.shown = metrics()[row].shown_displayed;
   column.value = [row](const ResultRow& r) { return r.metrics.displayed[row]; };
   return column;
 }
@@ -43,38 +38,45 @@ std::optional<double> number(T value) {
 
 using Style = NumberStyle;
 
+constexpr Shown in_csv = {};
+constexpr Shown in_tables = {.tables = true, .report = true};
+
+constexpr Shown as_cost(bool sweeps) {
+  return {.tables = true, .report = true, .card = true, .sweeps = sweeps, .role = TradeOff::cost};
+}
+
 std::vector<Column> cost_columns() {
-  return {{"seconds", "Time [ms]", "s", Better::lower, Style::milliseconds, true, true,
+  return {{"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true),
            [](const ResultRow& r) { return number(r.seconds.median); }},
-          {"bytes", "Memory [MB]", "bytes", Better::lower, Style::megabytes, true, true,
+          {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
            [](const ResultRow& r) { return number(r.total_bytes()); }},
-          {"fragments", "Fragments", "1", Better::neither, Style::count, true, true,
+          {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
            [](const ResultRow& r) { return number(r.fragments); }},
-          {"max_layers", "Layers", "1", Better::neither, Style::count, true, true,
+          {"max_layers", "Layers", "1", Better::neither, Style::count, in_tables,
            [](const ResultRow& r) { return number(r.max_layers); }}};
 }
 
 std::vector<Column> further_columns() {
-  return {
-      {"seconds_min", "Least time [ms]", "s", Better::lower, Style::milliseconds, false, false,
-       [](const ResultRow& r) { return number(r.seconds.min); }},
-      {"seconds_max", "Longest time [ms]", "s", Better::lower, Style::milliseconds, false, false,
-       [](const ResultRow& r) { return number(r.seconds.max); }},
-      {"setup_seconds", "Setting up [ms]", "s", Better::lower, Style::milliseconds, false, false,
-       [](const ResultRow& r) { return number(r.setup_seconds); }},
-      {"dropped", "Dropped fragments", "1", Better::lower, Style::count, false, false,
-       [](const ResultRow& r) { return number(r.dropped); }},
-      {"stored", "Stored fragments", "1", Better::neither, Style::count, false, false,
-       [](const ResultRow& r) { return number(r.stored); }},
-      {"truncated_pixels", "Pixels that lost fragments", "1", Better::lower, Style::count, false,
-       false, [](const ResultRow& r) { return number(r.truncated); }},
-      {"layers_differ", "Pixels of other layers", "1", Better::lower, Style::count, false, false,
-       [](const ResultRow& r) {
-         return r.coverage ? number(r.coverage->differing) : std::nullopt;
-       }},
-      {"rmse_equal_layers", "RMSE where layers agree", "1", Better::lower, Style::scientific, false,
-       false,
-       [](const ResultRow& r) { return r.coverage ? r.coverage->rmse_elsewhere : std::nullopt; }}};
+  return {{"seconds_min", "Least time", "s", Better::lower, Style::milliseconds, in_csv,
+           [](const ResultRow& r) { return number(r.seconds.min); }},
+          {"seconds_max", "Longest time", "s", Better::lower, Style::milliseconds, in_csv,
+           [](const ResultRow& r) { return number(r.seconds.max); }},
+          {"setup_seconds", "Setting up", "s", Better::lower, Style::milliseconds, in_csv,
+           [](const ResultRow& r) { return number(r.setup_seconds); }},
+          {"dropped", "Dropped fragments", "1", Better::lower, Style::count, in_csv,
+           [](const ResultRow& r) { return number(r.dropped); }},
+          {"stored", "Stored fragments", "1", Better::neither, Style::count, in_csv,
+           [](const ResultRow& r) { return number(r.stored); }},
+          {"truncated_pixels", "Pixels that lost fragments", "1", Better::lower, Style::count,
+           in_csv, [](const ResultRow& r) { return number(r.truncated); }},
+          {"layers_differ", "Pixels of other layers", "1", Better::lower, Style::count, in_csv,
+           [](const ResultRow& r) {
+             return r.coverage ? number(r.coverage->differing) : std::nullopt;
+           }},
+          {"rmse_equal_layers", "RMSE where layers agree", "1", Better::lower, Style::scientific,
+           in_csv, [](const ResultRow& r) {
+             return r.coverage ? r.coverage->rmse_elsewhere : std::nullopt;
+           }}};
 }
 
 std::vector<Column> make_columns() {
@@ -91,25 +93,6 @@ std::vector<Column> make_columns() {
   return all;
 }
 
-struct StyleRow {
-  NumberStyle style;
-  std::string_view name;
-  std::string (*text)(double);
-};
-
-std::string scientific(double x) { return x == 0 ? "0" : fmt::format("{:.2e}", x); }
-std::string one_decimal(double x) { return std::isinf(x) ? "∞" : fmt::format("{:.1f}", x); }
-
-constexpr StyleRow styles[] = {
-    {Style::scientific, "scientific", scientific},
-    {Style::similarity, "similarity", [](double x) { return fmt::format("{:.4f}", x); }},
-    {Style::decibels, "decibels", one_decimal},
-    {Style::milliseconds, "milliseconds", [](double x) { return one_decimal(x * 1e3); }},
-    {Style::megabytes, "megabytes", [](double x) { return one_decimal(x / 1e6); }},
-    {Style::count, "count", [](double x) { return fmt::format("{:.0f}", x); }}};
-
-const StyleRow& row_of(NumberStyle style) { return styles[std::size_t(style)]; }
-
 }  // namespace
 
 std::span<const Column> columns() {
@@ -122,13 +105,6 @@ bool is_better(const Column& column, double a, double b) {
   return column.better == Better::lower ? a < b : a > b;
 }
 
-std::string number_for_people(NumberStyle style, double value) { return row_of(style).text(value); }
-
-std::string_view name_of(NumberStyle style) { return row_of(style).name; }
-
-std::string_view name_of(Better better) {
-  constexpr std::string_view names[] = {"lower", "higher", "neither"};
-  return names[std::size_t(better)];
-}
+std::string heading(const Column& column) { return heading(column.title, column.style); }
 
 }  // namespace pellucid::compare

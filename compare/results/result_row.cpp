@@ -85,8 +85,6 @@ CoverageCheck coverage_from(const json& j) {
           optional_number(j.at("rmse_equal_layers"))};
 }
 
-constexpr std::string_view better_names[] = {"lower", "higher", "neither"};
-
 json measures_json(const ResultRow& row) {
   json list = json::array();
   for (const scene::Measure& m : row.measures)
@@ -94,15 +92,13 @@ json measures_json(const ResultRow& row) {
                     {"title", m.title},
                     {"unit", m.unit},
                     {"value", m.value},
-                    {"better", better_names[std::size_t(m.better)]}});
+                    {"better", name_of(m.better)}});
   return list;
 }
 
 scene::Measure measure_from(const json& j) {
-  const auto better = std::find(std::begin(better_names), std::end(better_names),
-                                j.at("better").get<std::string_view>());
   return {j.at("name"), j.at("title"), j.at("unit"), j.at("value"),
-          scene::Measure::Better(better - std::begin(better_names))};
+          better_of_name(j.at("better").get<std::string_view>())};
 }
 
 json pictures_json(const ResultRow& row) {

@@ -9,7 +9,7 @@
 
 #include "compare/cells/cell.h"
 #include "compare/cells/measure_cell.h"
-#include "compare/measures/further_measures.h"
+#include "compare/measures/study_measures.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/report.h"
@@ -152,7 +152,7 @@ ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, measured, at_hand);
   for (const std::string& name : job.cell.measures)
-    find_row("measure", name, further_measures())
+    find_row("measure", name, study_measures())
         .measure(at_hand.scene(), at_hand.reference(), measured);
   write_further(job.files, measured);
   measured.row.fingerprint = job.fingerprint;

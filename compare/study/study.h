@@ -42,7 +42,7 @@ struct Study {
   int repeats = 3;
   std::map<std::string, Crop> crops;                 // by scene
   std::vector<Claim> claims;                         // of the source
-  std::vector<std::string> measures;                 // names of FurtherMeasure, for each picture
+  std::vector<std::string> measures;                 // names of StudyMeasure, for each picture
   std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
   std::optional<PublishedCosts> published;           // times and bytes that the source printed
 };

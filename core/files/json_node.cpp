@@ -33,12 +33,16 @@ bool JsonNode::is_string() const { return value_->is_string(); }
 bool JsonNode::is_object() const { return value_->is_object(); }
 bool JsonNode::is_array() const { return value_->is_array(); }
 
-void JsonNode::accept_keys(std::initializer_list<std::string_view> known) const {
+void JsonNode::accept_keys(std::span<const std::string_view> known) const {
   if (!value_->is_object())
     refuse(fmt::format("an object with the keys {}", fmt::join(known, ", ")));
   for (const auto& item : value_->items())
     if (std::find(known.begin(), known.end(), item.key()) == known.end())
-      fail(unknown_name("key", item.key(), std::vector<std::string_view>(known)));
+      fail(unknown_name("key", item.key(), known));
+}
+
+void JsonNode::accept_keys(std::initializer_list<std::string_view> known) const {
+  accept_keys(std::span(known.begin(), known.size()));
 }
 
 bool JsonNode::has(std::string_view key) const {

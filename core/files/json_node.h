@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@ class JsonNode {
   bool is_array() const;
 
   /// Throws InputError for a key that is not among `known`; it lists them, the nearest first.
+  void accept_keys(std::span<const std::string_view> known) const;
   void accept_keys(std::initializer_list<std::string_view> known) const;
   bool has(std::string_view key) const;
   JsonNode operator[](std::string_view key) const;  // the key must be there

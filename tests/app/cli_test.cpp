@@ -8,7 +8,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "core/files/output_file.h"
 
@@ -64,6 +68,16 @@ class UnitCommandLine : public ::testing::Test {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_EQ(files(), before) << arguments;
     return outcome.err;
+  }
+
+  /// What `list` can list, from its message about what it cannot.
+  std::vector<std::string> known_listings() const {
+    const std::string message = refusal("list x"), mark = "known: ";
+    std::stringstream known(message.substr(message.find(mark) + mark.size()));
+    std::vector<std::string> names;
+    for (std::string name; known >> name;)
+      names.push_back(name.back() == ',' ? name.substr(0, name.size() - 1) : name);
+    return names;
   }
 
   std::string render(const std::string& method, const std::string& output = "a.png") const {
@@ -181,12 +195,31 @@ TEST_F(UnitCommandLine, AFullDiskIsAFailureOfTheWork) {
 }
 
 TEST_F(UnitCommandLine, ListsEveryTableAsJsonToo) {
-  for (const char* what : {"methods", "integrators", "fields", "datasets", "metrics", "studies"}) {
-    const Outcome text = run(std::string("list ") + what);
+  const auto listings = known_listings();
+  EXPECT_GE(listings.size(), 12u);
+  for (const std::string& what : listings) {
+    const Outcome text = run("list " + what);
     EXPECT_EQ(text.exit_code, 0) << text.err;
-    EXPECT_GT(text.out.size(), 50u) << what;
-    const Outcome json = run(std::string("list --json ") + what);
-    EXPECT_EQ(json.out.front(), '[') << what;
+    std::set<std::string> names;
+    for (const nlohmann::json& row : nlohmann::json::parse(run("list --json " + what).out)) {
+      const std::string name = row.at("name"), title = row.at("title");
+      EXPECT_TRUE(names.insert(name).second) << what << ' ' << name;
+      EXPECT_FALSE(name.empty() || title.empty()) << what << ' ' << name;
+      EXPECT_THAT(text.out, HasSubstr(name + "   " + title + '\n')) << what;
+    }
+    EXPECT_FALSE(names.empty()) << what;
+  }
+}
+
+TEST_F(UnitCommandLine, ListsOneRowByItsName) {
+  for (const std::string& what : known_listings()) {
+    const auto rows = nlohmann::json::parse(run("list --json " + what).out);
+    const std::string name = rows.back().at("name");
+    EXPECT_EQ(nlohmann::json::parse(run("list --json " + what + ' ' + name).out),
+              nlohmann::json::array({rows.back()}))
+        << what;
+    EXPECT_THAT(refusal("list " + what + ' ' + name + "~"),
+                HasSubstr("'" + name + "~'; known: " + name));
   }
 }
 

@@ -74,18 +74,18 @@ function sweepOf(rows) {
   return { name: varied[0], rows: [...rows].sort((a, b) => at(a) - at(b)), at };
 }
 
-/** Error and time over the swept parameter of each method. */
+/** The numbers that say so over the swept parameter of each method. */
 function sweepPlots(rows) {
   const methods = [...new Set(rows.filter((row) => !row.reference).map((row) => row.method))];
   return methods.flatMap((method) => {
     const sweep = sweepOf(rows.filter((row) => row.method === method && !row.reference));
     if (!sweep) return [];
-    const plot = (y_title, value, options) => {
+    return columns.filter(({ sweeps }) => sweeps).map((column) => {
+      const y_title = labelOf(column);
+      const value = column.role === "error" ? (row) => Math.max(column.value(row), smallestError) : column.shown;
       const curve = { label: method, x: sweep.rows.map(sweep.at), y: sweep.rows.map(value) };
-      const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { ...options, points: true });
+      const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { ...column.axis, points: true });
       return [`${method}: ${y_title} over ${sweep.name}`, spec];
-    };
-    return [plot("RMSE", (row) => Math.max(row.metrics.rmse, smallestError), { logarithmic: true }), plot("SSIM", (row) => row.metrics.ssim, { zero: false }),
-            plot("ms", msOf)];
+    });
   });
 }

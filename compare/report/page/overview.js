@@ -2,16 +2,17 @@
 // What only shows across scenes: every method's error on each of them, and the cheapest method within an error bound.
 
 /** From transparent at 1e-6 to full at 1: how dark a cell of the overview is. */
-const shadeOf = (rmse) => Math.min(1, Math.max(0, 1 + Math.log10(Math.max(rmse, 1e-6)) / 6));
+const shadeOf = (error) => Math.min(1, Math.max(0, 1 + Math.log10(Math.max(error, 1e-6)) / 6));
 
 function overviewCell(row) {
   if (!row) return make("td", {}, "–");
   if (row.error) return make("td", { class: "error", title: row.error }, "failed");
-  const style = `background: color-mix(in srgb, var(--warn) ${Math.round(45 * shadeOf(row.metrics.rmse))}%, transparent)`;
-  return make("td", { style, title: `SSIM ${similarity(row.metrics.ssim)}` }, scientific(row.metrics.rmse));
+  const style = `background: color-mix(in srgb, var(--warn) ${Math.round(45 * shadeOf(errorColumn().value(row)))}%, transparent)`;
+  const others = numbersLine(qualityColumns().filter(({ role }) => role === "none"), row);
+  return make("td", { style, title: others }, errorColumn().text(row));
 }
 
-/** RMSE by method and scene; nothing for a single scene, whose table says it all. */
+/** The error by method and scene; nothing for a single scene, whose table says it all. */
 function overviewSection(rows, scenes) {
   if (scenes.length < 2) return null;
   const names = [...new Set(rows.filter((row) => !row.reference).map((row) => row.name))];
@@ -19,27 +20,25 @@ function overviewSection(rows, scenes) {
   const head = make("tr", {}, make("th", {}, "Method"), scenes.map((scene) => make("th", {}, scene.name)));
   const body = names.map((name) =>
     make("tr", {}, make("td", {}, name), scenes.map((scene) => overviewCell(find(name, scene)))));
-  const lead = "RMSE of every method on every scene; the darker, the farther from the reference.";
+  const lead = `${errorColumn().title} of every method on every scene; the darker, the farther from the reference.`;
   return make("section", { id: "overview" }, make("h2", {}, "Across scenes"), make("p", { class: "lead" }, lead),
               make("div", { class: "wide overview" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }
 
 const errorBounds = [0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001];
 
-/** The row of least cost whose RMSE is within the bound. */
+/** The row of least cost whose error is within the bound. */
 function cheapest(rows, bound, cost) {
-  const within = rows.filter((row) => !row.reference && !row.error && row.metrics.rmse <= bound);
-  return within.reduce((best, row) => (best && cost(best) <= cost(row) ? best : row), null);
+  const within = rows.filter((row) => !row.reference && !row.error && errorColumn().value(row) <= bound);
+  return within.reduce((best, row) => (best && cost.value(best) <= cost.value(row) ? best : row), null);
 }
 
 function choiceRow(rows, scene, bound) {
-  const choice = (cost, unit, text) => {
+  const choice = (cost) => {
     const row = cheapest(rows, bound, cost);
-    return [make("td", {}, row ? row.name : "none"), make("td", {}, row ? `${text(cost(row))} ${unit}` : "")];
+    return [make("td", {}, row ? row.name : "none"), make("td", {}, row ? `${cost.text(row)} ${cost.unit}` : "")];
   };
-  return make("tr", {}, make("td", {}, scene), make("td", {}, `≤ ${bound}`),
-              choice((row) => row.seconds.median, "ms", milliseconds),
-              choice((row) => row.bytes.total, "MB", megabytes));
+  return make("tr", {}, make("td", {}, scene), make("td", {}, `≤ ${bound}`), costColumns().map(choice));
 }
 
 /** For a handful of pictures the plots are clearer than a table of choices. */
@@ -47,12 +46,13 @@ const fewestChoices = 6;
 
 function choicesSection(rows, scenes) {
   if (new Set(rows.map((row) => row.name)).size < fewestChoices) return null;
-  const head = make("tr", {}, ["Scene", "RMSE", "Fastest", "", "Smallest", ""].map((text) => make("th", {}, text)));
+  const least = costColumns().flatMap(({ title }) => [`Least ${title.toLowerCase()}`, ""]);
+  const head = make("tr", {}, ["Scene", errorColumn().title, ...least].map((text) => make("th", {}, text)));
   const body = scenes.flatMap((scene) => {
     const here = rows.filter((row) => row.scene === scene.name);
     return errorBounds.map((bound) => choiceRow(here, scene.name, bound));
   });
-  const lead = "The fastest method, and the one of least memory, within each bound on the error.";
+  const lead = "The method of least cost within each bound on the error.";
   return make("section", { id: "choices" }, make("h2", {}, "What to choose"), make("p", { class: "lead" }, lead),
               make("div", { class: "wide choices" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }

@@ -25,9 +25,8 @@ function cropBox(scene) {
 }
 
 function numbers(row) {
-  const entries = [["SSIM", similarity(row.metrics.ssim)], ["RMSE", scientific(row.metrics.rmse)],
-                   ["ms", milliseconds(row.seconds.median)], ["MB", megabytes(row.bytes.total)]];
-  const cells = entries.map(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]);
+  const entries = columns.filter(({ card }) => card);
+  const cells = entries.map((column) => [make("dt", {}, labelOf(column)), make("dd", {}, column.text(row))]);
   return make("dl", { class: "numbers" }, cells);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Three plots per scene: error against time, error against memory, and where the time goes.
+// The plots of a scene: error against each cost, where the time goes, and what sweeps and curves it has.
 
 function themeColors() {
   const style = getComputedStyle(document.documentElement);
@@ -61,14 +61,11 @@ function drawPlot(holder, spec) {
   view.runAsync();
 }
 
-const msOf = (row) => row.seconds.median * 1e3;
-const megabytesOf = (row) => row.bytes.total / 1e6;
-
 /** Puts the plots of a scene's rows into `holder`; returns what draws them for the current width and theme. */
 function plotsOf(rows, holder) {
   const plots = [
-    ["Error against time", (width, colors) => tradeOffSpec(rows, msOf, "ms", width, colors)],
-    ["Error against memory", (width, colors) => tradeOffSpec(rows, megabytesOf, "MB", width, colors)],
+    ...costColumns().map((cost) =>
+      [`Error against ${cost.title.toLowerCase()}`, (width, colors) => tradeOffSpec(rows, cost, width, colors)]),
     ["Where the time goes", (width, colors) => stepsSpec(rows, width, colors)],
     ...sweepPlots(rows),
     ...curvePlots(rows),

@@ -13,6 +13,11 @@ function methodFacts(methods) {
   }));
 }
 
+function metricFacts(metrics) {
+  return facts(metrics.map(({ symbol, title, definition, citation }) =>
+    [symbol, [title, definition, citation].filter(Boolean).join(" · ")]));
+}
+
 /** Each fact once; where cells differ, all its values. */
 function machineFacts(rows) {
   const values = new Map();
@@ -30,13 +35,14 @@ function sceneFacts(rows) {
 }
 
 const measures = `Times are medians of wall-clock seconds around finished work, after one warm-up. Memory is
-what a method allocates beyond the scene's geometry and the final picture. RMSE, PSNR and SSIM (Wang et al. 2004,
-11×11 Gaussian window) are of the float pictures.`;
+what a method allocates beyond the scene's geometry and the final picture. Numbers of error and similarity are of the
+float pictures unless they say "8 bits".`;
 
 function provenanceSection(data) {
   return make("section", { id: "provenance" },
     make("h2", {}, "Provenance"),
     make("h3", {}, "Methods"), methodFacts(data.methods),
+    make("h3", {}, "Numbers"), metricFacts(data.metrics),
     sceneFacts(data.rows),
     make("h3", {}, "Machine"), machineFacts(data.rows),
     make("p", { class: "note" }, measures));

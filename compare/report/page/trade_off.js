@@ -15,12 +15,13 @@ function paretoFront(points) {
   });
 }
 
-function tradeOffPoints(rows, cost, unit) {
+function tradeOffPoints(rows, cost) {
+  const error = errorColumn();
   const points = rows.filter((row) => !row.reference).map((row) => ({
     name: row.name,
-    cost: cost(row),
-    error: Math.max(row.metrics.rmse, smallestError),
-    tip: `${row.name}: RMSE ${scientific(row.metrics.rmse)}, ${fixed(cost(row), 1)} ${unit}`,
+    cost: cost.shown(row),
+    error: Math.max(error.value(row), smallestError),
+    tip: `${row.name}: ${error.title} ${error.text(row)}, ${cost.text(row)} ${cost.unit}`,
   }));
   const front = paretoFront(points);
   for (const point of points) point.best = front.includes(point);
@@ -68,10 +69,10 @@ function pointMarks(colors) {
           mark("text", "dots", label, { transform: [place] })];
 }
 
-/** `cost` reads a row's cost, in `unit`. */
-function tradeOffSpec(rows, cost, unit, width, colors) {
-  const { points, front } = tradeOffPoints(rows, cost, unit);
-  const reference = rows.filter((row) => row.reference).map((row) => ({ name: row.name, cost: cost(row) }));
+/** The error over `cost`, a column. */
+function tradeOffSpec(rows, cost, width, colors) {
+  const { points, front } = tradeOffPoints(rows, cost);
+  const reference = rows.filter((row) => row.reference).map((row) => ({ name: row.name, cost: cost.shown(row) }));
   const costs = { fields: [{ data: "points", field: "cost" }, { data: "reference", field: "cost" }] };
   const scale = { type: "log", padding: 24 };
   const axis = { grid: true, format: "~g", tickCount: 5, labelOverlap: true };
@@ -84,8 +85,8 @@ function tradeOffSpec(rows, cost, unit, width, colors) {
       { name: "y", range: "height", domain: { data: "points", field: "error" }, ...scale },
     ],
     axes: [
-      { orient: "bottom", scale: "x", title: unit, ...axis },
-      { orient: "left", scale: "y", title: "RMSE", ...axis },
+      { orient: "bottom", scale: "x", title: cost.unit, ...axis },
+      { orient: "left", scale: "y", title: errorColumn().heading, ...axis },
     ],
     marks: [...referenceMarks(colors), ...pointMarks(colors)],
   };

@@ -31,8 +31,7 @@ class Viewer {
     const shown = this.what === "reference" ? reference : row;
     this.image.src = this.what === "error" && row.error_map ? row.error_map : shown.picture;
     this.title.textContent = `${row.scene} · ${this.what === "error" ? `error of ${row.name}` : shown.name}`;
-    const { ssim, rmse } = row.metrics;
-    this.numbers.textContent = shown.reference ? "reference" : `SSIM ${similarity(ssim)}, RMSE ${scientific(rmse)}`;
+    this.numbers.textContent = shown.reference ? "reference" : numbersLine(qualityColumns(), row);
   }
 
   set(what) {

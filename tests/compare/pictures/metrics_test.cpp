@@ -23,7 +23,7 @@ Image grey(int width, int height, float value) { return Image(width, height, Rgb
 
 std::string error_of(const Image& a, const Image& b) {
   try {
-    measure(a, b);
+    metrics_of(a, b);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -34,7 +34,7 @@ TEST(UnitMetrics, ConstantsHaveClosedForms) {
   // Both means constant, no variance: SSIM = (2ab + C1) / (a² + b² + C1), exact in double but for
   // the rounding of the window's sum (1e-12).
   const double a = 0.25, b = 0.75, c1 = 1e-4;
-  const Metrics m = measure(grey(20, 15, 0.25f), grey(20, 15, 0.75f));
+  const Metrics m = metrics_of(grey(20, 15, 0.25f), grey(20, 15, 0.75f));
   EXPECT_DOUBLE_EQ(*m.of("rmse"), 0.5);
   EXPECT_NEAR(*m.of("psnr"), 20 * std::log10(2.0), 1e-12);
   EXPECT_NEAR(m.of("ssim").value(), (2 * a * b + c1) / (a * a + b * b + c1), 1e-12);
@@ -44,7 +44,7 @@ TEST(UnitMetrics, OneWrongValueIsFoundWhereItIs) {
   const Image reference = grey(31, 17, 0.5f);
   Image test = reference;
   test.at(7, 11).b = 0.125f;
-  const Metrics m = measure(reference, test);
+  const Metrics m = metrics_of(reference, test);
   EXPECT_DOUBLE_EQ(*m.of("rmse"), 0.375 / std::sqrt(3.0 * 31 * 17));
   EXPECT_EQ(m.of("max_error"), 0.375);
   EXPECT_EQ(m.max_error_x, 7);
@@ -60,7 +60,7 @@ TEST(UnitMetrics, AlphaIsNotCompared) {
 TEST(UnitMetrics, BelowElevenPixelsThereIsNoSsim) {
   EXPECT_FALSE(ssim(grey(10, 40, 0.f), grey(10, 40, 1.f)).has_value());
   EXPECT_FALSE(ssim(grey(1, 1, 0.f), grey(1, 1, 0.f)).has_value());
-  EXPECT_EQ(measure(grey(1, 1, 0.f), grey(1, 1, 0.5f)).of("rmse"), 0.5);
+  EXPECT_EQ(metrics_of(grey(1, 1, 0.f), grey(1, 1, 0.5f)).of("rmse"), 0.5);
 }
 
 TEST(UnitMetrics, WrongPairsAreNamed) {
@@ -85,7 +85,7 @@ TEST(UnitMetrics, DisplayedValuesHideWhatAScreenHides) {
 TEST(PropertyMetrics, APictureEqualsItselfExactly) {
   for (const FormulaPair& pair : formula_pairs()) {
     const Image x = picture(40, 33, pair.y);
-    const Metrics m = measure(x, x);
+    const Metrics m = metrics_of(x, x);
     EXPECT_EQ(m.of("rmse"), 0) << pair.name;
     EXPECT_EQ(m.of("psnr"), std::numeric_limits<double>::infinity()) << pair.name;
     EXPECT_EQ(m.of("ssim"), 1) << pair.name;
@@ -95,9 +95,9 @@ TEST(PropertyMetrics, APictureEqualsItselfExactly) {
 
 TEST(PropertyMetrics, SameBitsForAnyNumberOfThreads) {
   const Image x = picture(300, 217, rings), y = picture(300, 217, grainy);
-  const Metrics many = measure(x, y);
+  const Metrics many = metrics_of(x, y);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const Metrics single = measure(x, y);
+  const Metrics single = metrics_of(x, y);
   EXPECT_EQ(many.of("rmse"), single.of("rmse"));
   EXPECT_EQ(many.of("ssim"), single.of("ssim"));
 }
@@ -110,7 +110,7 @@ TEST(PropertyMetrics, EveryRowMeasuresItsOwnNumber) {
       {"psnr", psnr(x, y)},
       {"ssim", ssim(x, y)},
       {"max_error", max_error(x, y).value}};
-  const Metrics m = measure(x, y);
+  const Metrics m = metrics_of(x, y);
   for (std::size_t row = 0; row < metrics().size(); ++row) {
     EXPECT_EQ(&m[row], &m.of(metrics()[row].name));
     if (const auto found = functions.find(metrics()[row].name); found != functions.end())

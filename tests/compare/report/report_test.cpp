@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "compare/results/columns.h"
 #include "compare/run/run_study.h"
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study_folder.h"
@@ -53,6 +54,21 @@ TEST(UnitReport, HoldsEveryRowAndPicture) {
   EXPECT_THAT(data["rows"][1]["picture"].get<std::string>(),
               ::testing::StartsWith("data:image/png;base64,iVBOR"));
   EXPECT_THAT(data["rows"][3]["error"].get<std::string>(), HasSubstr("<more>"));
+}
+
+TEST(UnitReport, HoldsTheColumnsOfTheTable) {
+  const StudyFolder folder;
+  const auto data = nlohmann::json::parse(
+      between(make_report(folder), R"(<script id="data" type="application/json">)", "</script>"));
+  std::vector<std::string> expected, found;
+  for (const Column& column : columns())
+    if (column.shown.report) expected.push_back(column.name);
+  for (const auto& column : data["columns"]) {
+    found.push_back(column["name"]);
+    EXPECT_TRUE(data["rows"][1]["values"].contains(found.back())) << found.back();
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(data["metrics"].size(), metrics().size());
 }
 
 TEST(UnitReport, TextCannotBecomeMarkup) {

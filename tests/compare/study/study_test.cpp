@@ -116,6 +116,35 @@ TEST(UnitStudy, ScenesAreCheckedBeforeAnyWork) {
   EXPECT_EQ(error(R"(["one.json"])"), "no error");
 }
 
+// Methods and integrators: a study needs one of the two.
+TEST(UnitStudy, AKeyThatIsMissingIsNamedUnlessAnotherStandsForIt) {
+  const StudyFolder folder;
+  const auto error = [&](const std::string& more) -> std::string {
+    write_text(folder / "s.json",
+               R"({"format": "pellucid-study", "version": 1, "scenes": ["one.json"])" + more + "}");
+    try {
+      load_study(folder / "s.json", fake_methods());
+    } catch (const InputError& wrong) {
+      return wrong.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error(""), HasSubstr("the key 'reference' is missing"));
+  EXPECT_THAT(error(R"(, "reference": "truth")"), HasSubstr("the key 'methods' is missing"));
+  EXPECT_EQ(error(R"(, "reference": "truth", "integrators": [])"), "no error");
+  EXPECT_EQ(error(R"(, "reference": "truth", "methods": [])"), "no error");
+}
+
+TEST(UnitStudy, AnotherFormatIsNamedBeforeItsKeys) {
+  const StudyFolder folder;
+  try {
+    load_study(folder / "one.json", fake_methods());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("accepted: pellucid-study"));
+  }
+}
+
 TEST(UnitStudy, OtherFormatsAndVersionsAreRefused) {
   const StudyFolder folder;
   EXPECT_THROW(load_study(folder / "one.json", fake_methods()), InputError);

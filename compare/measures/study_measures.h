@@ -8,9 +8,9 @@
 
 namespace pellucid::compare {
 
-/// A FurtherMeasure is what a study may ask for of each of its pictures beyond the metrics:
+/// A StudyMeasure is what a study may ask for of each of its pictures beyond the metrics:
 /// "measures" in its file.
-struct FurtherMeasure {
+struct StudyMeasure {
   std::string_view name;
   std::string_view title;
   /// Adds to the row's measures, pictures and curves. `reference` has the picture's size.
@@ -19,12 +19,12 @@ struct FurtherMeasure {
 
 /// Returns the measure of how far the picture's colours are from the convex hull of the colours
 /// that a pixel is made of.
-const FurtherMeasure& hull_measure();
+const StudyMeasure& hull_measure();
 
 /// Returns the measure of the mean error over the depth d of a pixel's nearest layer.
-const FurtherMeasure& depth_error_measure();
+const StudyMeasure& depth_error_measure();
 
-/// Returns the table of further measures.
-std::span<const FurtherMeasure> further_measures();
+/// Returns the table of these measures.
+std::span<const StudyMeasure> study_measures();
 
 }  // namespace pellucid::compare

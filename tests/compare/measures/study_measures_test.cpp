@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/measures/further_measures.h"
+#include "compare/measures/study_measures.h"
 
 #include <gmock/gmock.h>
 
@@ -162,7 +162,7 @@ TEST(UnitRayCurves, APixelOutsideThePictureIsRefused) {
   EXPECT_THROW(probed(cell, five_steps()), InputError);
 }
 
-TEST(UnitFurtherMeasures, AStudyNamesThem) {
+TEST(UnitStudyMeasures, AStudyNamesThem) {
   const testing::StudyFolder folder;
   const auto load = [&](const std::string& more) {
     return load_study(folder.study(R"(["shifted"])", more), testing::fake_methods());

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The columns as the program's one table has them: what they are called, how they are written, where they appear.
+
+/** How a number of each style is written, and the axis that it takes. */
+const styles = () => ({
+  scientific: { write: scientific, axis: { logarithmic: true } },
+  similarity: { write: similarity, axis: { zero: false } },
+  decibels: { write: decibels, axis: { zero: false } },
+  milliseconds: { write: milliseconds, axis: {} },
+  megabytes: { write: megabytes, axis: {} },
+  count: { write: count, axis: {} },
+});
+const directions = { lower: Math.min, higher: Math.max };
+
+/** PSNR of equal pictures is infinite, which JSON holds as null. */
+const missing = (style) => (style === "decibels" ? Infinity : null);
+
+/** A column with functions of a row: its value, that in the unit for people, and its text. */
+function columnOf(column) {
+  const { write, axis } = styles()[column.style];
+  const value = (row) => row.values?.[column.name] ?? missing(column.style);
+  return {
+    ...column, axis, value,
+    shown: (row) => (value(row) == null ? null : value(row) * column.factor),
+    text: (row) => write(value(row)),
+    best: directions[column.better],
+  };
+}
+
+/** A short name: "ms" says enough of a time. */
+const labelOf = ({ unit, title }) => unit || title;
+
+const costColumns = () => columns.filter(({ role }) => role === "cost");
+const errorColumn = () => columns.find(({ role }) => role === "error");
+/** Those below each picture, without the costs. */
+const qualityColumns = () => columns.filter(({ card, role }) => card && role !== "cost");
+
+/** "RMSE 1.2·10⁻², SSIM 0.98" */
+const numbersLine = (chosen, row) => chosen.map((column) => `${labelOf(column)} ${column.text(row)}`).join(", ");

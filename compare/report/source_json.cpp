@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/report/source_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace pellucid::compare {
+namespace {
+
+using nlohmann::json;
+
+json check_json(const Claim& claim, const ClaimCheck& check) {
+  json values = json::array();
+  for (const auto& [call, value] : check.values)
+    values.push_back({{"call", call}, {"text", number_for_people(claim.by->style, value)}});
+  return {{"scene", check.scene}, {"values", values}, {"against", check.against}};
+}
+
+json cost_line_json(const CostLine& line) {
+  json steps = json::array();
+  for (const std::optional<double>& step : line.steps) steps.push_back(step ? json(*step) : json());
+  return {{"scene", line.scene},
+          {"call", line.call},
+          {"milliseconds", line.milliseconds},
+          {"bytes", line.bytes ? json(*line.bytes) : json()},
+          {"steps", steps},
+          {"bottleneck", line.bottleneck ? json(*line.bottleneck) : json()}};
+}
+
+}  // namespace
+
+json claims_json(const Study& study, std::span<const ResultRow> rows) {
+  json claims = json::array();
+  for (const Claim& claim : study.claims) {
+    json checks = json::array();
+    for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
+      checks.push_back(check_json(claim, check));
+    claims.push_back({{"text", claim.text}, {"by", heading(*claim.by)}, {"checks", checks}});
+  }
+  return claims;
+}
+
+json costs_json(const Study& study, std::span<const ResultRow> rows) {
+  json tables = json::array(), ratios = json::array();
+  for (const CostTable& table : cost_tables(study, rows)) {
+    json lines = json::array();
+    for (const CostLine& line : table.lines) lines.push_back(cost_line_json(line));
+    tables.push_back({{"title", table.title}, {"steps", table.steps}, {"lines", lines}});
+  }
+  for (const CostRatio& ratio : cost_ratios(study, rows))
+    ratios.push_back({{"scene", ratio.scene},
+                      {"call", ratio.call},
+                      {"here", ratio.here},
+                      {"published", ratio.published ? json(*ratio.published) : json()}});
+  return {{"tables", tables}, {"ratios", ratios}, {"reference", study.reference.text()}};
+}
+
+}  // namespace pellucid::compare

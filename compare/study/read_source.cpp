@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/study/read_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/options/names.h"
+
+namespace pellucid::compare {
+namespace {
+
+/// The text of a call that the study has.
+std::string read_known_call(const JsonNode& node, const Study& study) {
+  std::vector<std::string> texts{study.reference.text()};
+  for (const MethodCall& call : study.methods) texts.push_back(call.text());
+  const std::string text = node.string();
+  if (std::find(texts.begin(), texts.end(), text) == texts.end())
+    node.fail(
+        unknown_name("call", text, std::vector<std::string_view>(texts.begin(), texts.end())));
+  return text;
+}
+
+std::vector<std::string> read_group(const JsonNode& node, const Study& study) {
+  if (!node.is_array()) return {read_known_call(node, study)};
+  std::vector<std::string> group;
+  for (const JsonNode& element : node.elements()) group.push_back(read_known_call(element, study));
+  return group;
+}
+
+PublishedCost read_cost(const JsonNode& node, const Study& study,
+                        std::span<const std::string> steps) {
+  node.accept_keys({"scene", "method", "ms", "bytes", "steps"});
+  const std::vector<std::string> scenes = scene_names(study);
+  PublishedCost cost{node["scene"].string(), read_known_call(node["method"], study), 0, {}, {}};
+  if (std::find(scenes.begin(), scenes.end(), cost.scene) == scenes.end())
+    node["scene"].fail(unknown_name("scene", cost.scene,
+                                    std::vector<std::string_view>(scenes.begin(), scenes.end())));
+  constexpr double most = 1e15;
+  cost.milliseconds = node["ms"].number(1e-6, most);
+  if (node.has("bytes")) cost.bytes = node["bytes"].number(0, most);
+  if (!node.has("steps")) return cost;
+  for (const JsonNode& step : node["steps"].elements()) cost.steps.push_back(step.number(0, most));
+  if (cost.steps.size() != steps.size())
+    node["steps"].fail(fmt::format("{} times; accepted: one for each of the {} steps",
+                                   cost.steps.size(), steps.size()));
+  return cost;
+}
+
+}  // namespace
+
+Claim read_claim(const JsonNode& node, const Study& study) {
+  node.accept_keys({"claim", "by", "order"});
+  Claim claim{node["claim"].string(), nullptr, {}};
+  claim.by = &at_place(node["by"], [&]() -> const Column& {
+    return find_row("number", node["by"].string(), columns());
+  });
+  if (claim.by->better == Better::neither)
+    node["by"].fail(fmt::format("'{}': no way is better", claim.by->name));
+  for (const JsonNode& element : node["order"].elements())
+    claim.order.push_back(read_group(element, study));
+  if (claim.order.size() < 2) node["order"].fail("accepted: at least two calls, the best first");
+  return claim;
+}
+
+PublishedCosts read_published(const JsonNode& node, const Study& study) {
+  node.accept_keys({"machine", "steps", "rows"});
+  PublishedCosts costs{node["machine"].string(), {}, {}};
+  if (node.has("steps"))
+    for (const JsonNode& step : node["steps"].elements()) costs.steps.push_back(step.string());
+  for (const JsonNode& row : node["rows"].elements())
+    costs.rows.push_back(read_cost(row, study, costs.steps));
+  return costs;
+}
+
+}  // namespace pellucid::compare

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "compare/study/study.h"
+#include "core/files/json_node.h"
+
+namespace pellucid::compare {
+
+// What a study file says of its source. It names scenes and calls of the study, which are read
+// before.
+
+/// Reads {"claim": text, "by": column, "order": [call or [calls], …]}. Throws InputError for calls
+/// that the study lacks, and for a column in which no way is better.
+Claim read_claim(const JsonNode& node, const Study& study);
+
+/// Reads {"machine": text, "steps": [names], "rows": [{"scene", "method", "ms", "bytes",
+/// "steps"}]}: milliseconds and bytes as the source printed them. Throws InputError for scenes and
+/// calls that the study lacks.
+PublishedCosts read_published(const JsonNode& node, const Study& study);
+
+}  // namespace pellucid::compare

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/results/columns.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "compare/report/tables.h"
+
+namespace pellucid::compare {
+namespace {
+
+using ::testing::StartsWith;
+
+/// A row in which every column has a number, and no two the same.
+ResultRow filled_row() {
+  ResultRow row;
+  row.scene = "one";
+  row.method = "fourier";
+  row.parameters = "bands=5";
+  for (std::size_t i = 0; i < metrics().size(); ++i) {
+    row.metrics.linear[i] = 0.1 + double(i) / 128;
+    row.metrics.displayed[i] = 0.3 + double(i) / 128;
+  }
+  row.seconds = {0.0625, 0.03125, 0.09375};
+  row.setup_seconds = 0.015625;
+  row.repeats = 3;
+  row.bytes = {{"list", 1000}, {"heads", 24}};
+  row.fragments = 70;
+  row.stored = 50;
+  row.dropped = 20;
+  row.truncated = 11;
+  row.max_layers = 4;
+  row.coverage = CoverageCheck{13, 6, 100, 0.046875};
+  return row;
+}
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> split;
+  std::stringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) split.push_back(field);
+  return split;
+}
+
+/// The lines of a table of one row: head and numbers.
+std::pair<std::vector<std::string>, std::vector<std::string>> csv_lines(const ResultRow& row) {
+  std::stringstream csv(csv_table(std::span(&row, 1)));
+  std::string head, line;
+  std::getline(csv, head);
+  std::getline(csv, line);
+  return {fields(head), fields(line)};
+}
+
+TEST(PropertyColumns, NamesAndTitlesAreUnique) {
+  std::set<std::string> names, titles;
+  for (const Column& column : columns()) {
+    EXPECT_TRUE(names.insert(column.name).second) << column.name;
+    EXPECT_TRUE(titles.insert(column.title).second) << column.title;
+    EXPECT_FALSE(column.unit.empty()) << column.name;
+  }
+}
+
+TEST(PropertyColumns, EveryOneReadsItsOwnNumber) {
+  const ResultRow row = filled_row();
+  std::set<double> values;
+  for (const Column& column : columns()) {
+    const std::optional<double> value = column.value(row);
+    ASSERT_TRUE(value) << column.name;
+    EXPECT_TRUE(values.insert(*value).second) << column.name << " has another's number";
+  }
+}
+
+TEST(PropertyColumns, AreThoseOfTheCsvAfterItsNames) {
+  EXPECT_THAT(csv_table({}), StartsWith("scene,method,parameters,rmse,ssim,psnr,seconds,bytes,"
+                                        "fragments,max_layers,"));
+  std::vector<std::string> expected{"scene", "method", "parameters"};
+  for (const Column& column : columns()) expected.push_back(column.name);
+  expected.emplace_back("error");
+  EXPECT_EQ(csv_lines(filled_row()).first, expected);
+}
+
+TEST(PropertyColumns, TheCsvHasEveryDigit) {
+  const ResultRow row = filled_row();
+  const auto line = csv_lines(row).second;
+  ASSERT_EQ(line.size(), columns().size() + 3);
+  for (std::size_t i = 0; i < columns().size(); ++i)
+    EXPECT_EQ(std::strtod(line[i + 3].c_str(), nullptr), columns()[i].value(row))
+        << columns()[i].name;
+}
+
+TEST(PropertyColumns, AFailedCellHasNone) {
+  ResultRow row = filled_row();
+  row.error = "lost";
+  const auto line = csv_lines(row).second;
+  ASSERT_EQ(line.size(), columns().size() + 4);
+  for (std::size_t i = 0; i < columns().size(); ++i) EXPECT_EQ(line[i + 3], "") << i;
+  EXPECT_EQ(line.back(), "lost");
+}
+
+TEST(PropertyColumns, SurviveJson) {
+  const ResultRow row = filled_row(), again = row_from_json(to_json(row));
+  for (const Column& column : columns())
+    EXPECT_EQ(column.value(again), column.value(row)) << column.name;
+}
+
+// JSON has no infinity: the PSNR of equal pictures and a number that is not there are both null.
+TEST(UnitColumns, WhatIsInfiniteOrMissingSurvivesJson) {
+  ResultRow row = filled_row();
+  row.metrics.linear.of("psnr") = std::numeric_limits<double>::infinity();
+  row.metrics.linear.of("ssim") = std::nullopt;
+  const ResultRow again = row_from_json(nlohmann::json::parse(to_json(row).dump()));
+  EXPECT_EQ(again.metrics.linear.of("psnr"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(again.metrics.linear.of("ssim"), std::nullopt);
+}
+
+// A study goes on from rows that an earlier build wrote, when there was no such metric.
+TEST(PropertyColumns, ARowWithoutAMetricIsReadAllTheSame) {
+  for (std::size_t i = 0; i < metrics().size(); ++i) {
+    nlohmann::json json = to_json(filled_row());
+    json["metrics"].erase(std::string(metrics()[i].name));
+    const ResultRow row = row_from_json(json);
+    EXPECT_EQ(row.metrics.linear[i], std::nullopt) << metrics()[i].name;
+    EXPECT_EQ(row.metrics.displayed[i], filled_row().metrics.displayed[i]) << metrics()[i].name;
+  }
+}
+
+TEST(UnitColumns, PeopleReadMillisecondsAndMegabytes) {
+  EXPECT_EQ(number_for_people(NumberStyle::milliseconds, 0.0125), "12.5");
+  EXPECT_EQ(number_for_people(NumberStyle::megabytes, 2.5e6), "2.5");
+  EXPECT_EQ(number_for_people(NumberStyle::decibels, std::numeric_limits<double>::infinity()), "∞");
+  EXPECT_EQ(heading("Time", NumberStyle::milliseconds), "Time [ms]");
+  EXPECT_EQ(heading("RMSE", NumberStyle::scientific), "RMSE");
+}
+
+// The page draws one error against each cost, and takes all numbers from its table.
+TEST(PropertyColumns, WhatThePageShowsIsInItsTable) {
+  int errors = 0, costs = 0;
+  for (const Column& column : columns()) {
+    const Shown& shown = column.shown;
+    errors += shown.role == TradeOff::error;
+    costs += shown.role == TradeOff::cost;
+    if (shown.card || shown.sweeps || shown.role != TradeOff::none) {
+      EXPECT_TRUE(shown.report) << column.name;
+    }
+    if (shown.role != TradeOff::none) {
+      EXPECT_EQ(column.better, Better::lower) << column.name;
+    }
+  }
+  EXPECT_EQ(errors, 1);
+  EXPECT_GT(costs, 0);
+}
+
+TEST(PropertyColumns, NamesOfDirectionsReadBack) {
+  for (const Better better : {Better::lower, Better::higher, Better::neither})
+    EXPECT_EQ(better_of_name(name_of(better)), better);
+}
+
+}  // namespace
+}  // namespace pellucid::compare
