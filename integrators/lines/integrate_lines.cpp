@@ -11,8 +11,8 @@
 #include "core/error.h"
 #include "core/machine/stopwatch.h"
 #include "core/options/names.h"
-#include "core/options/option_table.h"
 #include "core/parallel.h"
+#include "integrators/lines/line_options.h"
 #include "integrators/paths/counting_sampler.h"
 #include "integrators/paths/trajectory_options.h"
 
@@ -151,53 +151,6 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
   result.stats.bytes = result.lines.positions.size() * 2 * sizeof(Line::Point);
   result.stats.seconds = watch.seconds();
   return result;
-}
-
-/// Of stream lines and path lines.
-struct FollowingOptions {
-  int particles = 20;          // lines, evenly spaced on the seed curve
-  std::optional<double> step;  // world units between a line's vertices; not set: by the turn
-  double turn = 3;             // degrees: a line turns at most so far between two vertices
-  SteppingOptions stepping;
-};
-
-struct StreakOptions {
-  int particles = 20;  // lines, evenly spaced on the seed curve
-  int releases = 200;  // particles let go at each seed, evenly spaced in time
-  SteppingOptions stepping;
-};
-
-constexpr OptionText particles_text = {
-    .min = 1, .max = 1e6, .unit = "particles", .help = "lines, evenly spaced on the seed curve"};
-
-const OptionTable<FollowingOptions>& following_options() {
-  using Options = FollowingOptions;
-  static const OptionTable<Options> table{
-      number("particles", &Options::particles, particles_text),
-      number("step", &Options::step,
-             {.min = 0,
-              .unit = "world units",
-              .help = "between a line's vertices; default: by the turn"}),
-      number("turn", &Options::turn,
-             {.min = 0.01,
-              .max = 90,
-              .unit = "degrees",
-              .help = "a line turns at most so far between two vertices"}),
-      part(&Options::stepping, stepping_options())};
-  return table;
-}
-
-const OptionTable<StreakOptions>& streak_options() {
-  using Options = StreakOptions;
-  static const OptionTable<Options> table{
-      number("particles", &Options::particles, particles_text),
-      number("releases", &Options::releases,
-             {.min = 1,
-              .max = 1e6,
-              .unit = "particles",
-              .help = "let go at each seed, evenly spaced in time"}),
-      part(&Options::stepping, stepping_options())};
-  return table;
 }
 
 Spacing spacing_of(const LineRequest& request, const FollowingOptions& options) {

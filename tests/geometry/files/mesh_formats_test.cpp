@@ -14,7 +14,7 @@
 namespace pellucid::geometry {
 namespace {
 
-using ::testing::HasSubstr;
+using ::testing::EndsWith;
 using testing::TemporaryFolder;
 
 TEST(UnitMeshFormats, EveryRowHasAnEndingOfItsOwnATitleAndAReader) {
@@ -70,7 +70,7 @@ TEST(UnitMeshFormats, ARefusalListsTheEndingsThatHaveTheWriter) {
     write_lines("lines.csv", {});
     ADD_FAILURE() << "was accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("accepted: " + endings_with(&FormatRow::write_lines)));
+    EXPECT_THAT(error.what(), EndsWith("accepted: " + endings_with(&FormatRow::write_lines)));
   }
   for (const FormatRow& row : mesh_formats())
     EXPECT_EQ(endings_with(&FormatRow::write_lines).find(row.ending) != std::string::npos,

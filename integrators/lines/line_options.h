@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/options/option_table.h"
+#include "integrators/paths/stepping_options.h"
+
+namespace pellucid::integrators {
+
+/// Of stream lines and path lines.
+struct FollowingOptions {
+  int particles = 20;          // lines, evenly spaced on the seed curve
+  std::optional<double> step;  // world units between a line's vertices; not set: by the turn
+  double turn = 3;             // degrees: a line turns at most so far between two vertices
+  SteppingOptions stepping;
+};
+
+struct StreakOptions {
+  int particles = 20;  // lines, evenly spaced on the seed curve
+  int releases = 200;  // particles let go at each seed, evenly spaced in time
+  SteppingOptions stepping;
+};
+
+const OptionTable<FollowingOptions>& following_options();
+const OptionTable<StreakOptions>& streak_options();
+
+}  // namespace pellucid::integrators
