@@ -139,7 +139,6 @@ void Builder::pair_edge(std::uint32_t last) {
   }
 }
 
-/// Backwards, so that the first triangle's half-edge remains that of a vertex.
 void Builder::connect_faces() {
   for (std::uint32_t f = 0; f < triangles_.size(); ++f)
     if (is_folded(triangles_[f])) {
@@ -148,7 +147,7 @@ void Builder::connect_faces() {
       for (std::uint32_t k = 0; k < 3; ++k) open(3 * f + k);
     }
   mesh().resize(positions_.size(), edges_, triangles_.size());
-  for (std::size_t f = triangles_.size(); f-- > 0;) {
+  for (std::size_t f = 0; f < triangles_.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const HalfedgeHandle h = half_edge(3 * f + k);
       const VertexHandle from(int(triangles_[f][k])), to(int(triangles_[f][(k + 1) % 3]));
@@ -178,7 +177,7 @@ HalfedgeHandle Builder::around(HalfedgeHandle first, const Visit& visit) {
   return leaving;
 }
 
-/// Returns the number of corners of the vertices' first fans.
+/// Returns how many corners are in the fans that the vertices have: all, unless several fans meet.
 std::size_t Builder::connect_vertices() {
   std::size_t corners = 0;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
@@ -191,6 +190,7 @@ std::size_t Builder::connect_vertices() {
   return corners;
 }
 
+/// The first fan in the order of the triangles keeps the vertex.
 void Builder::split_vertices() {
   std::vector<bool> visited(mesh().n_halfedges());
   std::vector<std::uint8_t> fans(positions_.size());  // 2: or more
