@@ -3,9 +3,13 @@
 // and refuses what only further faces make a manifold.
 #include "geometry/half_edges.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "core/error.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -216,6 +220,10 @@ void Builder::split_vertices() {
 }  // namespace
 
 HalfEdges half_edges(std::span<const Vec3> positions, std::span<const Corners> triangles) {
+  constexpr auto most = std::size_t(std::numeric_limits<int>::max()) / 6;  // handles are ints
+  if (triangles.size() > most)
+    throw InputError(
+        fmt::format("{} triangles; a half-edge mesh has at most {}", triangles.size(), most));
   HalfEdges result;
   Builder(positions, triangles, result).build();
   return result;

@@ -37,7 +37,8 @@ struct HalfEdges {
   bool is_manifold() const { return copied.empty() && apart.empty() && folded_triangles == 0; }
 };
 
-/// Joins triangles, whose corners are below the number of positions, in time linear in both.
+/// Joins triangles, whose corners are below the number of positions, in time linear in both. Throws
+/// InputError for more than the 357 million whose half-edges an int can count.
 HalfEdges half_edges(std::span<const Vec3> positions, std::span<const Corners> triangles);
 HalfEdges half_edges(const TriangleMesh& mesh);
 
