@@ -40,6 +40,7 @@ struct HalfEdges {
 /// Joins triangles, whose corners are below the number of positions, in time linear in both. Throws
 /// InputError for more than the 357 million whose half-edges an int can count.
 HalfEdges half_edges(std::span<const Vec3> positions, std::span<const Corners> triangles);
+/// Joins the triangles of a mesh; throws as above.
 HalfEdges half_edges(const TriangleMesh& mesh);
 
 }  // namespace pellucid::geometry

@@ -21,6 +21,8 @@ struct SurfaceMeshTraits : OpenMesh::DefaultTraits {
 
 /// What half_edges() joins triangles to (geometry/half_edges.h).
 using SurfaceMesh = OpenMesh::TriMesh_ArrayKernelT<SurfaceMeshTraits>;
+
+/// The numbers of the vertices of a triangle.
 using Corners = std::array<std::uint32_t, 3>;
 
 /// Positions and triangles of a mesh without deleted elements: garbage_collection() takes them out.
