@@ -11,10 +11,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <vector>
 
 #include "core/error.h"
+#include "geometry/half_edges.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -32,12 +32,8 @@ constexpr std::array<std::array<double, 3>, 3> directions{
     {{0.5377, 0.6181, 0.5733}, {-0.7071, 0.2113, 0.6747}, {0.1931, -0.8761, -0.4417}}};
 
 void check_closed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of;
-  for (const auto& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i)
-      ++triangles_of[std::minmax(t[std::size_t(i)], t[std::size_t((i + 1) % 3)])];
-  const auto open =
-      std::ranges::count_if(triangles_of, [](const auto& edge) { return edge.second != 2; });
+  const HalfEdges joined = half_edges(mesh);
+  const std::uint64_t open = joined.boundary_edges + joined.non_manifold_edges;
   if (open > 0 || mesh.triangles.empty())
     throw InputError(fmt::format(
         "{} triangles, {} edges of other than two; accepted: a closed mesh with shared vertices",

@@ -5,8 +5,6 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "geometry/triangle_mesh.h"
 
@@ -21,39 +19,13 @@ struct SurfaceMeshTraits : OpenMesh::DefaultTraits {
   FaceAttributes(0);
 };
 
+/// What half_edges() joins triangles to (geometry/half_edges.h).
 using SurfaceMesh = OpenMesh::TriMesh_ArrayKernelT<SurfaceMeshTraits>;
+
+/// The numbers of the vertices of a triangle.
 using Corners = std::array<std::uint32_t, 3>;
 
-/// The half-edge mesh of any triangles, each of which is a face of it exactly once, under its own
-/// number and with the same first corner.
-///
-/// An edge joins the two triangles that have it when no third one has it and they run along it in
-/// opposite directions, as those of an oriented surface do. At any other edge of several triangles
-/// each of them has a border, and a triangle that repeats a vertex has three borders. A vertex at
-/// which the triangles then hang together in several fans is split: the fan of its first triangle
-/// keeps it, and every other one has a copy, which is numbered after the given vertices.
-struct HalfEdges {
-  SurfaceMesh mesh;                   // with the positions; vertices of no triangle are isolated
-  std::vector<std::uint32_t> copied;  // the given vertices that those beyond them are copies of
-  std::vector<std::array<std::uint32_t, 2>> apart;  // triangles that share an edge and are not
-                                                    // joined there; n at one edge are n - 1 pairs
-
-  // Of the given triangles:
-  std::uint64_t boundary_edges = 0;         // of one triangle
-  std::uint64_t non_manifold_edges = 0;     // of more than two
-  std::uint64_t misoriented_edges = 0;      // of two that run along it the same way
-  std::uint64_t folded_triangles = 0;       // that repeat a vertex; their edges count as boundary
-  std::uint64_t non_manifold_vertices = 0;  // that were split
-
-  /// Whether nothing had to be kept apart: the triangles are an oriented manifold.
-  bool is_manifold() const { return copied.empty() && apart.empty() && folded_triangles == 0; }
-};
-
-/// Joins triangles, whose corners are below the number of positions, in time linear in both.
-HalfEdges half_edges(std::span<const Vec3> positions, std::span<const Corners> triangles);
-HalfEdges half_edges(const TriangleMesh& mesh);
-
-/// Positions and triangles.
+/// Positions and triangles of a mesh without deleted elements: garbage_collection() takes them out.
 TriangleMesh triangle_mesh(const SurfaceMesh& mesh);
 
 /// A face's three half-edges: the k-th one leaves its corner k.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/surface_mesh.h"
+#include "geometry/half_edges.h"
 
 namespace pellucid::integrators {
 namespace {

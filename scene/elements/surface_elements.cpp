@@ -4,7 +4,7 @@
 #include <queue>
 #include <utility>
 
-#include "geometry/surface_mesh.h"
+#include "geometry/half_edges.h"
 #include "scene/elements/elements.h"
 
 namespace pellucid::scene {

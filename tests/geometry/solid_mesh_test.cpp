@@ -52,6 +52,9 @@ TEST(UnitSolidMesh, OpenMeshesAreRefused) {
   open.triangles.pop_back();
   EXPECT_THROW(SolidMesh{open}, InputError);
   EXPECT_THROW(SolidMesh{TriangleMesh{}}, InputError);
+  TriangleMesh doubled = cube();  // an edge of four triangles
+  doubled.triangles.insert(doubled.triangles.end(), {{0, 2, 1}, {0, 1, 2}});
+  EXPECT_THROW(SolidMesh{doubled}, InputError);
 }
 
 }  // namespace
