@@ -27,12 +27,25 @@ struct Everything {
   std::string scalar = "speed";
   std::optional<double> bias;
   std::optional<Shape> profile;
+  double steps = 8;
+  std::optional<double> grown;
   Weights weights;
 };
 
 const OptionTable<Weights>& weight_options() {
   static const OptionTable<Weights> table{number("q", &Weights::q, {.min = 0})};
   return table;
+}
+
+std::string growth_text(const std::optional<double>& by) {
+  return by ? "by:" + number_text(*by) : "none";
+}
+
+std::optional<double> growth(const std::string& text) {
+  double by = 0;
+  if (text == "none") return std::nullopt;
+  if (!text.starts_with("by:") || !parse_number(text.substr(3), by)) throw InputError(text);
+  return by;
 }
 
 const OptionTable<Everything>& everything() {
@@ -47,6 +60,8 @@ const OptionTable<Everything>& everything() {
       text("scalar", &Everything::scalar),
       number("bias", &Everything::bias, {.min = 0}),
       choice("profile", &Everything::profile, {{"disc", Shape::disc}, {"sphere", Shape::sphere}}),
+      number("steps", &Everything::steps, {.min = 1, .whole = true}),
+      written("grown", &Everything::grown, growth_text, growth),
       part(&Everything::weights, weight_options())};
   return table;
 }
@@ -72,6 +87,8 @@ TEST(UnitOptionTable, PrintsTheDefaultsOfTheStruct) {
   EXPECT_EQ(default_of("scalar"), "speed");
   EXPECT_EQ(default_of("bias"), "");
   EXPECT_EQ(default_of("profile"), "");
+  EXPECT_EQ(default_of("steps"), "8");
+  EXPECT_EQ(default_of("grown"), "none");
   EXPECT_EQ(default_of("q"), "50");
 }
 
@@ -91,7 +108,7 @@ TEST(UnitOptionTable, WithoutOptionsItReadsTheStruct) {
 TEST(UnitOptionTable, WhatIsGivenReachesItsMember) {
   const Everything options = read(
       "method:bands=7,most=9000000000,clamp=0.5,width=2,normalize=off,shape=disc,precision=16,"
-      "scalar=q,bias=1e-7,profile=sphere,q=3");
+      "scalar=q,bias=1e-7,profile=sphere,steps=2,grown=by:0.5,q=3");
   EXPECT_EQ(options.bands, 7);
   EXPECT_EQ(options.most, 9'000'000'000u);
   EXPECT_EQ(options.clamp, 0.5);
@@ -102,12 +119,15 @@ TEST(UnitOptionTable, WhatIsGivenReachesItsMember) {
   EXPECT_EQ(options.scalar, "q");
   EXPECT_EQ(options.bias, 1e-7);
   EXPECT_EQ(options.profile, Shape::sphere);
+  EXPECT_EQ(options.steps, 2);
+  EXPECT_EQ(options.grown, 0.5);
   EXPECT_EQ(options.weights.q, 3);
 }
 
 TEST(UnitOptionTable, BoundsAndNamesAreChecked) {
-  for (const char* wrong : {"m:bands=0", "m:bands=65", "m:bands=2.5", "m:shape=cube", "m:q=-1",
-                            "m:normalize=yes", "m:most=0", "m:none=1"})
+  for (const char* wrong :
+       {"m:bands=0", "m:bands=65", "m:bands=2.5", "m:shape=cube", "m:q=-1", "m:normalize=yes",
+        "m:most=0", "m:steps=2.5", "m:grown=much", "m:none=1"})
     EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
