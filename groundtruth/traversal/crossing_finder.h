@@ -19,9 +19,10 @@ namespace pellucid::groundtruth {
 /// and boxes to float, so none is missed; the geometry decides each. Thread-safe once it is made.
 class CrossingFinder {
  public:
-  /// The scene has to outlive it. With `march` isosurfaces are marched, not crossed exactly.
+  /// The scene has to outlive it. With `march` isosurfaces are marched, not crossed exactly; a
+  /// march ends where less than `stop_below` shows through its surface.
   CrossingFinder(const scene::Scene& scene, Precision precision,
-                 const std::optional<MarchOptions>& march = {});
+                 const std::optional<MarchOptions>& march = {}, double stop_below = 0);
   ~CrossingFinder();
 
   const ViewFrame& frame() const;

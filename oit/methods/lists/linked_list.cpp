@@ -12,8 +12,7 @@ namespace {
 
 class LinkedList final : public OitMethod {
  public:
-  LinkedList(Stage& stage, const Parameters&) : LinkedList(stage, FragmentOpacity{}) {}
-  LinkedList(Stage& stage, const FragmentOpacity& opacity)
+  explicit LinkedList(Stage& stage, const FragmentOpacity& opacity = {})
       : lists_(stage, "linked-list"),
         build_(stage.geometry_program(oit_glsl::list_build_frag_glsl(), {}, opacity)),
         composite_(stage, {}) {}

@@ -9,7 +9,7 @@ namespace {
 
 class WeightedAverage final : public OitMethod {
  public:
-  WeightedAverage(Stage& stage, const Parameters&)
+  explicit WeightedAverage(Stage& stage)
       : stage_(stage),
         sums_(stage.target("sums of colour and opacity", GL_RGBA32F)),
         count_(stage.target("fragment count", GL_R32F)),
