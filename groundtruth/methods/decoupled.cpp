@@ -131,6 +131,8 @@ const scene::MethodRow& decoupled_method() {
           "Guenther, Theisel and Gross 2017, Decoupled opacity optimization for points, lines and "
           "surfaces, CGF 36(2)",
       .equations = "Baeza Rojo et al. 2019, Eqs. 2, 10, 11, 12",
+      .checked_against =
+          "Baeza Rojo et al. 2019, who restate the method; not the paper of 2017 itself",
       .parameters = decoupled_options().specs(),
       .promises = {.order_independent = true, .convex_hull = true},
       .bytes_per_pixel = "0; 112 per crossing of a row, and the hierarchy",

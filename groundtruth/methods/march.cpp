@@ -75,6 +75,7 @@ const scene::MethodRow& march_method() {
       .title = "Ray marching of isosurfaces",
       .citation = "Li, Chen, Multi-Resolution Isosurface Rendering, 2023",
       .equations = "Sect. 3.5, with Eqs. 2, 3",
+      .checked_against = "the report",
       .parameters = march_options().specs(),
       .promises = {.order_independent = true, .convex_hull = true},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",

@@ -43,6 +43,7 @@ const scene::MethodRow& raytrace_method() {
           "Wald et al., Embree: a kernel framework for efficient CPU ray tracing, "
           "SIGGRAPH 2014; crossings decided by Pellucid",
       .equations = "Baeza Rojo et al. 2019, Eq. 12",
+      .checked_against = "the paper of Eq. 12; crossings against an exact kernel of CGAL's",
       .parameters = raytrace_options().specs(),
       .promises = {.exact = true, .order_independent = true, .convex_hull = true},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, and the hierarchy",

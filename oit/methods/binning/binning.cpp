@@ -97,6 +97,7 @@ const scene::MethodRow& binning_method() {
           "Baeza Rojo, Gross and Guenther 2019, Fourier opacity optimization for scalable "
           "exploration, TVCG, section 5.3",
       .equations = "14, 15, 18, 19 over a histogram of depth",
+      .checked_against = "the paper and its additional material",
       .parameters = binning_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.

@@ -104,6 +104,7 @@ const scene::MethodRow& fourier_method() {
           "Baeza Rojo, Gross and Guenther 2019, Fourier opacity optimization for scalable "
           "exploration, TVCG",
       .equations = "14 to 19",
+      .checked_against = "the paper",
       .parameters = fourier_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.

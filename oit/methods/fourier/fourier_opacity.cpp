@@ -100,6 +100,7 @@ const scene::MethodRow& fourier_opacity_method() {
           "Baeza Rojo, Gross and Guenther 2019, Fourier opacity optimization for scalable "
           "exploration, TVCG",
       .equations = "1, 2, 10, 11, 14 to 19",
+      .checked_against = "the paper",
       .parameters = fourier_opacity_options().specs(),
       .promises = {.order_spread = 1e-3, .convex_hull = true},
       .bytes_per_pixel = "precision ceil((2 bands + 1) / 4) + 16",

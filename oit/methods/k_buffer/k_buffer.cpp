@@ -82,6 +82,7 @@ const scene::MethodRow& k_buffer_method() {
       .title = "k-buffer with a tail",
       .citation = "Maule, Comba, Torchelsen and Bastos 2013, Hybrid transparency, I3D",
       .equations = "core and tail (unnumbered)",
+      .checked_against = "not recorded",
       .parameters = k_buffer_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},

@@ -88,6 +88,8 @@ const scene::MethodRow& decoupled_lists_method() {
           "optimization for points, lines and "
           "surfaces, CGF 36(2)",
       .equations = "Baeza Rojo et al. 2019, Eqs. 2 and 12, section 2.2.4",
+      .checked_against =
+          "Baeza Rojo et al. 2019, who restate the method; not the paper of 2017 itself",
       .parameters = decoupled_lists_options().specs(),
       .promises = {.order_spread = 1e-3, .convex_hull = true},
       .bytes_per_pixel = "4 + 32 per layer",

@@ -56,6 +56,7 @@ const scene::MethodRow& linked_list_method() {
           "concurrent linked list "
           "construction on the GPU, CGF 29(4)",
       .equations = "sections 3 and 4: construction, sorting and blending",
+      .checked_against = "not recorded",
       .parameters = {},
       .promises = {.exact = true, .order_independent = true, .convex_hull = true},
       .bytes_per_pixel = "4 + 32 per layer",

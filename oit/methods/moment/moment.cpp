@@ -112,6 +112,9 @@ const scene::MethodRow& moment_method() {
       .equations =
           "4, 6, 8 power and 2, 3, 4 trigonometric moments by canonical distributions, derived "
           "anew",
+      .checked_against =
+          "theory of canonical representations, derived anew, and public ports of the "
+          "authors' code for bias and overestimation; the paper was not at hand",
       .parameters = moment_options().specs(),
       // The reconstruction amplifies roundings of the moments by up to 1 / bias.
       .promises = {.order_spread = 0.05, .convex_hull = true, .fixed_memory = true},

@@ -118,6 +118,7 @@ const scene::MethodRow& depth_peeling_method() {
       .title = "Depth peeling",
       .citation = "Everitt 2001, Interactive order-independent transparency, NVIDIA",
       .equations = "none; the two depth tests of its section on depth peeling",
+      .checked_against = "not recorded",
       .parameters = depth_peeling_options().specs(),
       .promises = {.exact = true,
                    .order_independent = true,

@@ -119,6 +119,7 @@ const scene::MethodRow& dual_depth_peeling_method() {
       .citation =
           "Bavoil and Myers 2008, Order independent transparency with dual depth peeling, NVIDIA",
       .equations = "none; the peeling of both sides in one pass, by keys in place of depths",
+      .checked_against = "not recorded",
       .parameters = dual_depth_peeling_options().specs(),
       .promises = {.exact = true,
                    .order_independent = true,

@@ -87,6 +87,7 @@ const scene::MethodRow& stochastic_method() {
       .title = "Stochastic",
       .citation = "Enderton, Sintorn, Shirley and Luebke 2010, Stochastic transparency, I3D",
       .equations = "alpha correction (unnumbered)",
+      .checked_against = "not recorded",
       .parameters = stochastic_options().specs(),
       // The random numbers do not know the order; the transmittance is a product of n floats.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},

@@ -195,6 +195,7 @@ const scene::MethodRow& tree_method() {
           "Tian and Guenther, Progressive Rendering of Transparent Integral Surfaces, additional "
           "material",
       .equations = "Algorithms 1 and 2",
+      .checked_against = "the paper's additional material",
       .parameters = tree_options().specs(),
       // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
       .promises = {.own_layers = true, .order_spread = 1, .convex_hull = true},

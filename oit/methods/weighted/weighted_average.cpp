@@ -47,6 +47,7 @@ const scene::MethodRow& weighted_average_method() {
       .title = "Weighted average",
       .citation = "Bavoil and Myers 2008, Order independent transparency with dual depth peeling",
       .equations = "weighted average (unnumbered)",
+      .checked_against = "not recorded",
       .parameters = {},
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},

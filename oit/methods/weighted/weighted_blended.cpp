@@ -59,6 +59,9 @@ const scene::MethodRow& weighted_blended_method() {
           "McGuire and Bavoil 2013, Weighted blended order-independent transparency, "
           "JCGT 2(2)",
       .equations = "weights 7, 8, 9, 10",
+      .checked_against =
+          "three public implementations that cite the paper's equations by number; the "
+          "paper was not at hand",
       .parameters = weighted_blended_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},

@@ -53,6 +53,9 @@ const scene::MethodRow& weighted_sum_method() {
       .title = "Weighted sum",
       .citation = "Meshkin 2007, Sort-independent alpha blending, GDC",
       .equations = "weighted sum (unnumbered), as later papers cite it",
+      .checked_against =
+          "later papers' citation of it (Bavoil and Myers 2008, McGuire and Bavoil 2013); the "
+          "talk was not at hand",
       .parameters = weighted_sum_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .fixed_memory = true},
