@@ -38,6 +38,7 @@ nlohmann::ordered_json list_methods() {
                     {"title", row.title},
                     {"citation", row.citation},
                     {"equations", row.equations},
+                    {"checked against", row.checked_against},
                     {"bytes per pixel", row.bytes_per_pixel},
                     {"sweep", row.sweep},
                     {"exact", row.promises.exact},

@@ -4,10 +4,10 @@
 // numbers of Baeza Rojo, Gross and Günther 2019), in double: fragments of a pixel are independent.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
-#include "core/options/parameters.h"
+#include "core/options/option_table.h"
 
 namespace pellucid::scene {
 
@@ -39,36 +39,21 @@ inline double optimal_opacity(const EnergyWeights& w, double g, double front, do
   return w.p / (w.p + occlusion(w, g, std::max(front, 0.0), std::max(behind, 0.0)));
 }
 
-/// The weights p, q and r are at most this large: beyond the paper's by far, and safe in float.
-inline constexpr double largest_weight = 1e12;
+/// EnergyOptions are the weights that are given; the others are those of the scene. Ranges as of
+/// EnergyWeights.
+struct EnergyOptions {
+  std::optional<double> q, r, lambda, p;
 
-/// The rows for q, r, lambda and p belong in the table of a method that optimizes opacities; where
-/// one is not given, the scene's counts.
-inline constexpr auto energy_parameters = std::to_array<ParameterSpec>(
-    {{.name = "q",
-      .min = 0,
-      .max = largest_weight,
-      .help = "fades what is unimportant in front of what is important; the scene's, or 50"},
-     {.name = "r",
-      .min = 0,
-      .max = largest_weight,
-      .help = "fades what is unimportant behind what is important; the scene's, or 100"},
-     {.name = "lambda",
-      .min = 0,
-      .max = 100,
-      .help = "how fast a fragment ceases to be important as g falls from 1; the scene's, or 2"},
-     {.name = "p",
-      .min = 1e-12,
-      .max = largest_weight,
-      .help = "keeps fragments opaque; the scene's, or 1"}});
+  bool operator==(const EnergyOptions&) const = default;
+};
 
-/// Returns the weights that `values` hold, and the scene's where they are not given.
-inline EnergyWeights energy_weights(const Parameters& values, const EnergyWeights& of_scene) {
-  const auto value = [&](std::string_view name, double otherwise) {
-    return values.is_set(name) ? values.real(name) : otherwise;
-  };
-  return {value("p", of_scene.p), value("q", of_scene.q), value("r", of_scene.r),
-          value("lambda", of_scene.lambda)};
+/// The table for a method that optimizes opacities, and for a scene's `energy`.
+const OptionTable<EnergyOptions>& energy_options();
+
+/// Returns the weights that are given, and the scene's where they are not.
+inline EnergyWeights energy_weights(const EnergyOptions& given, const EnergyWeights& of_scene) {
+  return {given.p.value_or(of_scene.p), given.q.value_or(of_scene.q), given.r.value_or(of_scene.r),
+          given.lambda.value_or(of_scene.lambda)};
 }
 
 }  // namespace pellucid::scene

@@ -39,6 +39,7 @@ struct OptionText {
   double max = std::numeric_limits<double>::infinity();
   std::string_view unit = {};
   std::string_view help = {};
+  bool whole = false;  // a real member that only takes whole numbers
 };
 
 /// Returns the shortest text that reads back as the same number: "0.0001", "1e-6", "20000000".
@@ -111,12 +112,13 @@ template <class Options, class T>
 Option<Options> number(std::string_view name, T Options::*member, const OptionText& text) {
   using Value = typename option_detail::ValueOf<T>::type;
   using Kind = ParameterSpec::Kind;
-  const ParameterSpec spec{.name = name,
-                           .kind = std::is_integral_v<Value> ? Kind::integer : Kind::real,
-                           .min = text.min,
-                           .max = text.max,
-                           .unit = text.unit,
-                           .help = text.help};
+  const ParameterSpec spec{
+      .name = name,
+      .kind = std::is_integral_v<Value> || text.whole ? Kind::integer : Kind::real,
+      .min = text.min,
+      .max = text.max,
+      .unit = text.unit,
+      .help = text.help};
   return option_detail::make<Options>(spec, option_detail::default_text(Options{}.*member), "",
                                       [member](Options& options, const std::string& given) {
                                         double value = 0;
@@ -142,6 +144,21 @@ Option<Options> text(std::string_view name, std::string Options::*member,
   return option_detail::make<Options>(
       spec, Options{}.*member, "",
       [member](Options& options, const std::string& given) { options.*member = given; });
+}
+
+/// Makes the row of a member of any type, by its own way to write and to read it; `read` throws
+/// InputError for what it does not accept.
+template <class Options, class T>
+Option<Options> written(std::string_view name, T Options::*member,
+                        std::string (*write)(const std::type_identity_t<T>&),
+                        T (*read)(const std::string&), std::string_view help = {},
+                        std::string_view unit = {}) {
+  const ParameterSpec spec{
+      .name = name, .kind = ParameterSpec::Kind::text, .unit = unit, .help = help};
+  return option_detail::make<Options>(spec, write(Options{}.*member), "",
+                                      [member, read](Options& options, const std::string& given) {
+                                        options.*member = read(given);
+                                      });
 }
 
 /// Makes the row of a choice among a few values, each with its name; a std::optional member is not

@@ -19,12 +19,13 @@ enum class HitRefinement { linear, bisection };
 struct MarchOptions {
   double steps_per_cell = 8;  // dx / step, of the finest level that takes part; > 0
   HitRefinement refinement = HitRefinement::linear;
-  double stop_below = 0;   // a march ends where its surface hides all but this share, in [0, 1]
   bool skip_empty = true;  // pass over blocks that the surface does not touch
 
   /// A march ends where its ray enters an opaque sphere of the scene grown by this, in world units;
   /// none: it does not.
   std::optional<double> dilate = {};
+
+  bool operator==(const MarchOptions&) const = default;
 };
 
 /// A LevelMarch finds crossings of rays with a surface by marching front to back, as in Li, Chen,

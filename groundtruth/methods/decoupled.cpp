@@ -10,20 +10,9 @@
 #include "groundtruth/sums/fourier_sum.h"
 #include "groundtruth/sums/picture_sums.h"
 #include "groundtruth/sums/ray_sums.h"
-#include "scene/opacity_energy.h"
 
 namespace pellucid::groundtruth {
 namespace {
-
-constexpr ParameterSpec bands_parameter = {
-    .name = "bands",
-    .kind = ParameterSpec::Kind::integer,
-    .default_value = "0",
-    .min = 0,
-    .max = 64,
-    .unit = "bands",
-    .help = "of the Fourier series that gives G(d); 0: the exact sums"};
-constexpr auto parameters = concatenate(scene::energy_parameters, std::array{bands_parameter});
 
 /// G before and behind each fragment of a ray.
 class ImportanceSums {
@@ -50,10 +39,10 @@ class ImportanceSums {
 
 class Decoupled final : public scene::Renderer {
  public:
-  Decoupled(const scene::Scene& scene, const Parameters& values)
+  Decoupled(const scene::Scene& scene, const DecoupledOptions& options)
       : scene_(scene),
-        weights_(scene::energy_weights(values, scene.energy)),
-        bands_(values.integer("bands")),
+        weights_(scene::energy_weights(options.energy, scene.energy)),
+        bands_(options.bands),
         probe_(scene) {}
 
   scene::Rendering render(const scene::RenderRequest& request) override {
@@ -118,20 +107,33 @@ class Decoupled final : public scene::Renderer {
 
 std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
                                       const scene::RenderContext&) {
-  return std::make_unique<Decoupled>(scene, values);
+  return std::make_unique<Decoupled>(scene, decoupled_options().read(values));
 }
 
 }  // namespace
 
+const OptionTable<DecoupledOptions>& decoupled_options() {
+  static const OptionTable<DecoupledOptions> table{
+      part(&DecoupledOptions::energy, scene::energy_options()),
+      number("bands", &DecoupledOptions::bands,
+             {.min = 0,
+              .max = 64,
+              .unit = "bands",
+              .help = "of the Fourier series that gives G(d); 0: the exact sums"})};
+  return table;
+}
+
 const scene::MethodRow& decoupled_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "decoupled",
       .title = "Decoupled opacity optimization (ray tracing)",
       .citation =
           "Guenther, Theisel and Gross 2017, Decoupled opacity optimization for points, lines and "
           "surfaces, CGF 36(2)",
       .equations = "Baeza Rojo et al. 2019, Eqs. 2, 10, 11, 12",
-      .parameters = parameters,
+      .checked_against =
+          "Baeza Rojo et al. 2019, who restate the method; not the paper of 2017 itself",
+      .parameters = decoupled_options().specs(),
       .promises = {.order_independent = true, .convex_hull = true},
       .bytes_per_pixel = "0; 112 per crossing of a row, and the hierarchy",
       .optimizes_opacity = true,

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/opacity_energy.h"
 #include "scene/renderer.h"
 
 namespace pellucid::groundtruth {
+
+struct DecoupledOptions {
+  scene::EnergyOptions energy;
+  int bands = 0;  // of the Fourier series that gives G(d), at most 64; 0: the exact sums
+
+  bool operator==(const DecoupledOptions&) const = default;
+};
+const OptionTable<DecoupledOptions>& decoupled_options();
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled opacity optimization
 /// for points, lines and surfaces", CGF 36(2); equation numbers of Baeza Rojo, Gross and Günther

@@ -16,35 +16,13 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "groundtruth/methods/raytracer.h"
 
 namespace pellucid::groundtruth {
 namespace {
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "step",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "8",
-     .min = 1,
-     .max = 64,
-     .unit = "1/cell",
-     .help = "steps across the finest cell that takes part"},
-    {.name = "refine",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "linear",
-     .choices = "linear|bisection",
-     .help = "where between two samples the surface is: on the line through both, or by bisection"},
-    {.name = "skip",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "blocks",
-     .choices = "blocks|none",
-     .help = "blocks: pass over 4 x 4 x 4 cells without the value; the picture stays the same"},
-    {.name = "filter",
-     .kind = ParameterSpec::Kind::text,
-     .default_value = "none",
-     .unit = "world units",
-     .help = "none, or dilate:R: rays end at opaque spheres grown by R, even where they miss them"},
-    stop_below_parameter};
+std::string dilation_text(const std::optional<double>& dilate) {
+  return dilate ? "dilate:" + number_text(*dilate) : "none";
+}
 
 std::optional<double> dilation(const std::string& filter) {
   constexpr std::string_view prefix = "dilate:";
@@ -57,30 +35,53 @@ std::optional<double> dilation(const std::string& filter) {
   return by;
 }
 
-std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
-                                      const scene::RenderContext&) {
-  TraceOptions options;
-  options.stop_below = values.real("stop-below");
-  options.march = {
-      double(values.integer("step")),
-      values.text("refine") == "linear" ? HitRefinement::linear : HitRefinement::bisection,
-      options.stop_below, values.text("skip") == "blocks", dilation(values.text("filter"))};
-  return make_raytracer(scene, options);
+const OptionTable<MarchOptions>& level_march_options() {
+  static const OptionTable<MarchOptions> table{
+      number("step", &MarchOptions::steps_per_cell,
+             {.min = 1,
+              .max = 64,
+              .unit = "1/cell",
+              .help = "steps across the finest cell that takes part",
+              .whole = true}),
+      choice("refine", &MarchOptions::refinement,
+             {{"linear", HitRefinement::linear}, {"bisection", HitRefinement::bisection}},
+             "where between two samples the surface is: on the line through both, or by bisection"),
+      choice("skip", &MarchOptions::skip_empty, {{"blocks", true}, {"none", false}},
+             "blocks: pass over 4 x 4 x 4 cells without the value; the picture stays the same"),
+      written("filter", &MarchOptions::dilate, dilation_text, dilation,
+              "none, or dilate:R: rays end at opaque spheres grown by R, even where they miss them",
+              "world units")};
+  return table;
 }
 
-constexpr scene::MethodRow row{
-    .name = "march",
-    .title = "Ray marching of isosurfaces",
-    .citation = "Li, Chen, Multi-Resolution Isosurface Rendering, 2023",
-    .equations = "Sect. 3.5, with Eqs. 2, 3",
-    .parameters = parameters,
-    .promises = {.order_independent = true, .convex_hull = true},
-    .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
-    .sweep = "step=2|8|16",
-    .make = make};
+std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
+                                      const scene::RenderContext&) {
+  const MarchMethodOptions options = march_options().read(values);
+  return make_raytracer(scene, {.stop_below = options.stop_below}, options.march);
+}
 
 }  // namespace
 
-const scene::MethodRow& march_method() { return row; }
+const OptionTable<MarchMethodOptions>& march_options() {
+  static const OptionTable<MarchMethodOptions> table{
+      part(&MarchMethodOptions::march, level_march_options()),
+      stop_below_option(&MarchMethodOptions::stop_below)};
+  return table;
+}
+
+const scene::MethodRow& march_method() {
+  static const scene::MethodRow row{
+      .name = "march",
+      .title = "Ray marching of isosurfaces",
+      .citation = "Li, Chen, Multi-Resolution Isosurface Rendering, 2023",
+      .equations = "Sect. 3.5, with Eqs. 2, 3",
+      .checked_against = "the report",
+      .parameters = march_options().specs(),
+      .promises = {.order_independent = true, .convex_hull = true},
+      .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
+      .sweep = "step=2|8|16",
+      .make = make};
+  return row;
+}
 
 }  // namespace pellucid::groundtruth

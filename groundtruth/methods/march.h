@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/renderer.h"
+#include "groundtruth/methods/raytracer.h"
 
 namespace pellucid::groundtruth {
+
+struct MarchMethodOptions {
+  MarchOptions march;
+  double stop_below = 0;  // a ray, and a march, ends where less than this share shows
+
+  bool operator==(const MarchMethodOptions&) const = default;
+};
+const OptionTable<MarchMethodOptions>& march_options();
 
 /// Isosurfaces by ray marching, as published; everything else as in `raytrace`.
 const scene::MethodRow& march_method();

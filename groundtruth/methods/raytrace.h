@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/renderer.h"
+#include "groundtruth/methods/raytracer.h"
 
 namespace pellucid::groundtruth {
+
+const OptionTable<RaytraceOptions>& raytrace_options();
 
 /// The exact composite by Embree's all-hit traversal.
 const scene::MethodRow& raytrace_method();

@@ -29,9 +29,10 @@ constexpr int tile = 16;  // pixels; neighbours share the path through the hiera
 
 class Raytracer : public scene::Renderer {
  public:
-  Raytracer(const scene::Scene& scene, const TraceOptions& options)
+  Raytracer(const scene::Scene& scene, const RaytraceOptions& options,
+            const std::optional<MarchOptions>& march)
       : scene_(scene),
-        finder_(scene, options.precision, options.march),
+        finder_(scene, options.precision, march, options.stop_below),
         options_(options),
         samples_(scene::pixel_samples(scene.samples)),
         more_samples_(scene::pixel_samples(options.adaptive)) {}
@@ -186,7 +187,7 @@ class Raytracer : public scene::Renderer {
 
   const scene::Scene& scene_;
   CrossingFinder finder_;
-  TraceOptions options_;
+  RaytraceOptions options_;
   std::vector<Vec2> samples_, more_samples_;
   std::size_t refined_ = 0;  // pixels of the last picture
 };
@@ -194,13 +195,14 @@ class Raytracer : public scene::Renderer {
 }  // namespace
 
 std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
-                                                const TraceOptions& options) {
+                                                const RaytraceOptions& options,
+                                                const std::optional<MarchOptions>& march) {
   scene::depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
   if (options.adaptive > 1 && options.adaptive <= scene.samples)
     throw InputError(fmt::format(
         "adaptive={0}: the scene takes {1} x {1} samples everywhere; accepted: more than {1}",
         options.adaptive, scene.samples));
-  return std::make_unique<Raytracer>(scene, options);
+  return std::make_unique<Raytracer>(scene, options, march);
 }
 
 }  // namespace pellucid::groundtruth

@@ -83,7 +83,8 @@ struct GeometryContext {
   const ViewFrame& frame;
   const scene::Camera& camera;
   scene::Lighting lighting;
-  std::optional<MarchOptions> march = {};           // isosurfaces are marched; else crossed exactly
+  std::optional<MarchOptions> march = {};  // isosurfaces are marched; else crossed exactly
+  double stop_below = 0;  // a march ends where less than this share shows through its surface
   std::vector<scene::Isosurface::Ball> stops = {};  // where marches end: see MarchOptions::dilate
 };
 

@@ -28,7 +28,7 @@ MarchedIsosurface::MarchedIsosurface(const scene::Isosurface& surface, bool opaq
     : IsosurfaceGeometry(surface, index, context),
       march_(*surface.field, surface.value, options),
       opaque_(opaque),
-      stop_below_(options.stop_below),
+      stop_below_(context.stop_below),
       stops_(context.stops) {}
 
 void MarchedIsosurface::cross(std::uint32_t k, const SceneRay& ray,

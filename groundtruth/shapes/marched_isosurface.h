@@ -7,9 +7,9 @@
 namespace pellucid::groundtruth {
 
 /// A MarchedIsosurface is an isosurface as a ray march finds it (see LevelMarch): one box, the
-/// field's bounds. A march ends where less than `stop_below` of what lies behind shows through the
-/// surface alone, and at the first crossing with an opaque one, or where the ray enters one of
-/// `context.stops`.
+/// field's bounds. A march ends where less than `context.stop_below` of what lies behind shows
+/// through the surface alone, and at the first crossing with an opaque one, or where the ray enters
+/// one of `context.stops`.
 class MarchedIsosurface final : public IsosurfaceGeometry {
  public:
   MarchedIsosurface(const scene::Isosurface& surface, bool opaque, std::uint32_t index,

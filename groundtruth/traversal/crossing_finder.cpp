@@ -107,8 +107,9 @@ std::vector<scene::Isosurface::Ball> dilated_spheres(const scene::Scene& scene, 
 }
 
 std::vector<BoxHierarchy::Object> make_objects(const scene::Scene& scene, const ViewFrame& frame,
-                                               const std::optional<MarchOptions>& march) {
-  GeometryContext context{frame, scene.camera, scene.lighting, march};
+                                               const std::optional<MarchOptions>& march,
+                                               double stop_below) {
+  GeometryContext context{frame, scene.camera, scene.lighting, march, stop_below};
   if (march && march->dilate) context.stops = dilated_spheres(scene, *march->dilate);
   std::vector<BoxHierarchy::Object> objects;
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
@@ -126,11 +127,12 @@ struct CrossingFinder::State {
   bool any_union = false, any_opaque = false, any_repeats = false;
   bool may_close = false;  // an opaque object may shorten rays
 
-  State(const scene::Scene& scene, Precision precision_, const std::optional<MarchOptions>& march)
+  State(const scene::Scene& scene, Precision precision_, const std::optional<MarchOptions>& march,
+        double stop_below)
       : frame(scene),
         precision(precision_),
-        hierarchy(make_objects(scene, frame, march), frame.from_world(scene.bounds().center()),
-                  callbacks(precision_)) {
+        hierarchy(make_objects(scene, frame, march, stop_below),
+                  frame.from_world(scene.bounds().center()), callbacks(precision_)) {
     for (const BoxHierarchy::Object& object : hierarchy.objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();
@@ -160,8 +162,8 @@ void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
 }
 
 CrossingFinder::CrossingFinder(const scene::Scene& scene, Precision precision,
-                               const std::optional<MarchOptions>& march)
-    : state_(std::make_unique<State>(scene, precision, march)) {}
+                               const std::optional<MarchOptions>& march, double stop_below)
+    : state_(std::make_unique<State>(scene, precision, march, stop_below)) {}
 
 CrossingFinder::~CrossingFinder() = default;
 

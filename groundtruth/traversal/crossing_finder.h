@@ -21,10 +21,10 @@ namespace pellucid::groundtruth {
 class CrossingFinder {
  public:
   /// Builds the hierarchy. The scene has to outlive it. With `march` isosurfaces are marched, not
-  /// crossed exactly. Throws InputError for more primitives than a Crossing counts, WorkError when
-  /// Embree fails.
+  /// crossed exactly; a march ends where less than `stop_below` shows through its surface. Throws
+  /// InputError for more primitives than a Crossing counts, WorkError when Embree fails.
   CrossingFinder(const scene::Scene& scene, Precision precision,
-                 const std::optional<MarchOptions>& march = {});
+                 const std::optional<MarchOptions>& march = {}, double stop_below = 0);
   ~CrossingFinder();
 
   const ViewFrame& frame() const;

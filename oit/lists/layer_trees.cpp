@@ -22,6 +22,18 @@ void grow(const Gl& gl, GLenum format, std::uint64_t bytes, BufferTexture& textu
 
 }  // namespace
 
+const OptionTable<LayerRule>& layer_rule_options() {
+  static const OptionTable<LayerRule> table{
+      number("epsilon2", &LayerRule::epsilon2,
+             {.min = 0,
+              .unit = "d squared",
+              .help = "fragments within this squared difference of depth are one layer"}),
+      choice("merge", &LayerRule::merge,
+             {{"nearest", LayerMerge::nearest}, {"first", LayerMerge::first_met}},
+             "into the nearest layer within epsilon, or the first met on the search path")};
+  return table;
+}
+
 LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
     : stage_(stage),
       heads_(stage.target("list heads", GL_R32UI)),
@@ -35,8 +47,8 @@ LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
       insert_(stage.screen_program(oit_glsl::tree_insert_frag_glsl())),
       composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl())) {
   stage.record("counters", fragment_count_.bytes() + layer_count_.bytes() + unfinished_.bytes());
-  insert_.set("epsilon2", rule.epsilon2);
-  insert_.set("first_met", int(rule.first_met));
+  insert_.set("epsilon2", float(rule.epsilon2));
+  insert_.set("first_met", int(rule.merge == LayerMerge::first_met));
   insert_.set("most_steps", most_steps);
   reserve(1);
 }

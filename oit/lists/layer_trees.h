@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "oit/lists/fragment_pool.h"
 #include "oit/stage/stage.h"
 
 namespace pellucid::oit {
 
+/// A LayerMerge says which layer takes a fragment, of those within ε; see find_place() of
+/// layer_tree.glsl.
+enum class LayerMerge { nearest, first_met };
+
 /// A LayerRule says how fragments become layers.
 struct LayerRule {
-  float epsilon2 = 1e-6f;  // largest squared difference of depths d within a layer, exclusive
-  bool first_met = false;  // see find_place() of layer_tree.glsl
+  double epsilon2 = 1e-6;  // largest squared difference of depths d within a layer, exclusive
+  LayerMerge merge = LayerMerge::nearest;
+
+  bool operator==(const LayerRule&) const = default;
 };
+const OptionTable<LayerRule>& layer_rule_options();
 
 /// LayerTrees are one tree of layers per pixel (layer_tree.glsl), which keeps what every frame
 /// adds.

@@ -44,14 +44,38 @@ bool has_importance(const scene::Scene& scene) {
   });
 }
 
-ElementOpacity::ElementOpacity(Stage& stage, const Parameters& parameters)
+const OptionTable<ElementOptions>& element_options() {
+  static const OptionTable<ElementOptions> table{
+      number("segments", &ElementOptions::segments,
+             {.min = 1,
+              .max = 1e7,
+              .unit = "segments",
+              .help = "of equal length that all lines are cut into, about; each has one opacity"}),
+      number("patches", &ElementOptions::patches,
+             {.min = 1,
+              .max = 1e6,
+              .unit = "patches",
+              .help = "of equal size that all surfaces are cut into, about; each has one opacity"}),
+      number("smooth", &ElementOptions::smooth,
+             {.min = 0,
+              .max = 1000,
+              .unit = "iterations",
+              .help = "of Laplacian smoothing of the opacities of segments and patches"}),
+      number("keep", &ElementOptions::keep,
+             {.min = 0,
+              .max = 1,
+              .help = "along a camera path, the share of the last frame's opacities that stays"})};
+  return table;
+}
+
+ElementOpacity::ElementOpacity(Stage& stage, const ElementOptions& options)
     : stage_(stage),
-      iterations_(parameters.integer("smooth")),
-      keep_(float(parameters.real("keep"))),
+      iterations_(options.smooth),
+      keep_(float(options.keep)),
       patches_(remembered(stage.memory(), &scene::FrameMemory::surfaces, scene::surface_elements,
-                          stage.scene(), parameters.integer("patches"))),
+                          stage.scene(), options.patches)),
       segments_(remembered(stage.memory(), &scene::FrameMemory::lines, scene::line_elements,
-                           stage.scene(), parameters.integer("segments"))),
+                           stage.scene(), options.segments)),
       points_(count_points(stage.scene())) {
   const Gl& gl = stage.gl();
   const std::size_t first_point = patches_->count() + segments_->count();

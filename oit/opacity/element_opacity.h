@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "oit/gl/bindings.h"
 #include "oit/stage/stage.h"
 #include "scene/elements/elements.h"
 
 namespace pellucid::oit {
 
+/// The elements that have one opacity each, and how their opacities are smoothed.
+struct ElementOptions {
+  int segments = 50000;  // about, of equal length, of all lines
+  int patches = 500;     // about, of equal size, of all surfaces
+  int smooth = 15;       // iterations of Laplacian smoothing over segments and patches
+  double keep = 0;       // share of the last frame's opacities that stays, along a camera path
+
+  bool operator==(const ElementOptions&) const = default;
+};
+const OptionTable<ElementOptions>& element_options();
+
 /// Opacities of the scene's elements, and of its vertices by them: the object-space half of opacity
-/// optimization (Baeza Rojo et al. 2019, section 4.2, end of step 2 and step 3). It takes the
-/// parameters `segments`, `patches`, `smooth` and `keep`. What no fragment of is seen is opaque.
+/// optimization (Baeza Rojo et al. 2019, section 4.2, end of step 2 and step 3). What no
+/// fragment of is seen is opaque.
 ///
 /// Along a camera path, frames after the first show keep · last + (1 - keep) · found, `last` of the
 /// frame before: temporal smoothing, for which the paper has no formula.
@@ -18,7 +30,7 @@ namespace pellucid::oit {
 /// and points have theirs where they are.
 class ElementOpacity {
  public:
-  ElementOpacity(Stage& stage, const Parameters& parameters);
+  ElementOpacity(Stage& stage, const ElementOptions& options);
 
   /// Before the pass that calls lower_opacity() of element.glsl for every fragment.
   void begin() const { textures_.opacities.buffer().clear(opaque_bits); }
@@ -48,34 +60,5 @@ class ElementOpacity {
 bool has_importance(const scene::Scene& scene);
 inline constexpr const char* nothing_is_important =
     "opacities: the scene's own, nothing in it is important";
-
-inline constexpr auto element_parameters = std::to_array<ParameterSpec>(
-    {{.name = "segments",
-      .kind = ParameterSpec::Kind::integer,
-      .default_value = "50000",
-      .min = 1,
-      .max = 1e7,
-      .unit = "segments",
-      .help = "of equal length that all lines are cut into, about; each has one opacity"},
-     {.name = "patches",
-      .kind = ParameterSpec::Kind::integer,
-      .default_value = "500",
-      .min = 1,
-      .max = 1e6,
-      .unit = "patches",
-      .help = "of equal size that all surfaces are cut into, about; each has one opacity"},
-     {.name = "smooth",
-      .kind = ParameterSpec::Kind::integer,
-      .default_value = "15",
-      .min = 0,
-      .max = 1000,
-      .unit = "iterations",
-      .help = "of Laplacian smoothing of the opacities of segments and patches"},
-     {.name = "keep",
-      .kind = ParameterSpec::Kind::real,
-      .default_value = "0",
-      .min = 0,
-      .max = 1,
-      .help = "along a camera path, the share of the last frame's opacities that stays"}});
 
 }  // namespace pellucid::oit

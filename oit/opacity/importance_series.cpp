@@ -8,46 +8,55 @@
 namespace pellucid::oit {
 namespace {
 
-EnergyBlock energy(const Stage& stage, const Parameters& parameters) {
-  EnergyBlock block(scene::energy_weights(parameters, stage.scene().energy));
-  block.margin = float(parameters.real("margin"));
-  block.own_share = parameters.text("at") == "middle" ? 0.5f : 1.0f;
+EnergyBlock energy(const scene::EnergyWeights& weights, const SeriesOptions& series) {
+  EnergyBlock block(weights);
+  block.margin = float(series.margin);
+  block.own_share = series.at == SeriesValue::middle ? 0.5f : 1.0f;
   return block;
 }
 
-int importance_bands(const Parameters& parameters) {
-  const int bands = parameters.integer("importance-bands");
-  return bands ? bands : parameters.integer("bands");
+bool is_half(const ImportanceOptions& options) {
+  return options.resolution == ImportanceResolution::half;
 }
 
-bool is_half(const Parameters& parameters) {
-  return parameters.text("importance-resolution") == "half";
-}
-
-Texture target(Stage& stage, const Parameters& parameters) {
+Texture target(Stage& stage, const ImportanceOptions& options, const SeriesOptions& series) {
   constexpr const char* name = "Fourier coefficients of the importance";
-  const auto [format, layers] = fourier_target(importance_bands(parameters), parameters);
-  return is_half(parameters) ? stage.half_target(name, format, layers)
-                             : stage.target(name, format, layers);
+  const auto [format, layers] = fourier_target(options.bands, series);
+  return is_half(options) ? stage.half_target(name, format, layers)
+                          : stage.target(name, format, layers);
 }
 
-Defines projection_defines(const Parameters& parameters) {
+Defines projection_defines(const ImportanceOptions& options) {
   Defines defines{{"IMPORTANCE", 1}, {"PROJECT_IMPORTANCE", 1}};
-  if (is_half(parameters)) defines.emplace_back("HALF_RESOLUTION", 1);
+  if (is_half(options)) defines.emplace_back("HALF_RESOLUTION", 1);
   return defines;
 }
 
 }  // namespace
 
-ImportanceSeries::ImportanceSeries(Stage& stage, const Parameters& parameters)
-    : coefficients_(target(stage, parameters)),
-      projection_(stage, coefficients_, importance_bands(parameters), parameters,
-                  projection_defines(parameters)),
-      energy_(energy(stage, parameters).buffer(stage.gl())),
+const OptionTable<ImportanceOptions>& importance_options() {
+  static const OptionTable<ImportanceOptions> table{
+      number("importance-bands", &ImportanceOptions::bands,
+             {.min = 0,
+              .max = 64,
+              .unit = "bands",
+              .help = "of the series of the importance; 0: as many as `bands`, the optical "
+                      "depth's"}),
+      choice("importance-resolution", &ImportanceOptions::resolution,
+             {{"full", ImportanceResolution::full}, {"half", ImportanceResolution::half}},
+             "of the importance's series: one a pixel, or one for 2 x 2")};
+  return table;
+}
+
+ImportanceSeries::ImportanceSeries(Stage& stage, const ImportanceOptions& options,
+                                   const SeriesOptions& series, const scene::EnergyWeights& weights)
+    : coefficients_(target(stage, options, series)),
+      projection_(stage, coefficients_, options.bands, series, projection_defines(options)),
+      energy_(energy(weights, series).buffer(stage.gl())),
       defines_{{"IMPORTANCE", 1},
-               {"IMPORTANCE_BANDS", importance_bands(parameters)},
-               {"IMPORTANCE_PRECISION", parameters.integer("precision")},
-               {"PIXELS_PER_SERIES", is_half(parameters) ? 2 : 1}} {}
+               {"IMPORTANCE_BANDS", options.bands},
+               {"IMPORTANCE_PRECISION", series.precision},
+               {"PIXELS_PER_SERIES", is_half(options) ? 2 : 1}} {}
 
 void ImportanceSeries::project() const { projection_.project(); }
 

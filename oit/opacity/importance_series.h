@@ -2,16 +2,30 @@
 #pragma once
 
 #include "oit/optical_depth/fourier_projection.h"
+#include "scene/opacity_energy.h"
 
 namespace pellucid::oit {
 
+enum class ImportanceResolution {
+  full,  // a series a pixel
+  half   // a series for 2 x 2 pixels
+};
+
+struct ImportanceOptions {
+  int bands = 0;  // of the series; 0: as many as the optical depth's
+  ImportanceResolution resolution = ImportanceResolution::full;
+
+  bool operator==(const ImportanceOptions&) const = default;
+};
+const OptionTable<ImportanceOptions>& importance_options();
+
 /// The importance G(d) of every pixel as a Fourier series (Baeza Rojo et al. 2019, Eq. 11), for
-/// programs that include importance_series.glsl. It takes the parameters of scene/opacity_energy.h,
-/// `importance-bands`, `importance-resolution`, and `at`, `margin`, `precision` and `subset` of
-/// oit/methods/fourier/fourier.h. The geometry's importance has to be uploaded.
+/// programs that include importance_series.glsl. The geometry's importance has to be uploaded.
 class ImportanceSeries {
  public:
-  ImportanceSeries(Stage& stage, const Parameters& parameters);
+  /// `options.bands` is at least 1 here; opacities have the energy of `weights`.
+  ImportanceSeries(Stage& stage, const ImportanceOptions& options, const SeriesOptions& series,
+                   const scene::EnergyWeights& weights);
 
   void project() const;
   /// Of programs that include importance_series.glsl, and what these find bound.

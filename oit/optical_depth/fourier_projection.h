@@ -4,20 +4,36 @@
 #include <optional>
 #include <vector>
 
-#include "oit/stage/stage.h"
+#include "oit/optical_depth/optical_depth_passes.h"
 
 namespace pellucid::oit {
 
+/// Where a series is taken to be at a fragment.
+enum class SeriesValue {
+  behind,  // as in Eq. 15
+  middle   // of the fragment's step, whither a series converges
+};
+
+/// Of the Fourier series of a pixel, and of the fragments that it is made of.
+struct SeriesOptions {
+  double clamp = usual_clamp;  // largest opacity, below 1: Eq. 13 divides by 1 - alpha
+  SeriesValue at = SeriesValue::behind;
+  double margin = 0;   // depth ranges that the period exceeds the scene's by on either side, ≤ 1
+  int precision = 32;  // bits of a coefficient, 32 or 16
+  int subset = 1;      // every n-th primitive is projected, n-fold (section 5.5.3)
+
+  bool operator==(const SeriesOptions&) const = default;
+};
+const OptionTable<SeriesOptions>& series_options();
+
 /// The pass that projects what fragments carry onto Fourier series (Baeza Rojo et al. 2019, Eqs. 8,
-/// 11, 16, 17), a series a pixel, by adding: two bands in a target, up to 15 in one pass. It takes
-/// the parameters `at`, `margin`, `precision` and `subset` of oit/methods/fourier/fourier.h, and
-/// `clamp`.
+/// 11, 16, 17), a series a pixel, by adding: two bands in a target, up to 15 in one pass.
 class FourierProjection {
  public:
   /// Of the optical depth; of the importance where PROJECT_IMPORTANCE is among the defines.
   /// `coefficients` as fourier_target() says; it has to outlive this.
   FourierProjection(const Stage& stage, const Texture& coefficients, int bands,
-                    const Parameters& parameters, const Defines& defines = {},
+                    const SeriesOptions& options, const Defines& defines = {},
                     const FragmentOpacity& opacity = {});
 
   void project() const;
@@ -27,7 +43,7 @@ class FourierProjection {
     Framebuffer targets;
     GeometryProgram program;
   };
-  Pass pass(int first_target, const Parameters& parameters, Defines defines,
+  Pass pass(int first_target, const SeriesOptions& options, Defines defines,
             const FragmentOpacity& opacity) const;
 
   const Stage& stage_;
@@ -42,10 +58,10 @@ struct FourierTarget {
   GLenum format;
   int layers;
 };
-FourierTarget fourier_target(int bands, const Parameters& parameters);
+FourierTarget fourier_target(int bands, const SeriesOptions& options);
 
-/// A program that clamps opacities at `clamp` and samples or makes a series of that `margin`.
+/// A program that clamps opacities and samples or makes a series of that margin.
 GeometryProgram fourier_program(const Stage& stage, std::string_view fragment, Defines defines,
-                                const Parameters& parameters, const FragmentOpacity& opacity = {});
+                                const SeriesOptions& options, const FragmentOpacity& opacity = {});
 
 }  // namespace pellucid::oit

@@ -40,11 +40,11 @@ void OpticalDepthPasses::composite(const Framebuffer& picture) const {
 }
 
 GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fragment,
-                                         Defines defines, const Parameters& parameters,
+                                         Defines defines, double clamp,
                                          const FragmentOpacity& opacity) {
   GeometryProgram program = stage.geometry_program(fragment, std::move(defines), opacity);
   // A projection of the importance has none.
-  program.set_if_used("clamp_alpha", float(parameters.real("clamp")));
+  program.set_if_used("clamp_alpha", float(clamp));
   return program;
 }
 

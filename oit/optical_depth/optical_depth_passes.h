@@ -46,26 +46,28 @@ class OpticalDepthPasses {
   Program composite_;
 };
 
-/// The parameter `clamp` of such a method, as the uniform of its project and weight passes.
+/// A program of its project or weight pass, where no opacity is above `clamp`.
 GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fragment,
-                                         Defines defines, const Parameters& parameters,
+                                         Defines defines, double clamp,
                                          const FragmentOpacity& opacity = {});
 
-// Parameters of the methods that weight by Eq. 15 of Baeza Rojo, Gross and Guenther 2019.
-inline constexpr ParameterSpec normalize_parameter = {
-    .name = "normalize",
-    .kind = ParameterSpec::Kind::flag,
-    .default_value = "on",
-    .choices = "on|off",
-    .help = "on: Eq. 19; off: Eq. 15, whose colours may leave their convex hull"};
+/// The largest opacity of such a method unless it is told otherwise: that of 1 has no finite
+/// optical depth.
+inline constexpr double usual_clamp = 0.9999;
 
-inline constexpr ParameterSpec clamp_parameter = {
-    .name = "clamp",
-    .kind = ParameterSpec::Kind::real,
-    .default_value = "0.9999",
-    .min = 0,
-    .max = 0.999999,
-    .unit = "1",
-    .help = "largest opacity; Eq. 13 divides by 1 - alpha"};
+// Options of the methods that weight by Eq. 15 of Baeza Rojo, Gross and Guenther 2019.
+template <class Options>
+Option<Options> normalize_option(bool Options::*member) {
+  return flag("normalize", member,
+              "on: Eq. 19; off: Eq. 15, whose colours may leave their convex hull");
+}
+template <class Options>
+Option<Options> clamp_option(double Options::*member) {
+  return number("clamp", member,
+                {.min = 0,
+                 .max = 0.999999,
+                 .unit = "1",
+                 .help = "largest opacity; Eq. 13 divides by 1 - alpha"});
+}
 
 }  // namespace pellucid::oit

@@ -33,13 +33,13 @@ std::string describe_context(const scene::Scene& scene) {
 
 class OitRenderer final : public scene::Renderer {
  public:
-  OitRenderer(const scene::Scene& scene, const Parameters& parameters,
-              const scene::RenderContext& context, const MakeOitMethod& make_method)
+  OitRenderer(const scene::Scene& scene, const scene::RenderContext& context,
+              const MakeOitMethod& make_method)
       : scene_(scene),
         stage_(scene, context),
         picture_(stage_.gl(), GL_RGBA32F, stage_.width(), stage_.height()),
         picture_target_(stage_.gl(), {{picture_}}),
-        method_(make_method(stage_, parameters)) {
+        method_(make_method(stage_)) {
     stage_.context().check("preparing the method");
   }
   // Deleting OpenGL objects needs their own context, whichever is current.
@@ -156,10 +156,9 @@ void Frame::finish(std::string_view name, const Stopwatch& watch) {
 }
 
 std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
-                                                   const Parameters& parameters,
                                                    const scene::RenderContext& context,
                                                    const MakeOitMethod& make_method) {
-  return std::make_unique<OitRenderer>(scene, parameters, context, make_method);
+  return std::make_unique<OitRenderer>(scene, context, make_method);
 }
 
 }  // namespace pellucid::oit

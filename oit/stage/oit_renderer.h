@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/machine/stopwatch.h"
+#include "core/options/option_table.h"
 #include "oit/stage/stage.h"
 #include "scene/renderer.h"
 
@@ -70,23 +71,30 @@ class OitMethod {
 };
 
 /// A MakeOitMethod makes a method on a stage.
-using MakeOitMethod = std::function<std::unique_ptr<OitMethod>(Stage&, const Parameters&)>;
+using MakeOitMethod = std::function<std::unique_ptr<OitMethod>(Stage&)>;
 
 /// Makes the renderer of a method over a scene, which has to outlive it. Throws InputError for a
 /// scene that OpenGL does not draw, WorkError when the driver or its memory does not suffice.
 std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
-                                                   const Parameters& parameters,
                                                    const scene::RenderContext& context,
                                                    const MakeOitMethod& make_method);
 
-/// Serves as MethodRow::make for a Method that is constructed from (Stage&, const Parameters&).
-/// Throws as make_oit_renderer() does.
-template <class Method>
+/// Serves as MethodRow::make for a Method that is constructed from (Stage&, const Options&); `table`
+/// is a function that returns the OptionTable<Options>. Throws as make_oit_renderer() does.
+template <class Method, auto table>
 std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Parameters& parameters,
                                           const scene::RenderContext& context) {
-  return make_oit_renderer(scene, parameters, context, [](Stage& stage, const Parameters& p) {
-    return std::make_unique<Method>(stage, p);
+  return make_oit_renderer(scene, context, [&](Stage& stage) {
+    return std::make_unique<Method>(stage, table().read(parameters));
   });
+}
+
+/// The same for a Method without options, which is constructed from (Stage&).
+template <class Method>
+std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Parameters&,
+                                          const scene::RenderContext& context) {
+  return make_oit_renderer(scene, context,
+                           [](Stage& stage) { return std::make_unique<Method>(stage); });
 }
 
 }  // namespace pellucid::oit

@@ -61,16 +61,10 @@ Lighting read_lighting(const JsonNode& node) {
 
 EnergyWeights read_energy(const JsonNode& node) {
   node.accept_keys({"p", "q", "r", "lambda"});
-  EnergyWeights weights;
-  const auto read = [&](const ParameterSpec& spec, double& weight) {
-    if (node.has(spec.name)) weight = node[spec.name].number(spec.min, spec.max);
-  };
-  const auto& [q, r, lambda, p] = energy_parameters;
-  read(p, weights.p);
-  read(q, weights.q);
-  read(r, weights.r);
-  read(lambda, weights.lambda);
-  return weights;
+  EnergyOptions given;
+  for (const auto& [spec, texts, store] : energy_options().rows())
+    if (node.has(spec.name)) store(given, number_text(node[spec.name].number(spec.min, spec.max)));
+  return energy_weights(given, {});
 }
 
 struct Loader {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "oit/gl/bindings.h"
-#include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
@@ -13,11 +12,11 @@ namespace {
 
 class Binning final : public OitMethod {
  public:
-  Binning(Stage& stage, const Parameters& parameters)
-      : Binning(stage, parameters,
-                {{"BINS", parameters.integer("bins")},
-                 {"LINEAR", parameters.text("mode") == "linear"},
-                 {"NORMALIZE", parameters.flag("normalize")}}) {}
+  Binning(Stage& stage, const BinningOptions& options)
+      : Binning(stage, options,
+                {{"BINS", options.bins},
+                 {"LINEAR", options.mode == BinMode::linear},
+                 {"NORMALIZE", options.normalize}}) {}
 
   void draw(Frame& frame) override {
     frame.step("project", [&] { project(); });
@@ -46,17 +45,17 @@ class Binning final : public OitMethod {
   }
 
  private:
-  Binning(Stage& stage, const Parameters& parameters, const Defines& defines)
+  Binning(Stage& stage, const BinningOptions& options, const Defines& defines)
       : stage_(stage),
-        bins_(parameters.integer("bins")),
-        linear_(parameters.text("mode") == "linear"),
+        bins_(options.bins),
+        linear_(options.mode == BinMode::linear),
         no_targets_(stage.gl(), stage.width(), stage.height()),
         project_(clamped_geometry_program(stage, oit_glsl::binning_project_frag_glsl(), defines,
-                                          parameters)),
+                                          options.clamp)),
         accumulate_(stage.screen_program(oit_glsl::binning_accumulate_frag_glsl(), defines)),
-        passes_(stage, {{"bins of optical depth", GL_R32UI, parameters.integer("bins")}},
+        passes_(stage, {{"bins of optical depth", GL_R32UI, options.bins}},
                 clamped_geometry_program(stage, oit_glsl::binning_weight_frag_glsl(), defines,
-                                         parameters),
+                                         options.clamp),
                 stage.screen_program(oit_glsl::binning_composite_frag_glsl(), defines)) {}
 
   Resource bins() const { return passes_.coefficients(0).as_image(bindings::coefficients_image); }
@@ -78,40 +77,35 @@ class Binning final : public OitMethod {
   OpticalDepthPasses passes_;
 };
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "bins",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "11",
-     .min = 1,
-     .max = 1024,
-     .unit = "bins",
-     .help = "equal parts of the depth range"},
-    {.name = "mode",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "linear",
-     .choices = "constant|linear",
-     .help = "how the optical depth is read within a bin"},
-    normalize_parameter,
-    clamp_parameter,
-};
-
 }  // namespace
 
+const OptionTable<BinningOptions>& binning_options() {
+  static const OptionTable<BinningOptions> table{
+      number("bins", &BinningOptions::bins,
+             {.min = 1, .max = 1024, .unit = "bins", .help = "equal parts of the depth range"}),
+      choice("mode", &BinningOptions::mode,
+             {{"constant", BinMode::constant}, {"linear", BinMode::linear}},
+             "how the optical depth is read within a bin"),
+      normalize_option(&BinningOptions::normalize), clamp_option(&BinningOptions::clamp)};
+  return table;
+}
+
 const scene::MethodRow& binning_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "binning",
       .title = "Binning",
       .citation =
           "Baeza Rojo, Gross and Guenther 2019, Fourier opacity optimization for scalable "
           "exploration, TVCG, section 5.3",
       .equations = "14, 15, 18, 19 over a histogram of depth",
-      .parameters = parameters,
+      .checked_against = "the paper and its additional material",
+      .parameters = binning_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.
       .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "4 bins + 16",
       .sweep = "bins=3|11|50|200",
-      .make = make_oit<Binning>};
+      .make = make_oit<Binning, binning_options>};
   return row;
 }
 

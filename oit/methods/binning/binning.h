@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/renderer.h"
+#include "oit/optical_depth/optical_depth_passes.h"
 
 namespace pellucid::oit {
+
+/// How tau is read within a bin.
+enum class BinMode { constant, linear };
+
+struct BinningOptions {
+  int bins = 11;  // equal parts of the depth range, 1 to 1024
+  BinMode mode = BinMode::linear;
+  bool normalize = true;       // by Eq. 19
+  double clamp = usual_clamp;  // largest opacity, below 1: Eq. 13 divides by 1 - alpha
+
+  bool operator==(const BinningOptions&) const = default;
+};
+const OptionTable<BinningOptions>& binning_options();
 
 /// Binning of the optical depth (Baeza Rojo, Gross and Guenther 2019, section 5.3, and section 2.2
 /// of its additional material): tau(d) of each pixel as a sum over equal bins of depth, in place of

@@ -4,8 +4,6 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "oit/optical_depth/fourier_projection.h"
-#include "oit/optical_depth/optical_depth_passes.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit::fourier_glsl {
@@ -20,15 +18,15 @@ namespace {
 
 class Fourier final : public OitMethod {
  public:
-  Fourier(Stage& stage, const Parameters& parameters, const FragmentOpacity& opacity = {})
-      : bands_(parameters.integer("bands")),
-        margin_(float(parameters.real("margin"))),
-        target_(fourier_target(bands_, parameters)),
+  Fourier(Stage& stage, const FourierOptions& options, const FragmentOpacity& opacity = {})
+      : bands_(options.bands),
+        margin_(float(options.series.margin)),
+        target_(fourier_target(bands_, options.series)),
         passes_(stage, {{"Fourier coefficients", target_.format, target_.layers}},
-                weight_program(stage, parameters, opacity),
+                weight_program(stage, options, opacity),
                 stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
-                                     {{"NORMALIZE", parameters.flag("normalize")}})),
-        projection_(stage, passes_.coefficients(0), bands_, parameters, {}, opacity) {}
+                                     {{"NORMALIZE", options.normalize}})),
+        projection_(stage, passes_.coefficients(0), bands_, options.series, {}, opacity) {}
 
   void draw(Frame& frame) override {
     frame.step("project", [&] { projection_.project(); });
@@ -62,13 +60,13 @@ class Fourier final : public OitMethod {
     return tau;
   }
 
-  static GeometryProgram weight_program(const Stage& stage, const Parameters& parameters,
+  static GeometryProgram weight_program(const Stage& stage, const FourierOptions& options,
                                         const FragmentOpacity& opacity) {
     return fourier_program(stage, oit_glsl::fourier_weight_frag_glsl(),
-                           {{"BANDS", parameters.integer("bands")},
-                            {"PRECISION", parameters.integer("precision")},
-                            {"MIDDLE", parameters.text("at") == "middle"}},
-                           parameters, opacity);
+                           {{"BANDS", options.bands},
+                            {"PRECISION", options.series.precision},
+                            {"MIDDLE", options.series.at == SeriesValue::middle}},
+                           options.series, opacity);
   }
 
   int bands_;
@@ -80,26 +78,40 @@ class Fourier final : public OitMethod {
 
 }  // namespace
 
-std::unique_ptr<OitMethod> make_fourier(Stage& stage, const Parameters& parameters,
+std::unique_ptr<OitMethod> make_fourier(Stage& stage, const FourierOptions& options,
                                         const FragmentOpacity& opacity) {
-  return std::make_unique<Fourier>(stage, parameters, opacity);
+  return std::make_unique<Fourier>(stage, options, opacity);
+}
+
+const OptionTable<FourierOptions>& fourier_options() {
+  static const OptionTable<FourierOptions> table{
+      number("bands", &FourierOptions::bands,
+             {.min = 1,
+              .max = 64,
+              .unit = "bands",
+              .help = "frequencies of the series (m in the paper); beyond 15 each 16 more take "
+                      "another pass"}),
+      normalize_option(&FourierOptions::normalize),
+      part(&FourierOptions::series, series_options())};
+  return table;
 }
 
 const scene::MethodRow& fourier_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "fourier",
       .title = "Fourier",
       .citation =
           "Baeza Rojo, Gross and Guenther 2019, Fourier opacity optimization for scalable "
           "exploration, TVCG",
       .equations = "14 to 19",
-      .parameters = fourier_parameters,
+      .checked_against = "the paper",
+      .parameters = fourier_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.
       .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "precision / 2 ceil((2 bands + 1) / 4) + 16",
       .sweep = "bands=1|2|3|5|8|10|15",
-      .make = make_oit<Fourier>};
+      .make = make_oit<Fourier, fourier_options>};
   return row;
 }
 

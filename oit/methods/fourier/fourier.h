@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "oit/optical_depth/optical_depth_passes.h"
+#include "oit/optical_depth/fourier_projection.h"
 #include "oit/stage/oit_renderer.h"
 
 namespace pellucid::oit {
+
+struct FourierOptions {
+  int bands = 5;          // frequencies of the series, 1 to 64 (m in the paper)
+  bool normalize = true;  // by Eq. 19
+  SeriesOptions series;   // of tau
+
+  bool operator==(const FourierOptions&) const = default;
+};
+const OptionTable<FourierOptions>& fourier_options();
 
 /// Fourier-based compositing (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization
 /// for scalable exploration", TVCG): the optical depth tau(d) of each pixel as a Fourier series
@@ -25,48 +34,8 @@ namespace pellucid::oit {
 /// otherwise no bound: the error of tau falls like 1 / bands away from the steps.
 const scene::MethodRow& fourier_method();
 
-/// Of the series of tau, and of the passes that use it.
-inline constexpr auto fourier_parameters = std::to_array<ParameterSpec>(
-    {{.name = "bands",
-      .kind = ParameterSpec::Kind::integer,
-      .default_value = "5",
-      .min = 1,
-      .max = 64,
-      .unit = "bands",
-      .help =
-          "frequencies of the series (m in the paper); beyond 15 each 16 more take another pass"},
-     normalize_parameter,
-     clamp_parameter,
-     {.name = "at",
-      .kind = ParameterSpec::Kind::choice,
-      .default_value = "behind",
-      .choices = "behind|middle",
-      .help = "where the series is taken to be at a fragment: behind it as in Eq. 15, or in the "
-              "middle of its step, whither a series converges"},
-     {.name = "margin",
-      .kind = ParameterSpec::Kind::real,
-      .default_value = "0",
-      .min = 0,
-      .max = 1,
-      .unit = "depth ranges",
-      .help = "what the series' period exceeds the depth range by on either side; at 0 the nearest "
-              "and the farthest depth are one and the same to it"},
-     {.name = "precision",
-      .kind = ParameterSpec::Kind::choice,
-      .default_value = "32",
-      .unit = "bits",
-      .choices = "32|16",
-      .help = "of a coefficient"},
-     {.name = "subset",
-      .kind = ParameterSpec::Kind::integer,
-      .default_value = "1",
-      .min = 1,
-      .max = 1e6,
-      .unit = "primitives",
-      .help = "project every n-th triangle, segment and point only, n-fold (section 5.5.3)"}});
-
 /// The method as the last steps of another one, of fragments with these opacities.
-std::unique_ptr<OitMethod> make_fourier(Stage& stage, const Parameters& parameters,
+std::unique_ptr<OitMethod> make_fourier(Stage& stage, const FourierOptions& options,
                                         const FragmentOpacity& opacity);
 
 }  // namespace pellucid::oit

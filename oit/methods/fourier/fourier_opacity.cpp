@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/fourier/fourier_opacity.h"
 
-#include "oit/methods/fourier/fourier.h"
 #include "oit/methods/lists/linked_list.h"
-#include "oit/opacity/element_opacity.h"
-#include "oit/opacity/importance_series.h"
 #include "oit_glsl.h"
-#include "scene/opacity_energy.h"
 
 namespace pellucid::oit {
 namespace {
 
 /// Steps 2 and 3 of the paper's section 4.2.
 struct ObjectSpace {
-  ObjectSpace(Stage& stage, const ImportanceSeries& importance, const Parameters& parameters)
-      : opacity(stage, parameters),
+  ObjectSpace(Stage& stage, const ImportanceSeries& importance, const ElementOptions& options)
+      : opacity(stage, options),
         no_targets(stage.gl(), stage.width(), stage.height()),
         optimize(stage.geometry_program(oit_glsl::fourier_opacity_optimize_frag_glsl(),
                                         importance.defines())) {}
@@ -26,12 +22,12 @@ struct ObjectSpace {
 
 class FourierOpacity final : public OitMethod {
  public:
-  FourierOpacity(Stage& stage, const Parameters& parameters) : stage_(stage) {
+  FourierOpacity(Stage& stage, const FourierOpacityOptions& options) : stage_(stage) {
     FragmentOpacity opacity;
-    if (has_importance(stage.scene())) opacity = optimize(parameters);
-    compositing_ = parameters.text("transmittance") == "lists"
+    if (has_importance(stage.scene())) opacity = optimize(options);
+    compositing_ = options.transmittance == OpacityCompositing::lists
                        ? make_linked_list(stage, opacity)
-                       : make_fourier(stage, parameters, opacity);
+                       : make_fourier(stage, options.fourier, opacity);
   }
 
   void draw(Frame& frame) override {
@@ -50,11 +46,14 @@ class FourierOpacity final : public OitMethod {
 
  private:
   /// Of the fragments that are composited.
-  FragmentOpacity optimize(const Parameters& parameters) {
+  FragmentOpacity optimize(const FourierOpacityOptions& options) {
     stage_.upload_importance();
-    importance_.emplace(stage_, parameters);
-    if (parameters.text("per") == "fragment") return importance_->fragment_opacity();
-    objects_.emplace(stage_, *importance_, parameters);
+    ImportanceOptions importance = options.importance;
+    if (importance.bands == 0) importance.bands = options.fourier.bands;
+    importance_.emplace(stage_, importance, options.fourier.series,
+                        scene::energy_weights(options.energy, stage_.scene().energy));
+    if (options.per == OpacityUnit::fragment) return importance_->fragment_opacity();
+    objects_.emplace(stage_, *importance_, options.elements);
     return ElementOpacity::fragment_opacity();
   }
 
@@ -70,60 +69,40 @@ class FourierOpacity final : public OitMethod {
   std::unique_ptr<OitMethod> compositing_;
 };
 
-constexpr ParameterSpec per_parameter = {
-    .name = "per",
-    .kind = ParameterSpec::Kind::choice,
-    .default_value = "element",
-    .choices = "element|fragment",
-    .help =
-        "what has one opacity: a segment of a line, a patch of a surface, a point; or each "
-        "fragment, as it comes"};
-
-constexpr ParameterSpec transmittance_parameter = {
-    .name = "transmittance",
-    .kind = ParameterSpec::Kind::choice,
-    .default_value = "fourier",
-    .choices = "fourier|lists",
-    .help =
-        "what the colours are composited by; lists are exact and show the opacities' errors alone"};
-
-constexpr ParameterSpec importance_bands_parameter = {
-    .name = "importance-bands",
-    .kind = ParameterSpec::Kind::integer,
-    .default_value = "0",
-    .min = 0,
-    .max = 64,
-    .unit = "bands",
-    .help = "of the series of the importance; 0: as many as `bands`, the optical depth's"};
-
-constexpr ParameterSpec importance_resolution_parameter = {
-    .name = "importance-resolution",
-    .kind = ParameterSpec::Kind::choice,
-    .default_value = "full",
-    .choices = "full|half",
-    .help = "of the importance's series: one a pixel, or one for 2 x 2"};
-
-constexpr auto parameters =
-    concatenate(scene::energy_parameters, fourier_parameters,
-                std::array{importance_bands_parameter, importance_resolution_parameter,
-                           per_parameter, transmittance_parameter},
-                element_parameters);
-
 }  // namespace
 
+const OptionTable<FourierOpacityOptions>& fourier_opacity_options() {
+  using Options = FourierOpacityOptions;
+  static const OptionTable<Options> table{
+      part(&Options::energy, scene::energy_options()),
+      part(&Options::fourier, fourier_options()),
+      part(&Options::importance, importance_options()),
+      choice("per", &Options::per,
+             {{"element", OpacityUnit::element}, {"fragment", OpacityUnit::fragment}},
+             "what has one opacity: a segment of a line, a patch of a surface, a point; or each "
+             "fragment, as it comes"),
+      choice("transmittance", &Options::transmittance,
+             {{"fourier", OpacityCompositing::fourier}, {"lists", OpacityCompositing::lists}},
+             "what the colours are composited by; lists are exact and show the opacities' errors "
+             "alone"),
+      part(&Options::elements, element_options())};
+  return table;
+}
+
 const scene::MethodRow& fourier_opacity_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "fourier-opacity",
       .title = "Fourier opacity optimization",
       .citation =
           "Baeza Rojo, Gross and Guenther 2019, Fourier opacity optimization for scalable "
           "exploration, TVCG",
       .equations = "1, 2, 10, 11, 14 to 19",
-      .parameters = parameters,
+      .checked_against = "the paper",
+      .parameters = fourier_opacity_options().specs(),
       .promises = {.order_spread = 1e-3, .convex_hull = true},
       .bytes_per_pixel = "precision ceil((2 bands + 1) / 4) + 16",
       .optimizes_opacity = true,
-      .make = make_oit<FourierOpacity>};
+      .make = make_oit<FourierOpacity, fourier_opacity_options>};
   return row;
 }
 

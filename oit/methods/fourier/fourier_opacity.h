@@ -1,9 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/renderer.h"
+#include "oit/methods/fourier/fourier.h"
+#include "oit/opacity/element_opacity.h"
+#include "oit/opacity/importance_series.h"
 
 namespace pellucid::oit {
+
+/// What has one opacity.
+enum class OpacityUnit {
+  element,  // a segment of a line, a patch of a surface, a point
+  fragment
+};
+
+/// What the colours are composited by.
+enum class OpacityCompositing { fourier, lists };
+
+struct FourierOpacityOptions {
+  scene::EnergyOptions energy;
+  FourierOptions fourier;  // its series options are those of the importance, too
+  ImportanceOptions importance;
+  OpacityUnit per = OpacityUnit::element;
+  OpacityCompositing transmittance = OpacityCompositing::fourier;
+  ElementOptions elements;
+
+  bool operator==(const FourierOpacityOptions&) const = default;
+};
+const OptionTable<FourierOpacityOptions>& fourier_opacity_options();
 
 /// Fourier opacity optimization (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization
 /// for scalable exploration", TVCG): each fragment's opacity is the one of least energy (Eqs. 1, 2,

@@ -10,16 +10,16 @@ namespace {
 
 class KBuffer final : public OitMethod {
  public:
-  KBuffer(Stage& stage, const Parameters& parameters)
+  KBuffer(Stage& stage, const KBufferOptions& options)
       : stage_(stage),
-        layers_(std::uint32_t(parameters.integer("layers"))),
-        depths_(stage.target("nearest depths", GL_R32UI, parameters.integer("layers"))),
-        colors_(stage.target("nearest colours", GL_RGBA32F, parameters.integer("layers"))),
+        layers_(std::uint32_t(options.layers)),
+        depths_(stage.target("nearest depths", GL_R32UI, options.layers)),
+        colors_(stage.target("nearest colours", GL_RGBA32F, options.layers)),
         tail_(stage.target("sums of the tail", GL_RGBA32F)),
         transmittance_(stage.target("transmittance of the tail", GL_R32F)),
         no_targets_(stage.gl(), stage.width(), stage.height()),
         tail_target_(stage.gl(), {{tail_}, {transmittance_}}) {
-    const Defines defines = {{"LAYERS", parameters.integer("layers")}};
+    const Defines defines = {{"LAYERS", options.layers}};
     nearest_ = stage.geometry_program(oit_glsl::k_buffer_nearest_frag_glsl(), defines);
     color_ = stage.geometry_program(oit_glsl::k_buffer_color_frag_glsl(), defines);
     composite_ = stage.screen_program(oit_glsl::k_buffer_composite_frag_glsl(), defines);
@@ -63,28 +63,31 @@ class KBuffer final : public OitMethod {
   Program composite_;
 };
 
-constexpr ParameterSpec parameters[] = {{.name = "layers",
-                                         .kind = ParameterSpec::Kind::integer,
-                                         .default_value = "8",
-                                         .min = 1,
-                                         .max = 64,
-                                         .unit = "layers",
-                                         .help = "nearest fragments that are kept apart (k)"}};
-
 }  // namespace
 
+const OptionTable<KBufferOptions>& k_buffer_options() {
+  static const OptionTable<KBufferOptions> table{
+      number("layers", &KBufferOptions::layers,
+             {.min = 1,
+              .max = 64,
+              .unit = "layers",
+              .help = "nearest fragments that are kept apart (k)"})};
+  return table;
+}
+
 const scene::MethodRow& k_buffer_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "k-buffer",
       .title = "k-buffer with a tail",
       .citation = "Maule, Comba, Torchelsen and Bastos 2013, Hybrid transparency, I3D",
       .equations = "core and tail (unnumbered)",
-      .parameters = parameters,
+      .checked_against = "not recorded",
+      .parameters = k_buffer_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "20 layers + 20",
       .sweep = "layers=2|4|8|16",
-      .make = make_oit<KBuffer>};
+      .make = make_oit<KBuffer, k_buffer_options>};
   return row;
 }
 

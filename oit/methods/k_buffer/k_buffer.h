@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct KBufferOptions {
+  int layers = 8;  // kept apart, 1 to 64 (k)
+
+  bool operator==(const KBufferOptions&) const = default;
+};
+const OptionTable<KBufferOptions>& k_buffer_options();
 
 /// k-buffer with a tail: hybrid transparency (Maule, Comba, Torchelsen and Bastos 2013, I3D). The
 /// `layers` nearest fragments of a pixel are sorted and composited exactly; those behind them are

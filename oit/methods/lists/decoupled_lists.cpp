@@ -3,7 +3,6 @@
 
 #include "oit/gl/bindings.h"
 #include "oit/lists/fragment_lists.h"
-#include "oit/opacity/element_opacity.h"
 #include "oit/opacity/energy_block.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
@@ -13,9 +12,9 @@ namespace {
 
 /// Steps 1 to 3, by lists.
 struct ExactOpacity {
-  ExactOpacity(Stage& stage, const Parameters& parameters)
-      : elements(stage, parameters),
-        energy(EnergyBlock(scene::energy_weights(parameters, stage.scene().energy))
+  ExactOpacity(Stage& stage, const DecoupledListsOptions& options)
+      : elements(stage, options.elements),
+        energy(EnergyBlock(scene::energy_weights(options.energy, stage.scene().energy))
                    .buffer(stage.gl())),
         build(stage.geometry_program(oit_glsl::decoupled_lists_build_frag_glsl(),
                                      {{"IMPORTANCE", 1}})),
@@ -37,11 +36,12 @@ struct ExactOpacity {
 
 class DecoupledLists final : public OitMethod {
  public:
-  DecoupledLists(Stage& stage, const Parameters& parameters) : lists_(stage, "decoupled-lists") {
+  DecoupledLists(Stage& stage, const DecoupledListsOptions& options)
+      : lists_(stage, "decoupled-lists") {
     FragmentOpacity opacity;
     if (has_importance(stage.scene())) {
       stage.upload_importance();
-      opacity_.emplace(stage, parameters);
+      opacity_.emplace(stage, options);
       opacity = ElementOpacity::fragment_opacity();
     }
     build_ = stage.geometry_program(oit_glsl::list_build_frag_glsl(), {}, opacity);
@@ -71,12 +71,17 @@ class DecoupledLists final : public OitMethod {
   std::optional<FragmentLists::Consumer> composite_;
 };
 
-constexpr auto parameters = concatenate(scene::energy_parameters, element_parameters);
-
 }  // namespace
 
+const OptionTable<DecoupledListsOptions>& decoupled_lists_options() {
+  static const OptionTable<DecoupledListsOptions> table{
+      part(&DecoupledListsOptions::energy, scene::energy_options()),
+      part(&DecoupledListsOptions::elements, element_options())};
+  return table;
+}
+
 const scene::MethodRow& decoupled_lists_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "decoupled-lists",
       .title = "Decoupled opacity optimization (linked lists)",
       .citation =
@@ -84,11 +89,13 @@ const scene::MethodRow& decoupled_lists_method() {
           "optimization for points, lines and "
           "surfaces, CGF 36(2)",
       .equations = "Baeza Rojo et al. 2019, Eqs. 2 and 12, section 2.2.4",
-      .parameters = parameters,
+      .checked_against =
+          "Baeza Rojo et al. 2019, who restate the method; not the paper of 2017 itself",
+      .parameters = decoupled_lists_options().specs(),
       .promises = {.order_spread = 1e-3, .convex_hull = true},
       .bytes_per_pixel = "4 + 32 per layer",
       .optimizes_opacity = true,
-      .make = make_oit<DecoupledLists>};
+      .make = make_oit<DecoupledLists, decoupled_lists_options>};
   return row;
 }
 

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "oit/opacity/element_opacity.h"
+#include "scene/opacity_energy.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct DecoupledListsOptions {
+  scene::EnergyOptions energy;
+  ElementOptions elements;
+
+  bool operator==(const DecoupledListsOptions&) const = default;
+};
+const OptionTable<DecoupledListsOptions>& decoupled_lists_options();
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled
 /// opacity optimization for points, lines and surfaces", CGF 36(2); equation

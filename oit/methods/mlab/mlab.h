@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct MlabOptions {
+  int layers = 4;  // of a pixel, 2 to 64
+
+  bool operator==(const MlabOptions&) const = default;
+};
+const OptionTable<MlabOptions>& mlab_options();
 
 /// Multi-layer alpha blending (Salvi and Vaidyanathan 2014, I3D): `layers` layers per pixel in the
 /// order of depth. A fragment is inserted where its depth belongs; if that makes one too many, the

@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/renderer.h"
+#include "oit/optical_depth/optical_depth_passes.h"
 
 namespace pellucid::oit {
+
+enum class MomentBasis {
+  power,         // powers of depth
+  trigonometric  // cosines and sines of multiples of an angle
+};
+
+struct MomentOptions {
+  int moments = 4;  // numbers beyond the zeroth moment: 4, 6 or 8
+  MomentBasis basis = MomentBasis::power;
+  std::optional<double> bias;    // share of a safe distribution; not set: by basis and number
+  double overestimation = 0.25;  // share of the mass at a fragment that counts as in front of it
+  double clamp = usual_clamp;    // largest opacity, below 1
+
+  bool operator==(const MomentOptions&) const = default;
+};
+const OptionTable<MomentOptions>& moment_options();
 
 /// Moment-based order-independent transparency (Muenstermann, Krumpen, Klein and Peters 2018,
 /// PACMCGIT 1(1)) with 4, 6 or 8 power or 2, 3 or 4 trigonometric moments: the distribution of

@@ -12,10 +12,9 @@ namespace {
 
 class DepthPeeling final : public OitMethod {
  public:
-  DepthPeeling(Stage& stage, const Parameters& parameters)
+  DepthPeeling(Stage& stage, const DepthPeelingOptions& options)
       : stage_(stage),
-        most_peels_(parameters.is_set("peels") ? parameters.integer("peels")
-                                               : std::numeric_limits<int>::max()),
+        most_peels_(options.peels.value_or(std::numeric_limits<int>::max())),
         peeled_(stage.target("last peeled key", GL_RG32UI)),
         depth_(stage.target("nearest depth", GL_DEPTH_COMPONENT32F)),
         order_(stage.target("first in order", GL_DEPTH_COMPONENT32F)),
@@ -92,29 +91,29 @@ class DepthPeeling final : public OitMethod {
   Program add_, composite_;
 };
 
-constexpr ParameterSpec parameters[] = {{.name = "peels",
-                                         .kind = ParameterSpec::Kind::integer,
-                                         .default_value = "",
-                                         .min = 1,
-                                         .max = 1e6,
-                                         .unit = "layers",
-                                         .help = "budget of layers; not set: all of them"}};
-
 }  // namespace
 
+const OptionTable<DepthPeelingOptions>& depth_peeling_options() {
+  static const OptionTable<DepthPeelingOptions> table{number(
+      "peels", &DepthPeelingOptions::peels,
+      {.min = 1, .max = 1e6, .unit = "layers", .help = "budget of layers; not set: all of them"})};
+  return table;
+}
+
 const scene::MethodRow& depth_peeling_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "depth-peeling",
       .title = "Depth peeling",
       .citation = "Everitt 2001, Interactive order-independent transparency, NVIDIA",
       .equations = "none; the two depth tests of its section on depth peeling",
-      .parameters = parameters,
+      .checked_against = "not recorded",
+      .parameters = depth_peeling_options().specs(),
       .promises = {.exact = true,
                    .order_independent = true,
                    .convex_hull = true,
                    .fixed_memory = true},
       .bytes_per_pixel = "56",
-      .make = make_oit<DepthPeeling>};
+      .make = make_oit<DepthPeeling, depth_peeling_options>};
   return row;
 }
 

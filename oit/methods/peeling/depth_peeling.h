@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct DepthPeelingOptions {
+  std::optional<int> peels;  // most layers, at least 1; not set: all of them
+
+  bool operator==(const DepthPeelingOptions&) const = default;
+};
+const OptionTable<DepthPeelingOptions>& depth_peeling_options();
 
 /// Depth peeling (Everitt 2001, "Interactive order-independent transparency", NVIDIA): the layers
 /// of all pixels one after the other, each by passes over the whole scene, composited from front

@@ -12,10 +12,10 @@ namespace {
 
 class DualDepthPeeling final : public OitMethod {
  public:
-  DualDepthPeeling(Stage& stage, const Parameters& parameters)
+  DualDepthPeeling(Stage& stage, const DualDepthPeelingOptions& options)
       : stage_(stage),
-        most_peels_(parameters.is_set("peels") ? std::uint64_t(parameters.integer("peels"))
-                                               : std::numeric_limits<std::uint64_t>::max() / 2),
+        most_peels_(options.peels ? std::uint64_t(*options.peels)
+                                  : std::numeric_limits<std::uint64_t>::max() / 2),
         left_(stage.target("last peeled keys", GL_RGBA32UI)),
         ends_(stage.target("nearest and farthest key", GL_RGBA32UI)),
         locks_(stage.target("locks", GL_R32UI)),
@@ -102,31 +102,33 @@ class DualDepthPeeling final : public OitMethod {
   Program add_, composite_;
 };
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "peels",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "",
-     .min = 1,
-     .max = 1e6,
-     .unit = "passes",
-     .help = "budget of passes, two layers each; not set: all layers"}};
-
 }  // namespace
 
+const OptionTable<DualDepthPeelingOptions>& dual_depth_peeling_options() {
+  static const OptionTable<DualDepthPeelingOptions> table{
+      number("peels", &DualDepthPeelingOptions::peels,
+             {.min = 1,
+              .max = 1e6,
+              .unit = "passes",
+              .help = "budget of passes, two layers each; not set: all layers"})};
+  return table;
+}
+
 const scene::MethodRow& dual_depth_peeling_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "dual-depth-peeling",
       .title = "Dual depth peeling",
       .citation =
           "Bavoil and Myers 2008, Order independent transparency with dual depth peeling, NVIDIA",
       .equations = "none; the peeling of both sides in one pass, by keys in place of depths",
-      .parameters = parameters,
+      .checked_against = "not recorded",
+      .parameters = dual_depth_peeling_options().specs(),
       .promises = {.exact = true,
                    .order_independent = true,
                    .convex_hull = true,
                    .fixed_memory = true},
       .bytes_per_pixel = "100",
-      .make = make_oit<DualDepthPeeling>};
+      .make = make_oit<DualDepthPeeling, dual_depth_peeling_options>};
   return row;
 }
 

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct DualDepthPeelingOptions {
+  std::optional<int> peels;  // most passes, at least 1, two layers each; not set: all layers
+
+  bool operator==(const DualDepthPeelingOptions&) const = default;
+};
+const OptionTable<DualDepthPeelingOptions>& dual_depth_peeling_options();
 
 /// Dual depth peeling (Bavoil and Myers 2008, "Order independent transparency with dual depth
 /// peeling", NVIDIA): each pass over the scene peels the nearest and the farthest layer that are

@@ -10,9 +10,9 @@ namespace {
 
 class Stochastic final : public OitMethod {
  public:
-  Stochastic(Stage& stage, const Parameters& parameters)
+  Stochastic(Stage& stage, const StochasticOptions& options)
       : stage_(stage),
-        samples_(parameters.integer("samples")),
+        samples_(options.samples),
         average_(stage.target("sums of colour and opacity", GL_RGBA32F)),
         transmittance_(stage.target("transmittance", GL_R32F)),
         nearest_(stage.target("nearest of a sample", GL_RGBA32F)),
@@ -66,28 +66,31 @@ class Stochastic final : public OitMethod {
   Program add_, composite_;
 };
 
-constexpr ParameterSpec parameters[] = {{.name = "samples",
-                                         .kind = ParameterSpec::Kind::integer,
-                                         .default_value = "16",
-                                         .min = 1,
-                                         .max = 4096,
-                                         .unit = "samples",
-                                         .help = "passes over the scene, one sample each"}};
-
 }  // namespace
 
+const OptionTable<StochasticOptions>& stochastic_options() {
+  static const OptionTable<StochasticOptions> table{
+      number("samples", &StochasticOptions::samples,
+             {.min = 1,
+              .max = 4096,
+              .unit = "samples",
+              .help = "passes over the scene, one sample each"})};
+  return table;
+}
+
 const scene::MethodRow& stochastic_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "stochastic",
       .title = "Stochastic",
       .citation = "Enderton, Sintorn, Shirley and Luebke 2010, Stochastic transparency, I3D",
       .equations = "alpha correction (unnumbered)",
-      .parameters = parameters,
+      .checked_against = "not recorded",
+      .parameters = stochastic_options().specs(),
       // The random numbers do not know the order; the transmittance is a product of n floats.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "56",
       .sweep = "samples=4|16|64",
-      .make = make_oit<Stochastic>};
+      .make = make_oit<Stochastic, stochastic_options>};
   return row;
 }
 

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct StochasticOptions {
+  int samples = 16;  // passes over the scene, 1 to 4096
+
+  bool operator==(const StochasticOptions&) const = default;
+};
+const OptionTable<StochasticOptions>& stochastic_options();
 
 /// Stochastic transparency with alpha correction (Enderton, Sintorn, Shirley and Luebke 2010,
 /// I3D): each of S samples draws a fragment with the probability of its opacity and keeps the

@@ -74,9 +74,29 @@ void append(const geometry::TriangleMesh& part, geometry::TriangleMesh& whole) {
 
 }  // namespace
 
+const OptionTable<StripOptions>& strip_options() {
+  static const OptionTable<StripOptions> table{
+      number("line-width", &StripOptions::width,
+             {.min = 0.01,
+              .max = 100,
+              .unit = "pixels",
+              .help = "of a line's strip where the surface faces the eye"}),
+      number("widest", &StripOptions::widest,
+             {.min = 0,
+              .max = 1000,
+              .unit = "pixels",
+              .help = "a strip widens so far to reach the next of all lines"}),
+      choice("seeding", &StripOptions::seeding,
+             {{"separation", LineSeeding::separation}, {"uniform", LineSeeding::uniform}},
+             "more lines where neighbours part, or evenly many in s")};
+  return table;
+}
+
 SurfaceStrips::SurfaceStrips(const scene::FlowSource& source, const scene::Scene& scene,
-                             const scene::DepthRange& range, const StripOptions& options)
+                             const scene::DepthRange& range, std::uint64_t lines,
+                             const StripOptions& options)
     : source_(source),
+      line_count_(lines),
       options_(options),
       frame_(scene::camera_frame(scene.camera)),
       projection_(scene.camera.projection),
@@ -88,7 +108,7 @@ SurfaceStrips::SurfaceStrips(const scene::FlowSource& source, const scene::Scene
       request_(request_of(source)),
       integration_(integrators::surface_setup(request_, integrators::SurfaceOptions{})),
       particles_(request_, integration_) {
-  if (options.by_separation)
+  if (options.seeding == LineSeeding::separation)
     seeds_ = integrators::LineSeeds([&](double s) { return largest_separation(s); });
 }
 
@@ -136,7 +156,7 @@ double SurfaceStrips::largest_separation(double s) {
 geometry::TriangleMesh SurfaceStrips::line(const integrators::LineSeeds::Seed& seed) {
   StripBuilder strip(seed.s, lit_);
   // In s; see LineSeeds.
-  const double gap = integrators::LineSeeds::largest_gap / (double(options_.lines) * seed.density);
+  const double gap = integrators::LineSeeds::largest_gap / (double(line_count_) * seed.density);
   follow(seed.s, [&](const integrators::FrontPoint& point, double pixel) {
     const double width = std::clamp(gap * separation_across(point), options_.width * pixel,
                                     std::max(options_.width, options_.widest) * pixel);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "integrators/front/surface_particles.h"
 #include "integrators/lines/line_seeds.h"
 #include "scene/scene.h"
@@ -8,12 +9,19 @@
 
 namespace pellucid::oit {
 
-struct StripOptions {
-  double width = 1;             // pixels, at each point's view depth
-  double widest = 16;           // pixels: a strip widens so far to reach the next lines
-  std::uint64_t lines = 15000;  // that there will be, for the distance between them
-  bool by_separation = true;    // more lines where they part; otherwise evenly spread
+enum class LineSeeding {
+  separation,  // more lines where neighbours part
+  uniform      // evenly many in s
 };
+
+struct StripOptions {
+  double width = 1;   // pixels, at each point's view depth
+  double widest = 8;  // pixels: a strip widens so far to reach the next lines
+  LineSeeding seeding = LineSeeding::separation;
+
+  bool operator==(const StripOptions&) const = default;
+};
+const OptionTable<StripOptions>& strip_options();
 
 /// The lines that the particles of a seed curve draw on their surface, each as a strip that lies in
 /// the surface's own tangent plane: it is spanned by the velocity v and by ∂x/∂s, which the
@@ -24,9 +32,10 @@ struct StripOptions {
 /// Lines of any numbers can be made in any order and always come out the same.
 class SurfaceStrips {
  public:
-  /// What it is given has to outlive it.
+  /// `lines` is how many there will be, for the distance between them. What it is given has to
+  /// outlive it.
   SurfaceStrips(const scene::FlowSource& source, const scene::Scene& scene,
-                const scene::DepthRange& range, const StripOptions& options);
+                const scene::DepthRange& range, std::uint64_t lines, const StripOptions& options);
 
   /// Lines first … first + count - 1 of LineSeeds.
   geometry::TriangleMesh lines(std::uint64_t first, std::uint64_t count);
@@ -40,6 +49,7 @@ class SurfaceStrips {
   bool is_in_picture(const Vec3& x) const;
 
   const scene::FlowSource& source_;
+  std::uint64_t line_count_;
   StripOptions options_;
   scene::CameraFrame frame_;
   scene::Projection projection_;

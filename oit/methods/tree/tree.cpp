@@ -7,29 +7,10 @@
 #include <cmath>
 #include <optional>
 
-#include "oit/lists/layer_trees.h"
-#include "oit/methods/tree/surface_strips.h"
 #include "oit/stage/oit_renderer.h"
 
 namespace pellucid::oit {
 namespace {
-
-/// When the frames end: at the first of these.
-struct Budget {
-  std::uint64_t lines;
-  std::uint64_t lines_per_frame;
-  double frames;   // infinite: not limited
-  double seconds;  // likewise
-  double change;   // root mean square over RGB between two frames' pictures; 0: not asked for
-};
-
-Budget budget_of(const Parameters& p) {
-  constexpr double endless = std::numeric_limits<double>::infinity();
-  return {std::uint64_t(p.integer("lines")), std::uint64_t(p.integer("lines-per-frame")),
-          p.is_set("frames") ? p.integer("frames") : endless,
-          p.is_set("seconds") ? p.real("seconds") : endless,
-          p.is_set("change") ? p.real("change") : 0};
-}
 
 /// The scene with these objects alone.
 scene::Scene with_objects(const scene::Scene& scene, std::vector<scene::SceneObject> objects) {
@@ -53,11 +34,11 @@ double rms_difference(const Image& a, const Image& b) {
 
 class Tree final : public OitMethod {
  public:
-  Tree(Stage& stage, const Parameters& parameters)
+  Tree(Stage& stage, const TreeOptions& options)
       : stage_(stage),
-        budget_(budget_of(parameters)),
+        budget_(options.budget),
         range_(scene::depth_range(stage.scene())),
-        trees_(stage, {float(parameters.real("epsilon2")), parameters.text("merge") == "first"}) {
+        trees_(stage, options.rule) {
     std::vector<scene::SceneObject> meshes;
     std::vector<const scene::FlowSource*> sources;
     for (const scene::SceneObject& object : stage.scene().objects)
@@ -70,9 +51,7 @@ class Tree final : public OitMethod {
     for (const scene::FlowSource* source : sources)
       strips_.push_back(std::make_unique<SurfaceStrips>(
           *source, stage.scene(), range_,
-          StripOptions{parameters.real("line-width"), parameters.real("widest"),
-                       std::max<std::uint64_t>(budget_.lines / sources.size(), 1),
-                       parameters.text("seeding") == "separation"}));
+          std::max<std::uint64_t>(budget_.lines / sources.size(), 1), options.strips));
     if (!meshes.empty())
       meshes_.emplace(stage.gl(), with_objects(stage.scene(), std::move(meshes)), range_);
   }
@@ -131,10 +110,14 @@ class Tree final : public OitMethod {
       record.layers = trees_.layers();
       record.bytes = stage_.ledger().total();
       frame.stats().frames.push_back(record);
-      if (double(frame.stats().frames.size()) >= budget_.frames ||
-          record.seconds >= budget_.seconds || record.change < budget_.change)
-        break;
+      if (is_done(frame.stats().frames.size(), record)) break;
     }
+  }
+
+  bool is_done(std::uint64_t frames, const scene::FrameStats& last) const {
+    return (budget_.frames && frames >= *budget_.frames) ||
+           (budget_.seconds && last.seconds >= *budget_.seconds) ||
+           (budget_.change && last.change < *budget_.change);
   }
 
   /// Line n of all is line n / k of surface n mod k.
@@ -160,7 +143,7 @@ class Tree final : public OitMethod {
   }
 
   Stage& stage_;
-  Budget budget_;
+  TreeBudget budget_;
   scene::DepthRange range_;
   LayerTrees trees_;
   std::optional<LayerTrees::Counts> counts_;
@@ -168,80 +151,57 @@ class Tree final : public OitMethod {
   std::vector<std::unique_ptr<SurfaceStrips>> strips_;
 };
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "lines",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "15000",
-     .min = 1,
-     .max = 1e9,
-     .unit = "lines",
-     .help = "the picture is done"},
-    {.name = "lines-per-frame",
-     .kind = ParameterSpec::Kind::integer,
-     .default_value = "1000",
-     .min = 1,
-     .max = 1e6,
-     .unit = "lines",
-     .help = "integrated, rasterized and inserted at once"},
-    {.name = "frames",
-     .kind = ParameterSpec::Kind::integer,
-     .min = 1,
-     .max = 1e9,
-     .unit = "frames",
-     .help = "done after so many; default: no limit"},
-    {.name = "seconds",
-     .min = 0,
-     .unit = "s",
-     .help = "done at the end of the frame that reaches this; default: no limit"},
-    {.name = "change",
-     .min = 0,
-     .max = 1,
-     .unit = "1",
-     .help = "done when a frame changes the picture by less, root mean square; default: never"},
-    {.name = "epsilon2",
-     .default_value = "1e-6",
-     .min = 0,
-     .unit = "d squared",
-     .help = "fragments within this squared difference of depth are one layer"},
-    {.name = "merge",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "nearest",
-     .choices = "nearest|first",
-     .help = "into the nearest layer within epsilon, or the first met on the search path"},
-    {.name = "line-width",
-     .default_value = "1",
-     .min = 0.01,
-     .max = 100,
-     .unit = "pixels",
-     .help = "of a line's strip where the surface faces the eye"},
-    {.name = "widest",
-     .default_value = "8",
-     .min = 0,
-     .max = 1000,
-     .unit = "pixels",
-     .help = "a strip widens so far to reach the next of all lines"},
-    {.name = "seeding",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "separation",
-     .choices = "separation|uniform",
-     .help = "more lines where neighbours part, or evenly many in s"}};
+const OptionTable<TreeBudget>& budget_options() {
+  static const OptionTable<TreeBudget> table{
+      number("lines", &TreeBudget::lines,
+             {.min = 1, .max = 1e9, .unit = "lines", .help = "the picture is done"}),
+      number("lines-per-frame", &TreeBudget::lines_per_frame,
+             {.min = 1,
+              .max = 1e6,
+              .unit = "lines",
+              .help = "integrated, rasterized and inserted at once"}),
+      number("frames", &TreeBudget::frames,
+             {.min = 1,
+              .max = 1e9,
+              .unit = "frames",
+              .help = "done after so many; default: no limit"}),
+      number("seconds", &TreeBudget::seconds,
+             {.min = 0,
+              .unit = "s",
+              .help = "done at the end of the frame that reaches this; default: no limit"}),
+      number("change", &TreeBudget::change,
+             {.min = 0,
+              .max = 1,
+              .unit = "1",
+              .help = "done when a frame changes the picture by less, root mean square; default: "
+                      "never"})};
+  return table;
+}
 
 }  // namespace
 
+const OptionTable<TreeOptions>& tree_options() {
+  static const OptionTable<TreeOptions> table{part(&TreeOptions::budget, budget_options()),
+                                              part(&TreeOptions::rule, layer_rule_options()),
+                                              part(&TreeOptions::strips, strip_options())};
+  return table;
+}
+
 const scene::MethodRow& tree_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "tree",
       .title = "Progressive tree",
       .citation =
           "Tian and Guenther, Progressive Rendering of Transparent Integral Surfaces, additional "
           "material",
       .equations = "Algorithms 1 and 2",
-      .parameters = parameters,
+      .checked_against = "the paper's additional material",
+      .parameters = tree_options().specs(),
       // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
       .promises = {.own_layers = true, .order_spread = 1, .convex_hull = true},
       .bytes_per_pixel = "12 + 40 per layer + 32 per fragment of a frame",
       .sweep = "lines=1000|4000",
-      .make = make_oit<Tree>};
+      .make = make_oit<Tree, tree_options>};
   return row;
 }
 

@@ -1,9 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "oit/lists/layer_trees.h"
+#include "oit/methods/tree/surface_strips.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+/// When the frames end: at the first of these.
+struct TreeBudget {
+  std::uint64_t lines = 15000;
+  std::uint64_t lines_per_frame = 1000;
+  std::optional<std::uint64_t> frames;  // not set: no limit
+  std::optional<double> seconds;        // at the end of the frame that reaches them; likewise
+  std::optional<double> change;         // root mean square over RGB between two frames' pictures
+
+  bool operator==(const TreeBudget&) const = default;
+};
+
+struct TreeOptions {
+  TreeBudget budget;
+  LayerRule rule;
+  StripOptions strips;
+
+  bool operator==(const TreeOptions&) const = default;
+};
+const OptionTable<TreeOptions>& tree_options();
 
 /// The progressive per-pixel tree (Tian and Guenther, "Progressive Rendering of Transparent
 /// Integral Surfaces", additional material, section 1, Algorithms 1 and 2). Lines of the surface

@@ -10,7 +10,7 @@ namespace {
 
 class WeightedAverage final : public OitMethod {
  public:
-  WeightedAverage(Stage& stage, const Parameters&)
+  explicit WeightedAverage(Stage& stage)
       : stage_(stage),
         sums_(stage.target("sums of colour and opacity", GL_RGBA32F)),
         count_(stage.target("fragment count", GL_R32F)),
@@ -48,6 +48,7 @@ const scene::MethodRow& weighted_average_method() {
       .title = "Weighted average",
       .citation = "Bavoil and Myers 2008, Order independent transparency with dual depth peeling",
       .equations = "weighted average (unnumbered)",
+      .checked_against = "not recorded",
       .parameters = {},
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},

@@ -10,13 +10,13 @@ namespace {
 
 class WeightedBlended final : public OitMethod {
  public:
-  WeightedBlended(Stage& stage, const Parameters& parameters)
+  WeightedBlended(Stage& stage, const WeightedBlendedOptions& options)
       : stage_(stage),
         sums_(stage.target("weighted sums of colour and opacity", GL_RGBA32F)),
         transmittance_(stage.target("transmittance", GL_R32F)),
         targets_(stage.gl(), {{sums_}, {transmittance_}}),
         accumulate_(stage.geometry_program(oit_glsl::weighted_blended_accumulate_frag_glsl(),
-                                           {{"WEIGHT", weight(parameters)}})),
+                                           {{"WEIGHT", options.weight}})),
         composite_(stage.screen_program(oit_glsl::weighted_blended_composite_frag_glsl())) {}
 
   void draw(Frame& frame) override {
@@ -35,10 +35,6 @@ class WeightedBlended final : public OitMethod {
   }
 
  private:
-  static int weight(const Parameters& parameters) {
-    return parameters.text("weight") == "none" ? 0 : parameters.integer("weight");
-  }
-
   const Stage& stage_;
   Texture sums_, transmittance_;
   Framebuffer targets_;
@@ -46,29 +42,33 @@ class WeightedBlended final : public OitMethod {
   Program composite_;
 };
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "weight",
-     .kind = ParameterSpec::Kind::choice,
-     .default_value = "10",
-     .choices = "none|7|8|9|10",
-     .help = "number of the weight's equation in the paper; none: no weight"}};
-
 }  // namespace
 
+const OptionTable<WeightedBlendedOptions>& weighted_blended_options() {
+  static const OptionTable<WeightedBlendedOptions> table{
+      choice("weight", &WeightedBlendedOptions::weight,
+             {{"none", 0}, {"7", 7}, {"8", 8}, {"9", 9}, {"10", 10}},
+             "number of the weight's equation in the paper; none: no weight")};
+  return table;
+}
+
 const scene::MethodRow& weighted_blended_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "weighted-blended",
       .title = "Weighted blended",
       .citation =
           "McGuire and Bavoil 2013, Weighted blended order-independent transparency, "
           "JCGT 2(2)",
       .equations = "weights 7, 8, 9, 10",
-      .parameters = parameters,
+      .checked_against =
+          "three public implementations that cite the paper's equations by number; the "
+          "paper was not at hand",
+      .parameters = weighted_blended_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
       .bytes_per_pixel = "20",
       .sweep = "weight=7|8|9|10",
-      .make = make_oit<WeightedBlended>};
+      .make = make_oit<WeightedBlended, weighted_blended_options>};
   return row;
 }
 

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct WeightedBlendedOptions {
+  int weight = 10;  // number of the weight's equation, 7 to 10; 0: w = 1
+
+  bool operator==(const WeightedBlendedOptions&) const = default;
+};
+const OptionTable<WeightedBlendedOptions>& weighted_blended_options();
 
 /// Weighted blended order-independent transparency (McGuire and Bavoil 2013, JCGT 2(2)): a weighted
 /// mean colour over the background's exact transmittance, the weight falling with depth.

@@ -10,13 +10,13 @@ namespace {
 
 class WeightedSum final : public OitMethod {
  public:
-  WeightedSum(Stage& stage, const Parameters& parameters)
+  WeightedSum(Stage& stage, const WeightedSumOptions& options)
       : stage_(stage),
         sums_(stage.target("sums of colour and opacity", GL_RGBA32F)),
         target_(stage.gl(), {{sums_}}),
         accumulate_(stage.geometry_program(oit_glsl::weighted_sum_accumulate_frag_glsl())),
         composite_(stage.screen_program(oit_glsl::weighted_sum_composite_frag_glsl(),
-                                        {{"CLAMP", parameters.flag("clamp")}})) {}
+                                        {{"CLAMP", options.clamp}})) {}
 
   void draw(Frame& frame) override {
     frame.step("accumulate", [&] {
@@ -37,26 +37,29 @@ class WeightedSum final : public OitMethod {
   Program composite_;
 };
 
-constexpr ParameterSpec parameters[] = {
-    {.name = "clamp",
-     .kind = ParameterSpec::Kind::flag,
-     .default_value = "on",
-     .choices = "on|off",
-     .help = "hold the picture in [0, 1], as an 8-bit frame buffer does"}};
-
 }  // namespace
 
+const OptionTable<WeightedSumOptions>& weighted_sum_options() {
+  static const OptionTable<WeightedSumOptions> table{
+      flag("clamp", &WeightedSumOptions::clamp,
+           "hold the picture in [0, 1], as an 8-bit frame buffer does")};
+  return table;
+}
+
 const scene::MethodRow& weighted_sum_method() {
-  static constexpr scene::MethodRow row{
+  static const scene::MethodRow row{
       .name = "weighted-sum",
       .title = "Weighted sum",
       .citation = "Meshkin 2007, Sort-independent alpha blending, GDC",
       .equations = "weighted sum (unnumbered), as later papers cite it",
-      .parameters = parameters,
+      .checked_against =
+          "later papers' citation of it (Bavoil and Myers 2008, McGuire and Bavoil 2013); the "
+          "talk was not at hand",
+      .parameters = weighted_sum_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
       .promises = {.order_spread = 1e-4, .fixed_memory = true},
       .bytes_per_pixel = "16",
-      .make = make_oit<WeightedSum>};
+      .make = make_oit<WeightedSum, weighted_sum_options>};
   return row;
 }
 

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/options/option_table.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
+
+struct WeightedSumOptions {
+  bool clamp = true;  // to [0, 1]
+
+  bool operator==(const WeightedSumOptions&) const = default;
+};
+const OptionTable<WeightedSumOptions>& weighted_sum_options();
 
 /// Weighted sum (Meshkin 2007, "Sort-independent alpha blending", GDC): the terms of the composite
 /// that do not depend on the order, to first order in the opacities.

@@ -34,6 +34,8 @@ struct Everything {
   std::optional<double> bias;
   std::optional<Shape> profile;
   const Scheme* scheme = &schemes[1];
+  double steps = 8;
+  std::optional<double> grown;
   Weights weights;
 };
 
@@ -41,6 +43,17 @@ const OptionTable<Weights>& weight_options() {
   const std::string help = "percent, " + number_text(Weights{}.q) + " of all";
   static const OptionTable<Weights> table{number("q", &Weights::q, {.min = 0, .help = help})};
   return table;
+}
+
+std::string growth_text(const std::optional<double>& by) {
+  return by ? "by:" + number_text(*by) : "none";
+}
+
+std::optional<double> growth(const std::string& text) {
+  double by = 0;
+  if (text == "none") return std::nullopt;
+  if (!text.starts_with("by:") || !parse_number(text.substr(3), by)) throw InputError(text);
+  return by;
 }
 
 const OptionTable<Everything>& everything() {
@@ -56,6 +69,8 @@ const OptionTable<Everything>& everything() {
       number("bias", &Everything::bias, {.min = 0}),
       choice("profile", &Everything::profile, {{"disc", Shape::disc}, {"sphere", Shape::sphere}}),
       choice("scheme", &Everything::scheme, schemes, "moves"),
+      number("steps", &Everything::steps, {.min = 1, .whole = true}),
+      written("grown", &Everything::grown, growth_text, growth),
       part(&Everything::weights, weight_options())};
   return table;
 }
@@ -84,6 +99,8 @@ TEST(UnitOptionTable, PrintsTheDefaultsOfTheStruct) {
   EXPECT_EQ(default_of("bias"), "");
   EXPECT_EQ(default_of("profile"), "");
   EXPECT_EQ(default_of("scheme"), "midpoint");
+  EXPECT_EQ(default_of("steps"), "8");
+  EXPECT_EQ(default_of("grown"), "none");
   EXPECT_EQ(default_of("q"), "50");
 }
 
@@ -103,7 +120,7 @@ TEST(UnitOptionTable, WithoutOptionsItReadsTheStruct) {
 TEST(UnitOptionTable, WhatIsGivenReachesItsMember) {
   const Everything options = read(
       "method:bands=7,most=9000000000,clamp=0.5,width=2,normalize=off,shape=disc,precision=16,"
-      "scalar=q,bias=1e-7,profile=sphere,q=3");
+      "scalar=q,bias=1e-7,profile=sphere,steps=2,grown=by:0.5,q=3");
   EXPECT_EQ(options.bands, 7);
   EXPECT_EQ(options.most, 9'000'000'000u);
   EXPECT_EQ(options.clamp, 0.5);
@@ -114,6 +131,8 @@ TEST(UnitOptionTable, WhatIsGivenReachesItsMember) {
   EXPECT_EQ(options.scalar, "q");
   EXPECT_EQ(options.bias, 1e-7);
   EXPECT_EQ(options.profile, Shape::sphere);
+  EXPECT_EQ(options.steps, 2);
+  EXPECT_EQ(options.grown, 0.5);
   EXPECT_EQ(options.weights.q, 3);
 }
 
@@ -130,8 +149,9 @@ TEST(UnitOptionTable, HelpThatWasComposedIsKept) {
 }
 
 TEST(UnitOptionTable, BoundsAndNamesAreChecked) {
-  for (const char* wrong : {"m:bands=0", "m:bands=65", "m:bands=2.5", "m:shape=cube", "m:q=-1",
-                            "m:normalize=yes", "m:most=0", "m:none=1"})
+  for (const char* wrong :
+       {"m:bands=0", "m:bands=65", "m:bands=2.5", "m:shape=cube", "m:q=-1", "m:normalize=yes",
+        "m:most=0", "m:steps=2.5", "m:grown=much", "m:none=1"})
     EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
