@@ -74,7 +74,12 @@ constexpr scene::MethodRow row{
     .citation = "Li, Chen, Multi-Resolution Isosurface Rendering, 2023",
     .equations = "Sect. 3.5, with Eqs. 2, 3",
     .parameters = parameters,
-    .promises = {.order_independent = true, .convex_hull = true},
+    .promises = {.exact_without_isosurfaces = true,
+                 .exact_unless = "stop-below|filter",
+                 .order_independent = true,
+                 .convex_hull = true,
+                 .draws_isosurfaces = true,
+                 .edge_shift = 0},
     .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
     .sweep = "step=2|8|16",
     .make = make};

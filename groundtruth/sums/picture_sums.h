@@ -25,7 +25,9 @@ struct PixelSums {
 Raster<PixelSums> picture_sums(const scene::Scene& scene, const RayProbe& probe,
                                const Progress& progress);
 
-/// Of the rays through the centres of a row's pixels, from the left.
-std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y);
+/// Of the rays through a row's pixels, from the left, at `sample` of each: in pixels from its top
+/// left corner, by default its centre.
+std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y,
+                              const Vec2& sample = Vec2(0.5));
 
 }  // namespace pellucid::groundtruth

@@ -123,9 +123,11 @@ const scene::MethodRow& fourier_opacity_method() {
           "exploration, TVCG",
       .equations = "1, 2, 10, 11, 14 to 19",
       .parameters = parameters,
-      .promises = {.order_spread = 1e-3, .convex_hull = true},
+      .promises = {.order_spread = 1e-3,
+                   .convex_hull = true,
+                   .optimizes_opacity = true,
+                   .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "precision ceil((2 bands + 1) / 4) + 16",
-      .optimizes_opacity = true,
       .make = make_oit<FourierOpacity>};
   return row;
 }

@@ -84,9 +84,11 @@ const scene::MethodRow& decoupled_lists_method() {
           "surfaces, CGF 36(2)",
       .equations = "Baeza Rojo et al. 2019, Eqs. 2 and 12, section 2.2.4",
       .parameters = parameters,
-      .promises = {.order_spread = 1e-3, .convex_hull = true},
+      .promises = {.exact_without_importance = true,
+                   .order_spread = 1e-3,
+                   .convex_hull = true,
+                   .optimizes_opacity = true},
       .bytes_per_pixel = "4 + 32 per layer",
-      .optimizes_opacity = true,
       .make = make_oit<DecoupledLists>};
   return row;
 }

@@ -122,6 +122,7 @@ const scene::MethodRow& depth_peeling_method() {
       .equations = "none; the two depth tests of its section on depth peeling",
       .parameters = parameters,
       .promises = {.exact = true,
+                   .exact_unless = "peels",
                    .order_independent = true,
                    .convex_hull = true,
                    .fixed_memory = true},

@@ -120,6 +120,7 @@ const scene::MethodRow& dual_depth_peeling_method() {
       .equations = "none; the peeling of both sides in one pass, by keys in place of depths",
       .parameters = parameters,
       .promises = {.exact = true,
+                   .exact_unless = "peels",
                    .order_independent = true,
                    .convex_hull = true,
                    .fixed_memory = true},

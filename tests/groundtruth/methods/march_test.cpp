@@ -13,10 +13,13 @@
 #include "groundtruth/methods/raytrace.h"
 #include "scene/appearance/colormap.h"
 #include "tests/groundtruth/levels.h"
+#include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 
 namespace pellucid::groundtruth {
 namespace {
+
+using testing::largest_difference;
 
 std::vector<double> marched(const fields::LevelField& field, double value, const WorldRay& ray,
                             const MarchOptions& options) {
@@ -186,16 +189,7 @@ scene::Scene balls(bool opaque) {
 
 Image drawn(const scene::MethodRow& row, const scene::Scene& scene,
             const RawOptions& options = {}) {
-  const Parameters parameters(row.name, row.parameters, options);
-  return row.make(scene, parameters, {})->render({}).image;
-}
-
-double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int c = 0; c < 4; ++c)
-      largest = std::max<double>(largest, std::abs(a.pixels[i][c] - b.pixels[i][c]));
-  return largest;
+  return testing::render(row, scene, options).image;
 }
 
 TEST(AgreementMarch, ComesCloserToTheExactCompositeWithShorterSteps) {

@@ -59,7 +59,7 @@ TEST_P(PropertySurfaces, ToleranceBoundsTheError) {
       const auto swept =
           sweep(GetParam(),
                 std::string(row.name) + ":particles=2,tolerance=" + std::to_string(tolerance));
-      EXPECT_LE(largest_distance(GetParam(), swept.surface.mesh), 2 * tolerance)
+      EXPECT_LE(largest_distance(GetParam(), swept.surface.mesh), tolerance)
           << row.name << " tolerance " << tolerance;
     }
   }

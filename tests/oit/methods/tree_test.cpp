@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "fields/make_field.h"
-#include "tests/oit/test_scenes.h"
+#include "tests/oit/oit_pictures.h"
 
-namespace pellucid::oit::test {
+namespace pellucid::oit {
 namespace {
+
+using namespace testing;
 
 /// The square that a uniform flow along x sweeps from a segment along y, in [-1/2, 1/2]^2 at z. Its
 /// mesh covers less than the lines do, so that a picture tells which of them was drawn.
@@ -40,7 +42,7 @@ TEST(AgreementTree, MeshesAreTheExactLists) {
   const std::vector<Rgba> layers = random_layers(300, 0.1f, 21);
   const scene::Scene scene = stack(5, 3, layers);
   const scene::Rendering tree = render(method("tree"), scene, {}, true);
-  EXPECT_LE(max_difference(tree.image, composite(layers, scene.background)), 2e-5);
+  EXPECT_LE(largest_difference(tree.image, composite(layers, scene.background)), 2e-5);
   EXPECT_EQ(tree.stats.max_layers, 300u);
   EXPECT_EQ(tree.stats.fragments, 300u * 15);
 }
@@ -51,7 +53,7 @@ TEST(AgreementTree, OrderOfMeshesChangesNothing) {
   const Image before = render(method("tree"), scene).image;
   std::mt19937 random(23);
   std::shuffle(scene.objects.begin(), scene.objects.end(), random);
-  EXPECT_EQ(max_difference(render(method("tree"), scene).image, before), 0);
+  EXPECT_EQ(largest_difference(render(method("tree"), scene).image, before), 0);
 }
 
 TEST(UnitTree, LinesTileTheSurface) {
@@ -127,4 +129,4 @@ TEST(UnitTree, EndsAtTheFirstBudgetReached) {
 }
 
 }  // namespace
-}  // namespace pellucid::oit::test
+}  // namespace pellucid::oit
