@@ -119,6 +119,10 @@ inline Swept sweep(const ClosedForm& form, std::string_view integrator) {
   return swept;
 }
 
+/// By default a step's error is estimated at 1e-9 of the extent of a surface, some units here, and
+/// trajectories take some tens of steps: what they are off by, world units, if errors add up.
+constexpr double trajectory_error = 1e-8;
+
 /// Largest distance over each triangle's middle and the middles of its sides.
 inline double largest_distance(const ClosedForm& form, const geometry::TriangleMesh& mesh) {
   double largest = 0;

@@ -28,6 +28,7 @@ TEST(PropertyMethods, NothingVisibleIsTheBackground) {
   for (Vec3& x : scene.objects[0].mesh().positions) x.x += 100;
   const glm::dvec4 expected(scene.background, 0);
   for (const scene::MethodRow& row : methods())
+    // A rounding of the background to float, and one of its share of 1.
     EXPECT_LE(largest_difference(render(row, scene).image, expected), 1e-7) << row.name;
 }
 
@@ -37,6 +38,7 @@ TEST(PropertyMethods, OpacityZeroIsTheBackground) {
     for (Rgba& color : object.mesh().colors) color.a = 0;
   const glm::dvec4 expected(scene.background, 0);
   for (const scene::MethodRow& row : methods())
+    // As above.
     EXPECT_LE(largest_difference(render(row, scene).image, expected), 1e-7) << row.name;
 }
 

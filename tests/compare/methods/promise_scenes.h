@@ -12,12 +12,6 @@
 
 namespace pellucid::compare {
 
-/// Floats near 1 round by 6e-8, and of n random roundings some √n remain. A fragment takes at most
-/// five of each channel, so that the some 50 layers of these scenes leave 16 times 6e-8, a
-/// millionth; an exponential of a sum of logarithms, by which some methods composite, multiplies
-/// that by the optical depth, at most some 9 for each opaque layer.
-constexpr double float_composite = 1e-5;
-
 /// Slanted, intersecting triangles under a perspective camera; some reach behind the eye.
 inline scene::Scene triangle_cloud(int width, int height, int count, unsigned seed) {
   std::mt19937 random(seed);

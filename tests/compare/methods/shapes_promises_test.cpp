@@ -104,6 +104,7 @@ TEST_P(PropertyShapes, OpacityZeroIsTheBackground) {
   for (scene::SceneObject& object : scene.objects)
     for (Rgba& color : object.vertices().colors) color.a = 0;
   for (const scene::MethodRow& row : methods())
+    // A rounding of the background to float, and one of its share of 1.
     EXPECT_LE(largest_difference(render(row, scene).image, glm::dvec4(scene.background, 0)), 1e-7)
         << row.name;
 }

@@ -71,9 +71,11 @@ TEST(UnitContext, RenderersDoNotDisturbEachOther) {
   const auto a = row.make(first, {}, {});
   {
     const auto b = row.make(second, {}, {});
+    // One layer: four roundings of 6e-8.
     EXPECT_LE(largest_difference(b->render({}).image, composite(green, second.background)), 1e-6);
     EXPECT_LE(largest_difference(a->render({}).image, composite(red, first.background)), 1e-6);
   }
+  // The same.
   EXPECT_LE(largest_difference(a->render({}).image, composite(red, first.background)), 1e-6);
 }
 
@@ -89,6 +91,8 @@ TEST(AgreementContext, EglDrawsWhatOsmesaDraws) {
     } catch (const WorkError& error) {
       GTEST_SKIP() << error.what();
     }
+    // Two drivers, which may snap, interpolate and round otherwise; not derived, and skipped where
+    // there is no second one.
     EXPECT_LE(largest_difference(image, expected), 1e-4) << row.name;
   }
 }
