@@ -123,13 +123,15 @@ inline Swept sweep(const ClosedForm& form, std::string_view integrator) {
 /// trajectories take some tens of steps: what they are off by, world units, if errors add up.
 constexpr double trajectory_error = 1e-8;
 
-/// Largest distance over each triangle's middle and the middles of its sides.
+/// Largest distance over each triangle's points of barycentric coordinates that are quarters.
 inline double largest_distance(const ClosedForm& form, const geometry::TriangleMesh& mesh) {
   double largest = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 &x = mesh.positions[a], &y = mesh.positions[b], &z = mesh.positions[c];
-    for (const Vec3& p : {(x + y + z) / 3.0, 0.5 * (x + y), 0.5 * (y + z), 0.5 * (z + x)})
-      largest = std::max(largest, distance(form, p));
+    for (int i = 0; i <= 4; ++i)
+      for (int j = 0; i + j <= 4; ++j)
+        largest = std::max(largest, distance(form, 0.25 * (double(i) * x + double(j) * y +
+                                                           double(4 - i - j) * z)));
   }
   return largest;
 }

@@ -2,7 +2,10 @@
 #pragma once
 // What the tests of promises draw, and how they read a row's promises.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <string_view>
@@ -61,6 +64,22 @@ inline bool is_among(std::string_view name, std::string_view names) {
 inline RawOptions setting(std::string_view text) {
   const std::size_t equals = text.find('=');
   return {{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))}};
+}
+
+/// Equal but for three pixels; of a row that is random, equal in the mean.
+inline void expect_same(const scene::MethodRow& row, const Image& a, const Image& b) {
+  const double pixels = double(a.pixels.size());
+  std::size_t changed = 0;
+  glm::dvec4 mean(0);
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgba difference = a.pixels[i] - b.pixels[i];
+    changed += glm::length(difference) > 1e-3f;
+    mean += glm::dvec4(difference) / pixels;
+  }
+  EXPECT_LE(changed, row.promises.random ? a.pixels.size() : 3u);
+  // A channel's deviation is at most 1/2, a difference's √2 as much, and six of the mean's are:
+  const double noise = row.promises.random ? 6 * 0.5 * std::sqrt(2 / pixels) : 3.0 / pixels;
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(mean[c], 0, noise);
 }
 
 }  // namespace pellucid::compare
