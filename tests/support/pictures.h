@@ -27,10 +27,11 @@ inline glm::dvec4 composite(const std::vector<Rgba>& front_to_back, const Vec3& 
   return glm::dvec4(color + transmittance * background, 1 - transmittance);
 }
 
-/// Floats near 1 round by 6e-8, and of n random roundings some √n remain. A fragment takes at most
-/// five of each channel, so that the some 50 layers of these scenes leave 16 times 6e-8, a
-/// millionth; an exponential of a sum of logarithms, by which some methods composite, multiplies
-/// that by the optical depth, at most some 9 for each opaque layer.
+/// What compositing in float is off by: a layer takes at most five roundings of a channel, 6e-8
+/// each, and of n layers' random roundings some √n remain, 1e-5 of a thousand layers.
+/// Measured 1.5e-6 of 10 000 layers, and 1e-7 of fewer than 100; methods that composite by
+/// exponentials of sums of logarithms multiply the roundings of those by the optical depth, at most
+/// some 9 for each layer.
 constexpr double float_composite = 1e-5;
 
 /// The largest difference of any component of any pixel.

@@ -19,7 +19,7 @@ TEST(UnitMeshQuality, EquilateralTrianglesAreTheBest) {
   const MeshQuality quality = measure_quality(two_triangles());
   // Some five roundings of 1.1e-16 in radians, times 57; the aspect likewise.
   EXPECT_NEAR(quality.min_angle.p50, 60, 5e-14);
-  EXPECT_NEAR(quality.aspect.max, 1, 1e-12);
+  EXPECT_NEAR(quality.aspect.max, 1, 1e-15);
   EXPECT_EQ(quality.boundary_edges, 4u);
   EXPECT_EQ(quality.sheets, 1u);
   EXPECT_TRUE(quality.manifold);

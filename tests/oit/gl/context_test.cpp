@@ -72,11 +72,11 @@ TEST(UnitContext, RenderersDoNotDisturbEachOther) {
   {
     const auto b = row.make(second, {}, {});
     // One layer: four roundings of 6e-8.
-    EXPECT_LE(largest_difference(b->render({}).image, composite(green, second.background)), 1e-6);
-    EXPECT_LE(largest_difference(a->render({}).image, composite(red, first.background)), 1e-6);
+    EXPECT_LE(largest_difference(b->render({}).image, composite(green, second.background)), 2.4e-7);
+    EXPECT_LE(largest_difference(a->render({}).image, composite(red, first.background)), 2.4e-7);
   }
   // The same.
-  EXPECT_LE(largest_difference(a->render({}).image, composite(red, first.background)), 1e-6);
+  EXPECT_LE(largest_difference(a->render({}).image, composite(red, first.background)), 2.4e-7);
 }
 
 // Where EGL has a driver its pictures are those of OSMesa, up to another order of sums.

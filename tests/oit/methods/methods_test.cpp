@@ -141,7 +141,7 @@ TEST(UnitMethods, WeightedSumIsItsFormula) {
   const scene::Scene scene = stack(2, 2, layers);
   const glm::dvec4 expected(color + (1 - opacity) * scene.background, opacity);
   // Five sums of products up to 1: ten roundings of 6e-8.
-  EXPECT_LE(largest_difference(render(method("weighted-sum"), scene).image, expected), 1e-6);
+  EXPECT_LE(largest_difference(render(method("weighted-sum"), scene).image, expected), 6e-7);
 }
 
 // Layers in bins of their own, read at the far edge, have the exact optical depth.

@@ -42,8 +42,8 @@ TEST(AgreementTree, MeshesAreTheExactLists) {
   const std::vector<Rgba> layers = random_layers(300, 0.1f, 21);
   const scene::Scene scene = stack(5, 3, layers);
   const scene::Rendering tree = render(method("tree"), scene, {}, true);
-  // 300 layers of float: √300 · 5 roundings of 6e-8 are 5e-6; the bound is four times that.
-  EXPECT_LE(largest_difference(tree.image, composite(layers, scene.background)), 2e-5);
+  // 300 layers in float: √300 of five roundings of 6e-8 each.
+  EXPECT_LE(largest_difference(tree.image, composite(layers, scene.background)), 5e-6);
   EXPECT_EQ(tree.stats.max_layers, 300u);
   EXPECT_EQ(tree.stats.fragments, 300u * 15);
 }
