@@ -21,7 +21,7 @@ double largest_error(const Image& image, const Rgba& expected) {
   return largest_difference(image, glm::dvec4(expected));
 }
 
-constexpr double float_rounding = 6e-8;  // half an ulp of a float just below 1
+constexpr double float_rounding = 6e-8;  // an ulp of a float just below 1
 
 class UnitRaytraceStack : public ::testing::TestWithParam<int> {};
 

@@ -91,8 +91,8 @@ TEST(PropertyRibbon, JointsAreCrossedOnce) {
   const std::vector<Vec3> points = spiral();
   for (std::size_t i = 1; i < points.size(); ++i)
     length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
-  // Rims, two of the length, are counted to within a pixel's randomness: √(2 · length · 100) of
-  // length · 600 pixels; a hundredth is far more.
+  // The rims run through some 2 · 100 · length = 2000 pixels, each counted or not, which is off by
+  // √(1/12): a deviation of 13 pixels. The hundredth that is allowed is more than four of it.
   EXPECT_NEAR(once, length * 0.06 * 1e4, 0.01 * length * 0.06 * 1e4);
 }
 
