@@ -25,10 +25,9 @@ scene::Rendering draw(const scene::Scene& scene, const scene::MethodRow& row) {
 
 scene::Rendering truth(const scene::Scene& scene) { return draw(scene, methods().front()); }
 
-/// Root mean square of what 1/256 pixel, by which OpenGL shifts corners, changes of colours that
-/// vary by some 1 over 40 pixels, 1e-4 in the worst pixels: measured 1e-5 and less over whole
-/// pictures.
-constexpr double shift_of_colors = 1e-4;
+/// Root mean square over a picture of what OpenGL's shift of corners by 1/256 pixel does to colours
+/// that vary from corner to corner. Measured 3e-6 on the hardest scene here; ten times that.
+constexpr double shift_of_colors = 3e-5;
 
 /// Over the pixels in which both see as many layers.
 struct Agreement {
@@ -142,7 +141,7 @@ TEST_P(PropertyMethodAgainstTruth, OneLayerOfLinesAndPointsIsTheTruth) {
     EXPECT_EQ(reference.stats.max_layers, 1u);
     const Agreement found = agreement(reference, draw(scene, row()));
     // √(1 - c²) turns the roundings of c, 1e-6 of snapped corners, into their root at a rim.
-    EXPECT_LE(found.largest, lighting == scene::Lighting::none ? 1e-4 : 1e-2);
+    EXPECT_LE(found.largest, lighting == scene::Lighting::none ? shift_of_colors : 1e-2);
     EXPECT_LE(found.rmse, shift_of_colors);
     // The outlines are some 600 pixels long, and OpenGL snaps them to 1/256 pixel.
     EXPECT_LE(found.other_coverage, 10u);
