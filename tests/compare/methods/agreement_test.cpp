@@ -76,7 +76,7 @@ class PropertyMethodAgainstTruth : public ::testing::TestWithParam<std::string_v
 class PropertyExactMethod : public PropertyMethodAgainstTruth {};
 
 TEST_P(PropertyMethodAgainstTruth, OneLayerIsTheTruth) {
-  // One tilted, lit, many-coloured rectangle under perspective. 1e-4: half precision has 5e-4 at 1,
+  // One tilted, lit, many-coloured rectangle under perspective. Half precision has 5e-4 at 1,
   // so a method may not lose its fragment to it; float sums and an exp cost about 1e-6.
   scene::Scene scene;
   scene.width = 101;
