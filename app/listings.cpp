@@ -42,10 +42,20 @@ nlohmann::ordered_json list_methods() {
                     {"bytes per pixel", row.bytes_per_pixel},
                     {"sweep", row.sweep},
                     {"exact", row.promises.exact},
+                    {"exact without isosurfaces", row.promises.exact_without_isosurfaces},
+                    {"exact without importance", row.promises.exact_without_importance},
+                    {"exact unless set", row.promises.exact_unless},
+                    {"exact with", row.promises.exact_with},
+                    {"exact up to", row.promises.exact_layers},
                     {"order-independent", row.promises.order_independent},
                     {"order spread", row.promises.order_spread},
                     {"convex hull", row.promises.convex_hull},
                     {"fixed memory", row.promises.fixed_memory},
+                    {"draws isosurfaces", row.promises.draws_isosurfaces},
+                    {"optimizes opacity", row.promises.optimizes_opacity},
+                    {"random", row.promises.random},
+                    {"one layer unless", row.promises.one_layer_unless},
+                    {"edge shift [pixels]", row.promises.edge_shift},
                     {"parameters", to_json(row.parameters)}});
   return rows;
 }

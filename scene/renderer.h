@@ -135,14 +135,40 @@ struct RenderContext {
   FrameMemory* memory = nullptr;  // along a camera path; has to outlive the renderer
 };
 
-/// Promises are what a row of the method table promises; a property test holds every row to them.
+/// Promises are what a row of the method table promises of the picture by its default settings, and
+/// by others where it says so; property tests hold every row to them (tests/compare/methods/).
 struct Promises {
-  bool exact = false;       // equals the exact composite, up to coverage and float rounding
+  /// The picture equals the exact composite, up to float rounding and `edge_shift`: in every scene,
+  /// in scenes without isosurfaces, or in scenes without importance.
+  bool exact = false;
+  bool exact_without_isosurfaces = false;
+  bool exact_without_importance = false;
+  /// Parameters, "a|b", of which any value but the default takes exactness away; no other does.
+  std::string_view exact_unless = {};
+  /// The setting, "a=b", by which the picture is exact, and bit-equal for any order of primitives,
+  /// though it is not by default.
+  std::string_view exact_with = {};
+  /// The parameter that tells how many layers of a pixel are kept apart. A pixel that has no more
+  /// of them is exact, and bit-equal for any order of primitives; RenderStats::stored counts them.
+  std::string_view exact_layers = {};
+
   bool own_layers = false;  // Rendering::layers are what it made of the fragments, near the truth
   bool order_independent = false;  // bit-equal for any order of primitives
   double order_spread = 0;         // if not: largest change of a pixel under shuffled primitives
   bool convex_hull = false;        // colours stay in the hull of fragment and background colours
   bool fixed_memory = false;       // bytes depend on the picture alone, not on the scene
+  bool draws_isosurfaces = false;  // as surfaces of their own; other rows refuse them
+  /// The method chooses opacities itself where a scene has importance: what it differs by from the
+  /// exact composite is meant, no error. Other rows leave importance out.
+  bool optimizes_opacity = false;
+  /// Pictures are made by random numbers, which hang on depths and samples: of the same scene
+  /// sampled or placed otherwise only the picture's mean is the same.
+  bool random = false;
+  /// The setting, "a=b", by which even a single layer is not the truth; by all others it is.
+  std::string_view one_layer_unless = {};
+  /// A pixel's centre that lies farther from a primitive's edge, in pixels, is covered if and only
+  /// if it lies inside. By default what rasterization in 1/256 pixel leaves.
+  double edge_shift = 1.0 / 256;
 };
 
 /// A MethodRow is one row of the method table.
@@ -159,9 +185,6 @@ struct MethodRow {
   /// These are the settings between which a user picks by cost and error, all combinations of the
   /// values: "bands=1|2|5,precision=32|16". Empty: the defaults alone.
   std::string_view sweep = {};
-  /// The method chooses opacities itself: what it differs by from the exact composite is meant, no
-  /// error.
-  bool optimizes_opacity = false;
   std::unique_ptr<Renderer> (*make)(const Scene&, const Parameters&, const RenderContext&);
 };
 

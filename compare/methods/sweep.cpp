@@ -33,7 +33,7 @@ std::vector<MethodCall> sweep_of(const scene::MethodRow& row) {
 std::vector<MethodCall> every_method(std::span<const scene::MethodRow> table) {
   std::vector<MethodCall> calls;
   for (const scene::MethodRow& row : table)
-    if (!row.optimizes_opacity)
+    if (!row.promises.optimizes_opacity)
       for (MethodCall& call : sweep_of(row)) calls.push_back(std::move(call));
   return calls;
 }

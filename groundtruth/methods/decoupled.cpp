@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/methods/decoupled.h"
 
+#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "core/machine/stopwatch.h"
@@ -10,6 +12,7 @@
 #include "groundtruth/sums/fourier_sum.h"
 #include "groundtruth/sums/picture_sums.h"
 #include "groundtruth/sums/ray_sums.h"
+#include "scene/view/pixel_samples.h"
 
 namespace pellucid::groundtruth {
 namespace {
@@ -37,6 +40,24 @@ class ImportanceSums {
   std::optional<FourierSum> series_;  // G(1) is exact in the series, too (Eq. 7)
 };
 
+/// The sum of what a pixel's samples show, and the layers of the sample that has most.
+struct PixelSum {
+  glm::dvec4 rgba{0};
+  std::uint32_t layers = 0;
+};
+
+std::uint64_t layer_count(std::span<const RaySums> rays) {
+  std::uint64_t count = 0;
+  for (const RaySums& ray : rays) count += ray.layers.size();
+  return count;
+}
+
+std::uint64_t layer_bytes(std::span<const RaySums> rays) {
+  std::uint64_t bytes = rays.size_bytes();
+  for (const RaySums& ray : rays) bytes += ray.layers.capacity() * sizeof(RayLayer);
+  return bytes;
+}
+
 class Decoupled final : public scene::Renderer {
  public:
   Decoupled(const scene::Scene& scene, const DecoupledOptions& options)
@@ -50,35 +71,51 @@ class Decoupled final : public scene::Renderer {
     result.image = Image(scene_.width, scene_.height);
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     const Stopwatch watch;
+    row_bytes_ = 0;
     for (int y = 0; y < scene_.height; ++y) result.stats.fragments += draw_row(y, result);
     result.stats.steps = {{"trace and optimize", watch.seconds()}};
-    result.stats.bytes = {{"hierarchy", probe_.bytes()}};
+    result.stats.stored = result.stats.fragments;
+    result.stats.bytes = {{"hierarchy", probe_.bytes()}, {"crossings of a row", row_bytes_}};
     for (const std::uint32_t count : result.layers.pixels)
       result.stats.max_layers = std::max(result.stats.max_layers, count);
     return result;
+  }
+
+  std::map<std::string, std::string> facts() const override {
+    return {{"embree", RTC_VERSION_STRING}};
   }
 
   std::vector<std::string> explain() const override {
     return {fmt::format("opacities: of least energy, p={} q={} r={} lambda={}", weights_.p,
                         weights_.q, weights_.r, weights_.lambda),
             bands_ ? fmt::format("importance: a Fourier series of {} bands", bands_)
-                   : "importance: exact sums"};
+                   : "importance: exact sums",
+            scene_.samples == 1
+                ? "one sample at each pixel's centre"
+                : fmt::format("{0} x {0} samples per pixel, their mean", scene_.samples)};
   }
 
  private:
-  std::uint64_t draw_row(int y, scene::Rendering& result) const {
-    const std::vector<RaySums> rays = row_sums(scene_, probe_, y);
-    return parallel_sum(
-        tbb::blocked_range<int>(0, scene_.width), std::uint64_t(0),
-        [&](const tbb::blocked_range<int>& columns, std::uint64_t fragments) {
-          for (int x = columns.begin(); x < columns.end(); ++x)
-            fragments += draw_pixel(rays[std::size_t(x)], x, y, result);
-          return fragments;
-        },
-        std::plus<>());
+  /// Returns the number of crossings.
+  std::uint64_t draw_row(int y, scene::Rendering& result) {
+    std::vector<PixelSum> sums(std::size_t(scene_.width));
+    std::uint64_t crossings = 0;
+    for (const Vec2& sample : samples_) {
+      const std::vector<RaySums> rays = row_sums(scene_, probe_, y, sample);
+      parallel_for(std::size_t(0), rays.size(),
+                   [&](std::size_t x) { add_sample(rays[x], sums[x]); });
+      crossings += layer_count(rays);
+      row_bytes_ = std::max(row_bytes_, layer_bytes(rays));
+    }
+    for (int x = 0; x < scene_.width; ++x) {
+      const PixelSum& sum = sums[std::size_t(x)];
+      result.image.at(x, y) = Rgba(sum.rgba / double(samples_.size()));
+      if (!result.layers.pixels.empty()) result.layers.at(x, y) = sum.layers;
+    }
+    return crossings;
   }
 
-  std::uint64_t draw_pixel(const RaySums& ray, int x, int y, scene::Rendering& result) const {
+  void add_sample(const RaySums& ray, PixelSum& sum) const {
     const ImportanceSums sums(ray, bands_);
     Vec3 color(0);
     double transmittance = 1;
@@ -88,9 +125,8 @@ class Decoupled final : public scene::Renderer {
       transmittance *= 1 - alpha;
     }
     color += transmittance * scene_.background;
-    result.image.at(x, y) = Rgba(color, 1 - transmittance);
-    if (!result.layers.pixels.empty()) result.layers.at(x, y) = std::uint32_t(ray.layers.size());
-    return ray.layers.size();
+    sum.rgba += glm::dvec4(color, 1 - transmittance);
+    sum.layers = std::max(sum.layers, std::uint32_t(ray.layers.size()));
   }
 
   double opacity(const RayLayer& layer, const ImportanceSums& sums) const {
@@ -103,6 +139,8 @@ class Decoupled final : public scene::Renderer {
   scene::EnergyWeights weights_;
   int bands_;
   RayProbe probe_;
+  std::vector<Vec2> samples_ = scene::pixel_samples(scene_.samples);
+  std::uint64_t row_bytes_ = 0;  // most that the crossings of a row of samples took
 };
 
 std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& values,
@@ -134,9 +172,13 @@ const scene::MethodRow& decoupled_method() {
       .checked_against =
           "Baeza Rojo et al. 2019, who restate the method; not the paper of 2017 itself",
       .parameters = decoupled_options().specs(),
-      .promises = {.order_independent = true, .convex_hull = true},
+      .promises = {.exact_without_importance = true,
+                   .order_independent = true,
+                   .convex_hull = true,
+                   .draws_isosurfaces = true,
+                   .optimizes_opacity = true,
+                   .edge_shift = 0},
       .bytes_per_pixel = "0; 112 per crossing of a row, and the hierarchy",
-      .optimizes_opacity = true,
       .make = make};
   return row;
 }

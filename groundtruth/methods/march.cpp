@@ -77,7 +77,12 @@ const scene::MethodRow& march_method() {
       .equations = "Sect. 3.5, with Eqs. 2, 3",
       .checked_against = "the report",
       .parameters = march_options().specs(),
-      .promises = {.order_independent = true, .convex_hull = true},
+      .promises = {.exact_without_isosurfaces = true,
+                   .exact_unless = "stop-below|filter",
+                   .order_independent = true,
+                   .convex_hull = true,
+                   .draws_isosurfaces = true,
+                   .edge_shift = 0},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
       .sweep = "step=2|8|16",
       .make = make};

@@ -45,7 +45,13 @@ const scene::MethodRow& raytrace_method() {
       .equations = "Baeza Rojo et al. 2019, Eq. 12",
       .checked_against = "the paper of Eq. 12; crossings against an exact kernel of CGAL's",
       .parameters = raytrace_options().specs(),
-      .promises = {.exact = true, .order_independent = true, .convex_hull = true},
+      .promises = {.exact = true,
+                   .exact_unless = "precision|stop-below|adaptive",
+                   .order_independent = true,
+                   .convex_hull = true,
+                   .draws_isosurfaces = true,
+                   .one_layer_unless = "precision=fast",
+                   .edge_shift = 0},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, and the hierarchy",
       .make = make};
   return row;

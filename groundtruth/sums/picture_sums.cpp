@@ -8,13 +8,6 @@
 namespace pellucid::groundtruth {
 namespace {
 
-std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y,
-                              const Vec2& sample) {
-  std::vector<Vec2> places;
-  for (int x = 0; x < scene.width; ++x) places.emplace_back(x + sample.x, y + sample.y);
-  return probe.at(places);
-}
-
 /// Adds a sample of so many.
 struct PixelMean {
   double coverage = 0, transmittance = 0, importance_sum = 0, optical_depth = 0;
@@ -60,8 +53,11 @@ Raster<PixelSums> picture_sums(const scene::Scene& scene, const RayProbe& probe,
   return picture;
 }
 
-std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y) {
-  return row_sums(scene, probe, y, Vec2(0.5));
+std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y,
+                              const Vec2& sample) {
+  std::vector<Vec2> places;
+  for (int x = 0; x < scene.width; ++x) places.emplace_back(x + sample.x, y + sample.y);
+  return probe.at(places);
 }
 
 }  // namespace pellucid::groundtruth

@@ -25,8 +25,9 @@ struct PixelSums {
 Raster<PixelSums> picture_sums(const scene::Scene& scene, const RayProbe& probe,
                                const Progress& progress);
 
-/// Computes the sums of the rays through the centres of the pixels of row y (0 at the top), from
-/// the left.
-std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y);
+/// Computes the sums of the rays through the pixels of row y (0 at the top), from the left, at
+/// `sample` of each: in pixels from its top left corner, by default its centre.
+std::vector<RaySums> row_sums(const scene::Scene& scene, const RayProbe& probe, int y,
+                              const Vec2& sample = Vec2(0.5));
 
 }  // namespace pellucid::groundtruth

@@ -79,8 +79,8 @@ std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
                                                    const scene::RenderContext& context,
                                                    const MakeOitMethod& make_method);
 
-/// Serves as MethodRow::make for a Method that is constructed from (Stage&, const Options&); `table`
-/// is a function that returns the OptionTable<Options>. Throws as make_oit_renderer() does.
+/// Serves as MethodRow::make for a Method that is constructed from (Stage&, const Options&);
+/// `table` is a function that returns the OptionTable<Options>. Throws as make_oit_renderer() does.
 template <class Method, auto table>
 std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Parameters& parameters,
                                           const scene::RenderContext& context) {

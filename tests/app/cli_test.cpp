@@ -2,10 +2,10 @@
 // The command line as scripts see it: exit codes, one line on stderr, nothing half written.
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/files/output_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid::app {
 namespace {
@@ -22,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using testing::TemporaryFolder;
 
 struct Outcome {
   int exit_code;
@@ -31,8 +33,6 @@ struct Outcome {
 class UnitCommandLine : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "pellucid-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
     write_text(folder_ / "sheet.ply",
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                "property float z\nproperty float alpha\nelement face 1\n"
@@ -41,10 +41,7 @@ class UnitCommandLine : public ::testing::Test {
     write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [96, 96],
                             "objects": [{"mesh": "sheet.ply"}]})");
   }
-  void TearDown() override {
-    fs::permissions(folder_, fs::perms::owner_all);
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { fs::permissions(folder_.path(), fs::perms::owner_all); }
 
   fs::path scene() const { return folder_ / "scene.json"; }
 
@@ -61,7 +58,7 @@ class UnitCommandLine : public ::testing::Test {
 
   /// Runs what must be refused: exit code `code`, one line on stderr, no new file.
   std::string refusal(const std::string& arguments, int code = 2) const {
-    const auto files = [&] { return std::distance(fs::directory_iterator(folder_), {}); };
+    const auto files = [&] { return std::distance(fs::directory_iterator(folder_.path()), {}); };
     const auto before = files();
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, code) << arguments << ": " << outcome.err;
@@ -85,7 +82,7 @@ class UnitCommandLine : public ::testing::Test {
            (folder_ / output).string();
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {

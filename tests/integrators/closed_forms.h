@@ -88,6 +88,21 @@ inline double implicit_distance(const ClosedForm& form, const Vec3& x) {
   return std::abs(form.implicit(x)) / glm::length(gradient(form, x));
 }
 
+/// The distance to the implicit surface, to 1e-9 of itself or better: its nearest point is found by
+/// steps onto the surface along the gradient and by steps beneath `p` in the tangent plane, which
+/// leave a share κ d of what they correct, κ d the surface's curvature times the distance.
+inline double distance(const ClosedForm& form, const Vec3& p) {
+  Vec3 x = p;
+  for (int step = 0; step < 20; ++step) {
+    const Vec3 slope = gradient(form, x), n = glm::normalize(slope);
+    const Vec3 aside = p - x;
+    const Vec3 move = aside - glm::dot(aside, n) * n - form.implicit(x) / glm::length(slope) * n;
+    x += move;
+    if (glm::length(move) <= 1e-9 * glm::distance(x, p)) break;
+  }
+  return glm::distance(x, p);
+}
+
 struct Swept {
   std::unique_ptr<fields::VectorField> field;
   SurfaceRequest request;
@@ -104,13 +119,19 @@ inline Swept sweep(const ClosedForm& form, std::string_view integrator) {
   return swept;
 }
 
-/// Largest distance over each triangle's middle and the middles of its sides.
+/// By default a step's error is estimated at 1e-9 of the extent of a surface, some units here, and
+/// trajectories take some tens of steps: what they are off by, world units, if errors add up.
+constexpr double trajectory_error = 1e-8;
+
+/// Largest distance over each triangle's points of barycentric coordinates that are quarters.
 inline double largest_distance(const ClosedForm& form, const geometry::TriangleMesh& mesh) {
   double largest = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 &x = mesh.positions[a], &y = mesh.positions[b], &z = mesh.positions[c];
-    for (const Vec3& p : {(x + y + z) / 3.0, 0.5 * (x + y), 0.5 * (y + z), 0.5 * (z + x)})
-      largest = std::max(largest, implicit_distance(form, p));
+    for (int i = 0; i <= 4; ++i)
+      for (int j = 0; i + j <= 4; ++j)
+        largest = std::max(largest, distance(form, 0.25 * (double(i) * x + double(j) * y +
+                                                           double(4 - i - j) * z)));
   }
   return largest;
 }

@@ -38,6 +38,8 @@ TEST(UnitHalo, RecedesFromTheRimsOfItsLine) {
     const Vec3 &rim = halo.positions[i], &outer = halo.positions[i + 1];
     const double side = i < 6 ? -1 : 1;
     const std::size_t point = i / 2 % 3;
+    // Coordinates up to 1 come from a few products with unit vectors, whose parts are 0 and 1 but
+    // for their lengths: an ulp or two below 1.
     EXPECT_LT(glm::length(rim - Vec3(double(point) - 1, rim.y, 1)), 1e-15);
     EXPECT_NEAR(std::abs(rim.y), 0.1, 1e-15);
     EXPECT_EQ(rim.y * side > 0, halo.positions[0].y < 0);  // the two sides are opposite ones
@@ -55,6 +57,7 @@ TEST(UnitHalo, RecedesAlongTheLineOfSight) {
     const Vec3 x(double(i / 2 % 3) - 1, 0, 1);
     const Vec3 away = glm::normalize(x - scene.camera.eye);
     const Vec3 behind = halo.positions[i + 1] - x - 4.0 * (halo.positions[i] - x);
+    // Some ten roundings of numbers up to 5, half an ulp or 4.4e-16 each, and two of unit vectors.
     EXPECT_LT(glm::length(behind - 0.5 * away), 1e-14);
     EXPECT_LT(glm::length(halo.normals[i] + away), 1e-15);
   }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -35,9 +36,23 @@ inline geometry::TriangleMesh rectangle(double x0, double x1, double y0, double 
   return mesh;
 }
 
-/// Larger than the picture of orthographic_scene(), so that it covers every pixel.
+/// Larger than the picture of orthographic_scene() of any shape up to 50 : 1, so that it covers
+/// every pixel.
 inline geometry::TriangleMesh full_layer(double z, const Rgba& color) {
-  return rectangle(-1.5, 1.5, -1.5, 1.5, z, color);
+  return rectangle(-50, 50, -50, 50, z, color);
+}
+
+inline scene::SceneObject sheet(double z, const Rgba& color) {
+  return {"sheet", full_layer(z, color)};
+}
+
+/// An orthographic_scene() without objects. No channel of its background is that of another, or at
+/// an end of its range.
+inline scene::Scene empty_scene(int width, int height) {
+  scene::Scene scene = orthographic_scene(width, height);
+  scene.name = "test";
+  scene.background = {0.1, 0.5, 0.9};
+  return scene;
 }
 
 /// n layers between z = 1 (front) and z = -1, one object each, given back to front or shuffled by
@@ -48,11 +63,31 @@ scene::Scene stack(int n, int width, int height, const ColorOf& color_of,
   scene::Scene scene = orthographic_scene(width, height);
   for (int i = 0; i < n; ++i) {
     const double z = n == 1 ? 0.0 : 1 - 2.0 * i / (n - 1);
-    scene.objects.push_back({"layer", full_layer(z, color_of(i))});
+    scene.objects.push_back(sheet(z, color_of(i)));
   }
   std::mt19937 random(shuffle_seed);
   if (shuffle_seed != 0) std::shuffle(scene.objects.begin(), scene.objects.end(), random);
   return scene;
+}
+
+/// These layers, front to back, over the background of empty_scene().
+inline scene::Scene stack(int width, int height, const std::vector<Rgba>& front_to_back) {
+  scene::Scene scene = stack(int(front_to_back.size()), width, height,
+                             [&](int i) { return front_to_back[std::size_t(i)]; });
+  scene.background = empty_scene(width, height).background;
+  return scene;
+}
+
+/// Colours and opacities from a seed, opacities in [0, largest).
+inline std::vector<Rgba> random_layers(int n, float largest, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0, 1);
+  std::vector<Rgba> layers;
+  for (int i = 0; i < n; ++i) {
+    const float r = unit(random), g = unit(random), b = unit(random);
+    layers.emplace_back(r, g, b, largest * unit(random));
+  }
+  return layers;
 }
 
 /// Unit sphere from a subdivided octahedron; closed, vertices shared.

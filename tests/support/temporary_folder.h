@@ -8,7 +8,7 @@
 
 namespace pellucid::testing {
 
-/// A folder that goes away with its owner.
+/// A folder of its own in the system's place for such; it goes away with its owner.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

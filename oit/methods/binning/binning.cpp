@@ -102,7 +102,10 @@ const scene::MethodRow& binning_method() {
       .parameters = binning_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.
-      .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 1e-3,
+                   .convex_hull = true,
+                   .fixed_memory = true,
+                   .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "4 bins + 16",
       .sweep = "bins=3|11|50|200",
       .make = make_oit<Binning, binning_options>};

@@ -108,7 +108,10 @@ const scene::MethodRow& fourier_method() {
       .parameters = fourier_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most; the exponential of
       // tau makes that n roundings of tau.
-      .promises = {.order_spread = 1e-3, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 1e-3,
+                   .convex_hull = true,
+                   .fixed_memory = true,
+                   .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "precision / 2 ceil((2 bands + 1) / 4) + 16",
       .sweep = "bands=1|2|3|5|8|10|15",
       .make = make_oit<Fourier, fourier_options>};

@@ -99,9 +99,11 @@ const scene::MethodRow& fourier_opacity_method() {
       .equations = "1, 2, 10, 11, 14 to 19",
       .checked_against = "the paper",
       .parameters = fourier_opacity_options().specs(),
-      .promises = {.order_spread = 1e-3, .convex_hull = true},
+      .promises = {.order_spread = 1e-3,
+                   .convex_hull = true,
+                   .optimizes_opacity = true,
+                   .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "precision ceil((2 bands + 1) / 4) + 16",
-      .optimizes_opacity = true,
       .make = make_oit<FourierOpacity, fourier_opacity_options>};
   return row;
 }

@@ -84,7 +84,10 @@ const scene::MethodRow& k_buffer_method() {
       .checked_against = "not recorded",
       .parameters = k_buffer_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
-      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
+      .promises = {.exact_layers = "layers",
+                   .order_spread = 1e-4,
+                   .convex_hull = true,
+                   .fixed_memory = true},
       .bytes_per_pixel = "20 layers + 20",
       .sweep = "layers=2|4|8|16",
       .make = make_oit<KBuffer, k_buffer_options>};

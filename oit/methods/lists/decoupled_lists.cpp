@@ -92,9 +92,11 @@ const scene::MethodRow& decoupled_lists_method() {
       .checked_against =
           "Baeza Rojo et al. 2019, who restate the method; not the paper of 2017 itself",
       .parameters = decoupled_lists_options().specs(),
-      .promises = {.order_spread = 1e-3, .convex_hull = true},
+      .promises = {.exact_without_importance = true,
+                   .order_spread = 1e-3,
+                   .convex_hull = true,
+                   .optimizes_opacity = true},
       .bytes_per_pixel = "4 + 32 per layer",
-      .optimizes_opacity = true,
       .make = make_oit<DecoupledLists, decoupled_lists_options>};
   return row;
 }

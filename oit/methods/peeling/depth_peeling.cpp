@@ -109,6 +109,7 @@ const scene::MethodRow& depth_peeling_method() {
       .checked_against = "not recorded",
       .parameters = depth_peeling_options().specs(),
       .promises = {.exact = true,
+                   .exact_unless = "peels",
                    .order_independent = true,
                    .convex_hull = true,
                    .fixed_memory = true},

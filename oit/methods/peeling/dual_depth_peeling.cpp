@@ -124,6 +124,7 @@ const scene::MethodRow& dual_depth_peeling_method() {
       .checked_against = "not recorded",
       .parameters = dual_depth_peeling_options().specs(),
       .promises = {.exact = true,
+                   .exact_unless = "peels",
                    .order_independent = true,
                    .convex_hull = true,
                    .fixed_memory = true},

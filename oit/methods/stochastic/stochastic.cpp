@@ -87,7 +87,7 @@ const scene::MethodRow& stochastic_method() {
       .checked_against = "not recorded",
       .parameters = stochastic_options().specs(),
       // The random numbers do not know the order; the transmittance is a product of n floats.
-      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true, .random = true},
       .bytes_per_pixel = "56",
       .sweep = "samples=4|16|64",
       .make = make_oit<Stochastic, stochastic_options>};

@@ -198,7 +198,10 @@ const scene::MethodRow& tree_method() {
       .checked_against = "the paper's additional material",
       .parameters = tree_options().specs(),
       // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
-      .promises = {.own_layers = true, .order_spread = 1, .convex_hull = true},
+      .promises = {.exact_with = "epsilon2=0",
+                   .own_layers = true,
+                   .order_spread = 1,
+                   .convex_hull = true},
       .bytes_per_pixel = "12 + 40 per layer + 32 per fragment of a frame",
       .sweep = "lines=1000|4000",
       .make = make_oit<Tree, tree_options>};

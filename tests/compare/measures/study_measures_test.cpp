@@ -42,7 +42,8 @@ TEST(UnitHullMeasure, CountsThePixelsThatLeaveTheHull) {
   cell.image.at(2, 1) = Rgba(0.2 + 0.1, 0.3 + 0.1, 0.5 + 0.1, 1);
   hull_measure().measure(scene, {}, cell);
   EXPECT_EQ(cell.row.measures[0].value, 1);
-  EXPECT_NEAR(cell.row.measures[1].value, 0.1 * std::sqrt(3.0), 1e-6);
+  // Three channels of a picture in float, 3e-8 each, and the projection's 1e-7.
+  EXPECT_NEAR(cell.row.measures[1].value, 0.1 * std::sqrt(3.0), 2e-7);
   ASSERT_EQ(cell.further.size(), 1u);
   EXPECT_NE(cell.further[0].at(2, 1), cell.further[0].at(0, 0));
 }
@@ -70,7 +71,8 @@ TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
   ASSERT_EQ(curve.x.size(), 2u);
   EXPECT_NEAR(curve.x[0], 0, 1.0 / 220);
   EXPECT_NEAR(curve.x[1], 0.5, 1.0 / 220);
-  EXPECT_NEAR(curve.y[0], 0.4 / 4, 1e-6);
+  // A difference of floats below 1, 6e-8, over four pixels.
+  EXPECT_NEAR(curve.y[0], 0.4 / 4, 6e-8);
   EXPECT_EQ(curve.y[1], 0);
 }
 
@@ -110,7 +112,9 @@ TEST(UnitRayCurves, TheReferenceHasTheSteps) {
   const RowCurve curve = probed(probing_cell("raytrace", {}, true), five_steps()).row.curves.at(0);
   for (std::size_t i = 0; i < curve.x.size(); ++i)
     if (!near_a_step(curve.x[i])) {
-      EXPECT_NEAR(curve.y[i], steps_up_to(curve.x[i]), 1e-12);
+      // Sums of at most five logarithms in double, and a hundred times their roundings: 5 · 4.4e-16
+      // and more.
+      EXPECT_NEAR(curve.y[i], steps_up_to(curve.x[i]), 1e-14);
     }
 }
 
@@ -130,10 +134,13 @@ TEST(AgreementRayCurves, FourierHasTheSeriesOfItsBands) {
         probed(probing_cell("fourier", {{"bands", std::to_string(bands)}}, false), scene);
     const RowCurve& curve = cell.row.curves.at(0);
     for (std::size_t i = 0; i < curve.x.size(); ++i)
+      // Sums of floats up to 7, an ulp of 4.8e-7, and in each band two coefficients of waves whose
+      // depths are floats: ten ulps each.
       EXPECT_NEAR(curve.y[i], exact.up_to(curve.x[i]), 5e-6 + 5.1e-6 * bands)
           << bands << ' ' << curve.x[i];
     ASSERT_EQ(cell.row.curves.size(), 3u);
     EXPECT_EQ(cell.row.curves[1].x.size(), std::size_t(bands) + 1);
+    // The same without waves: ten ulps of a float near 7.
     EXPECT_NEAR(cell.row.curves[1].y[0], 2 * 5 * std::log(2), 1e-5);
   }
 }
@@ -147,6 +154,8 @@ TEST(UnitRayCurves, BinsAreReadAsTheirModeSays) {
     for (std::size_t i = 0; i + 1 < curve.x.size(); ++i) {
       const double bin = std::floor(curve.x[i] * 5 + 1e-9);
       const double expected = std::string_view(mode) == "linear" ? curve.x[i] * 5 : bin + 1;
+      // Five floats up to 3.5 are summed, and depths shifted by the margin of 1e-5 do not cross a
+      // bin.
       EXPECT_NEAR(curve.y[i], expected * std::log(2), 1e-5) << mode << ' ' << curve.x[i];
     }
   }

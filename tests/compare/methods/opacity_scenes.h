@@ -7,6 +7,7 @@
 
 #include "compare/methods/methods.h"
 #include "core/options/names.h"
+#include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 
 namespace pellucid::testing {}
@@ -17,17 +18,7 @@ using namespace pellucid::testing;
 
 inline scene::Rendering draw(std::string_view method, const scene::Scene& scene,
                              const RawOptions& options = {}) {
-  const scene::MethodRow& row = find_row("method", method, methods());
-  return row.make(scene, Parameters(row.name, row.parameters, options), {})
-      ->render({.layers = true});
-}
-
-inline double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int c = 0; c < 4; ++c)
-      largest = std::max(largest, std::abs(double(a.pixels[i][c]) - double(b.pixels[i][c])));
-  return largest;
+  return render(find_row("method", method, methods()), scene, options, true);
 }
 
 /// Sheets of opacity 1/2 over the whole picture, importance from 0 to 1, front to back.

@@ -36,6 +36,7 @@ TEST(UnitMetrics, ConstantsHaveClosedForms) {
   const double a = 0.25, b = 0.75, c1 = 1e-4;
   const Metrics m = metrics_of(grey(20, 15, 0.25f), grey(20, 15, 0.75f));
   EXPECT_DOUBLE_EQ(*m.of("rmse"), 0.5);
+  // The same, in decibels.
   EXPECT_NEAR(*m.of("psnr"), 20 * std::log10(2.0), 1e-12);
   EXPECT_NEAR(m.of("ssim").value(), (2 * a * b + c1) / (a * a + b * b + c1), 1e-12);
 }

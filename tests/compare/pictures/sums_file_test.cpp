@@ -13,6 +13,7 @@
 
 #include "core/error.h"
 #include "groundtruth/methods/raytrace.h"
+#include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,8 +24,7 @@ using ::testing::UnorderedElementsAre;
 using namespace testing;
 
 Image raytraced(const scene::Scene& scene) {
-  const scene::MethodRow& row = groundtruth::raytrace_method();
-  return row.make(scene, Parameters(row.name, row.parameters, {}), {})->render({}).image;
+  return render(groundtruth::raytrace_method(), scene).image;
 }
 
 /// A half of the picture is behind eight layers of α = 1/4, the other is empty.

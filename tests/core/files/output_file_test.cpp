@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid {
 namespace {
@@ -15,21 +16,16 @@ namespace fs = std::filesystem;
 
 class UnitOutputFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "pellucid-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  bool folder_is_empty() const { return fs::is_empty(folder_); }
+  bool folder_is_empty() const { return fs::is_empty(folder_.path()); }
 
-  fs::path folder_;
+  testing::TemporaryFolder folder_;
 };
 
 TEST_F(UnitOutputFile, AppearsWhole) {
   write_text(folder_ / "a.txt", "one\n");
   write_text(folder_ / "a.txt", "two\n");
   EXPECT_EQ(read_text(folder_ / "a.txt"), "two\n");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
 TEST_F(UnitOutputFile, LeavesNothingWithoutCommit) {
@@ -44,20 +40,19 @@ TEST_F(UnitOutputFile, LeavesNothingWithoutCommit) {
 
 TEST_F(UnitOutputFile, RefusesAMissingFolderAndAFolderInItsPlace) {
   EXPECT_THROW(write_text(folder_ / "none" / "a.txt", "x"), InputError);
-  EXPECT_THROW(write_text(folder_, "x"), InputError);
+  EXPECT_THROW(write_text(folder_.path(), "x"), InputError);
   EXPECT_THROW(read_text(folder_ / "none"), InputError);
 }
 
 TEST(UnitFullDisk, IsAFailureOfTheWorkAndLeavesNothing) {
   // A file system of 64 KiB, where the machine lets us mount one.
-  const fs::path mount = fs::temp_directory_path() / "pellucid-full";
-  fs::create_directories(mount);
+  const testing::TemporaryFolder folder;
+  const fs::path& mount = folder.path();
   if (std::system(("mount -t tmpfs -o size=64k tmpfs " + mount.string() + " 2>/dev/null").c_str()))
     GTEST_SKIP() << "may not mount a file system here";
   EXPECT_THROW(write_text(mount / "a.txt", std::string(1 << 20, 'x')), WorkError);
   EXPECT_TRUE(fs::is_empty(mount));
   EXPECT_EQ(std::system(("umount " + mount.string()).c_str()), 0);
-  fs::remove(mount);
 }
 
 }  // namespace

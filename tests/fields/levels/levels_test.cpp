@@ -99,6 +99,8 @@ INSTANTIATE_TEST_SUITE_P(All, PropertyReconstruction, ::testing::ValuesIn(recons
 TEST_P(PropertyReconstruction, KeepsConstants) {
   const LevelField field(nested([](const Vec3&) { return 0.75; }), GetParam());
   for (double x = 0.6; x < 7.4; x += 0.17) {
+    // Weights of eight samples, whose sum is 1 up to a few roundings of 1.1e-16; a derivative is a
+    // difference of them over half a cell's width.
     EXPECT_NEAR(field.value(Vec3(x, 3.9, 4.1)).value(), 0.75, 1e-15);
     EXPECT_LT(glm::length(field.gradient(Vec3(x, 3.9, 4.1)).value()), 1e-14);
   }
@@ -184,6 +186,7 @@ TEST_P(PropertyReconstruction, IdenticalAndDisjointLevelsAreWhatTheyAreAlone) {
   const ScalarLevel far = sampled<float>(Vec3(100), 2, {3, 3, 3}, f);
   const LevelField alone({level}, GetParam()), all({level, far, level}, GetParam());
   for (double x = 0.1; x < 3; x += 0.1)
+    // Values up to 9, of twice the terms: an ulp is 1.8e-15.
     EXPECT_NEAR(*all.value(Vec3(x, 1.3, 2.7)), *alone.value(Vec3(x, 1.3, 2.7)), 1e-14);
   EXPECT_TRUE(all.value(Vec3(102)));
   EXPECT_FALSE(all.value(Vec3(50)));

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <openvdb/openvdb.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -75,13 +74,6 @@ const GridKind& grid_kind(std::string_view name) {
   return *std::find_if(std::begin(kinds), std::end(kinds),
                        [&](const GridKind& kind) { return kind.name == name; });
 }
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "pellucid-fields-XXXXXX").string();
-  path_ = ::mkdtemp(pattern.data());
-}
-
-TemporaryFolder::~TemporaryFolder() { fs::remove_all(path_); }
 
 std::string read_bytes(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

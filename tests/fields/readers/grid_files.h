@@ -9,9 +9,11 @@
 #include <string_view>
 
 #include "core/vec.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid::fields {
 
+using testing::TemporaryFolder;
 using Velocity = std::function<Vec3(const Vec3&)>;
 
 /// One way to write a velocity into a file: the text of each format as its specification has it,
@@ -31,20 +33,6 @@ inline void PrintTo(const GridKind& kind, std::ostream* out) { *out << kind.name
 inline const Box3 grid_box{Vec3(0, -1, 1), Vec3(2, 1, 4)};
 
 std::span<const GridKind> grid_kinds();
-
-/// A folder that goes away with its object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string read_bytes(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);

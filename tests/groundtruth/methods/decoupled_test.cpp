@@ -9,7 +9,9 @@
 #include "core/error.h"
 #include "groundtruth/methods/raytrace.h"
 #include "groundtruth/sums/fourier_sum.h"
+#include "groundtruth/sums/ray_sums.h"
 #include "scene/opacity_energy.h"
+#include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 
 namespace pellucid::groundtruth {
@@ -18,15 +20,7 @@ namespace {
 using namespace testing;
 
 Image draw(const scene::MethodRow& row, const scene::Scene& scene, const RawOptions& options = {}) {
-  return row.make(scene, Parameters(row.name, row.parameters, options), {})->render({}).image;
-}
-
-double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int c = 0; c < 4; ++c)
-      largest = std::max(largest, std::abs(double(a.pixels[i][c]) - double(b.pixels[i][c])));
-  return largest;
+  return render(row, scene, options).image;
 }
 
 /// Golden-section search: the energy is a parabola in alpha.
@@ -71,6 +65,8 @@ TEST(UnitFourierSum, KeepsTheBoundOfItsRemainder) {
     for (const double at : {0.1, 0.5, 0.83}) {
       FourierSum sum(bands);
       sum.add(2, at);
+      // Of 64 bands' terms, at most 2 / (π k) each, roundings of 2.2e-16 and of sines of 2π k,
+      // 2.4e-16 k, remain.
       EXPECT_NEAR(sum.up_to(0), 0, 1e-14);
       EXPECT_NEAR(sum.up_to(1), 2, 1e-13);  // Eq. 7
       for (int i = 1; i < 100; ++i) {
@@ -110,10 +106,46 @@ TEST(UnitDecoupled, ThreeLayersInClosedForm) {
     for (scene::SceneObject& object : scene.objects)
       if (object.vertices().importance[0] == 1)
         for (Rgba& color : object.vertices().colors) color.a = 0.5;
+    // Sums in double, rounded to float once in each of four channels.
     EXPECT_LE(glm::length(draw(decoupled_method(), scene, weights).at(1, 1) -
                           Rgba(0.25 + 0.1875, 0.375 + 0.1875, 0.1875 + 0.1875, 0.8125)),
-              1e-6f);
+              2 * 6e-8f);
   }
+}
+
+// A black opaque layer covers x < 1/16 of a picture of 3 × 3 pixels: of the middle pixel, 2/3 wide,
+// the leftmost 5 of 8 columns of samples, which lie 1/12 apart. Behind it, all over the picture, is
+// an important blue one, in front of it and of no importance a red one, whose opacity is 1 / (1 +
+// q) times its own, 1: a quarter.
+TEST(UnitDecoupled, SamplesAreAveraged) {
+  scene::Scene scene = orthographic_scene(3, 3);
+  scene.samples = 8;
+  scene.objects = {sheet(1, Rgba(1, 0, 0, 1)),
+                   {"", rectangle(-2, 1.0 / 16, -2, 2, 0, Rgba(0, 0, 0, 1))},
+                   sheet(-1, Rgba(0, 0, 1, 1))};
+  scene.objects[1].opaque = true;
+  for (scene::SceneObject& object : scene.objects)
+    object.vertices().importance.assign(4, object.opaque ? 0 : object.vertices().colors[0].b);
+  const scene::Rendering rendering =
+      render(decoupled_method(), scene, {{"q", "3"}, {"r", "0"}}, true);
+  // Behind the opaque layer nothing is important, and the red one keeps its opacity.
+  const Rgba shown(0.625f + 0.375f * 0.25f, 0, 0.375f * 0.75f, 1);
+  // A rounding of the mean to float; the sums are in double.
+  EXPECT_LE(glm::length(rendering.image.at(1, 1) - shown), 6e-8f);
+  EXPECT_EQ(rendering.layers.at(1, 1), 2u);
+  EXPECT_EQ(rendering.stats.fragments, 9u * 64u * 2u);
+  EXPECT_EQ(rendering.stats.stored, rendering.stats.fragments);
+}
+
+// Sums over a row's layers, at least: its pixels have eight each.
+TEST(UnitDecoupled, CountsTheBytesOfARow) {
+  const auto bytes = [](int width) {
+    const scene::Scene scene = stack(8, width, 2, [](int) { return Rgba(1, 0, 0, 0.5f); });
+    return render(decoupled_method(), scene).stats.bytes.at(1);
+  };
+  EXPECT_EQ(bytes(5).name, "crossings of a row");
+  EXPECT_EQ(bytes(5).bytes, 5 * (sizeof(RaySums) + 8 * sizeof(RayLayer)));
+  EXPECT_EQ(bytes(10).bytes, 2 * bytes(5).bytes);
 }
 
 scene::Scene important_triangles() {

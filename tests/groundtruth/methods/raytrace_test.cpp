@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 
 namespace pellucid::groundtruth {
@@ -12,21 +13,15 @@ namespace {
 using namespace testing;
 
 scene::Rendering trace(const scene::Scene& scene, const RawOptions& options = {}) {
-  const scene::MethodRow& row = raytrace_method();
-  const Parameters parameters(row.name, row.parameters, options);
-  return row.make(scene, parameters, {})->render({.layers = true});
+  return render(raytrace_method(), scene, options, true);
 }
 
 /// Largest difference of any pixel from `expected`.
 double largest_error(const Image& image, const Rgba& expected) {
-  double largest = 0;
-  for (const Rgba& pixel : image.pixels)
-    for (int c = 0; c < 4; ++c)
-      largest = std::max<double>(largest, std::abs(pixel[c] - expected[c]));
-  return largest;
+  return largest_difference(image, glm::dvec4(expected));
 }
 
-constexpr double float_rounding = 6e-8;  // half an ulp of a float just below 1
+constexpr double float_rounding = 6e-8;  // an ulp of a float just below 1
 
 class UnitRaytraceStack : public ::testing::TestWithParam<int> {};
 

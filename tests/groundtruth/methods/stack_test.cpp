@@ -6,6 +6,7 @@
 
 #include "groundtruth/methods/raytrace.h"
 #include "scene/datasets/stack.h"
+#include "tests/support/pictures.h"
 
 namespace pellucid::groundtruth {
 namespace {
@@ -50,9 +51,7 @@ class UnitExtremes : public ::testing::TestWithParam<StackCase> {};
 
 TEST_P(UnitExtremes, GroundTruthIsTheClosedForm) {
   const scene::Scene scene = scene_of(GetParam());
-  const scene::MethodRow& row = raytrace_method();
-  const scene::Rendering rendering =
-      row.make(scene, Parameters(row.name, row.parameters, {}), {})->render({.layers = true});
+  const scene::Rendering rendering = testing::render(raytrace_method(), scene, {}, true);
   const Rgba exact = exact_pixel(GetParam(), scene.background);
   // An ulp of a float just below 1: both sides were rounded once.
   for (const Rgba& pixel : rendering.image.pixels)

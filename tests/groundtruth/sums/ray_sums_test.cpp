@@ -31,6 +31,8 @@ TEST(UnitRaySums, StackInClosedForm) {
       const RayLayer& layer = sums.layers[i];
       const double z = 4 + 2.0 * i / (n - 1);  // from the eye at z = 5
       g_sum += double(i) * i / (n * n);
+      // Depths up to 6 and sums up to n take an ulp of 8.9e-16 for each of a few roundings;
+      // products of 3/4, and shares, are below 1.
       EXPECT_NEAR(layer.depth, z, 1e-14);
       EXPECT_NEAR(layer.d, probe.depths().normalized(z), 1e-14);
       EXPECT_NEAR(layer.importance, double(i) / n, 1e-15);
@@ -44,6 +46,7 @@ TEST(UnitRaySums, StackInClosedForm) {
     }
     EXPECT_EQ(sums.importance_sum(0), 0);
     EXPECT_EQ(sums.optical_depth(1), sums.layers.back().optical_depth);
+    // Up to 26 factors of 3/4 are exact in 53 bits: each takes two.
     EXPECT_NEAR(sums.transmittance, std::pow(0.75, n), 1e-16);
   }
 }
@@ -62,6 +65,8 @@ TEST(PropertyRaySums, TransmittanceIsTheExponentialOfOpticalDepth) {
     for (int x = 0; x < 16; ++x) {
       const RaySums sums = probe.at(x + 0.5, y + 0.5);
       most = std::max(most, sums.layers.size());
+      // The optical depth of some twenty layers, up to 40, has an ulp of 7e-15, times the
+      // transmittance, which is small where the depth is large.
       EXPECT_NEAR(std::exp(-sums.optical_depth(1)), sums.transmittance, 1e-14);
       EXPECT_EQ(picture.image.at(x, y), Rgba(sums.color, 1 - sums.transmittance));
       EXPECT_EQ(picture.layers.at(x, y), sums.layers.size());

@@ -53,7 +53,8 @@ TEST(PropertyFacets, AnyAngleCanBeAskedFor) {
       EXPECT_TRUE(quality.manifold) << form.name << " " << row.name;
       EXPECT_EQ(quality.sheets, 1u) << form.name << " " << row.name;
       for (const Vec3& x : swept.surface.mesh.positions)
-        ASSERT_LE(testing::implicit_distance(form, x), 1e-8) << form.name << " " << row.name;
+        ASSERT_LE(testing::implicit_distance(form, x), testing::trajectory_error)
+            << form.name << " " << row.name;
       std::uint64_t ended = 0;
       for (const auto& [reason, count] : swept.surface.stats.ends) ended += count;
       EXPECT_EQ(ended, swept.surface.stats.particles) << form.name << " " << row.name;

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "fields/make_field.h"
-#include "tests/oit/test_scenes.h"
+#include "tests/oit/oit_pictures.h"
 
-namespace pellucid::oit::test {
+namespace pellucid::oit {
 namespace {
+
+using namespace testing;
 
 /// The square that a uniform flow along x sweeps from a segment along y, in [-1/2, 1/2]^2 at z. Its
 /// mesh covers less than the lines do, so that a picture tells which of them was drawn.
@@ -40,7 +42,8 @@ TEST(AgreementTree, MeshesAreTheExactLists) {
   const std::vector<Rgba> layers = random_layers(300, 0.1f, 21);
   const scene::Scene scene = stack(5, 3, layers);
   const scene::Rendering tree = render(method("tree"), scene, {}, true);
-  EXPECT_LE(max_difference(tree.image, composite(layers, scene.background)), 2e-5);
+  // 300 layers in float: √300 of five roundings of 6e-8 each.
+  EXPECT_LE(largest_difference(tree.image, composite(layers, scene.background)), 5e-6);
   EXPECT_EQ(tree.stats.max_layers, 300u);
   EXPECT_EQ(tree.stats.fragments, 300u * 15);
 }
@@ -51,7 +54,7 @@ TEST(AgreementTree, OrderOfMeshesChangesNothing) {
   const Image before = render(method("tree"), scene).image;
   std::mt19937 random(23);
   std::shuffle(scene.objects.begin(), scene.objects.end(), random);
-  EXPECT_EQ(max_difference(render(method("tree"), scene).image, before), 0);
+  EXPECT_EQ(largest_difference(render(method("tree"), scene).image, before), 0);
 }
 
 TEST(UnitTree, LinesTileTheSurface) {
@@ -65,7 +68,8 @@ TEST(UnitTree, LinesTileTheSurface) {
       const int distance = std::max(std::abs(2 * x - 31), std::abs(2 * y - 31));
       if (distance < 15) {
         EXPECT_EQ(tree.layers.at(x, y), 2u) << x << ' ' << y;
-        for (int c = 0; c < 4; ++c) EXPECT_NEAR(tree.image.at(x, y)[c], inside[c], 1e-5);
+        // Two layers, each the mean of some 25 equal fragments of its lines.
+        for (int c = 0; c < 4; ++c) EXPECT_NEAR(tree.image.at(x, y)[c], inside[c], float_composite);
       } else if (distance > 17) {
         EXPECT_EQ(tree.layers.at(x, y), 0u) << x << ' ' << y;
       }
@@ -80,7 +84,8 @@ TEST(UnitTree, EpsilonInfiniteIsOneLayer) {
   const scene::Rendering tree = render(method("tree"), scene, options, true);
   EXPECT_EQ(tree.stats.max_layers, 1u);
   const glm::dvec4 expected = composite({{0.5f, 0.5f, 0, 0.5f}}, scene.background);
-  for (int c = 0; c < 4; ++c) EXPECT_NEAR(tree.image.at(16, 16)[c], expected[c], 1e-5);
+  // One layer, the mean of some 50 fragments of two kinds.
+  for (int c = 0; c < 4; ++c) EXPECT_NEAR(tree.image.at(16, 16)[c], expected[c], float_composite);
 }
 
 // Every fragment is a layer: so many lines of opacity 0.01 as cover a pixel's centre.
@@ -94,7 +99,7 @@ TEST(UnitTree, EpsilonZeroKeepsEveryFragment) {
   EXPECT_EQ(layers, tree.stats.fragments);
   // 400 lines over 16 pixels.
   EXPECT_NEAR(tree.layers.at(16, 16), 25, 2);
-  EXPECT_NEAR(tree.image.at(16, 16).a, 1 - std::pow(0.99, tree.layers.at(16, 16)), 1e-5);
+  EXPECT_NEAR(tree.image.at(16, 16).a, 1 - std::pow(0.99, tree.layers.at(16, 16)), float_composite);
 }
 
 TEST(UnitTree, FramesAreRecorded) {
@@ -127,4 +132,4 @@ TEST(UnitTree, EndsAtTheFirstBudgetReached) {
 }
 
 }  // namespace
-}  // namespace pellucid::oit::test
+}  // namespace pellucid::oit

@@ -54,6 +54,7 @@ TEST(UnitElements, VerticesOfLinesInterpolateLinearly) {
   const std::vector<float> middles = {2, 6, 10, 14, 18};
   const std::vector<float> vertices = vertex_opacities(e, middles);
   for (std::size_t i = 0; i < vertices.size(); ++i)
+    // Four roundings, of the weight, two products and the sum, of floats up to 18: 4 · 18 · 6e-8.
     EXPECT_NEAR(vertices[i], std::clamp(0.5 * double(i), 2.0, 18.0), 1e-5) << i;
 }
 
@@ -90,8 +91,10 @@ TEST(UnitElements, SmoothingALineIsABinomialFilter) {
     sum += opacities[std::size_t(i)];
     variance += (i - 50.0) * (i - 50.0) * opacities[std::size_t(i)];
   }
-  EXPECT_NEAR(sum, 1, 1e-5);
-  EXPECT_NEAR(variance, 7.5, 1e-4);
+  // Fifteen iterations of three roundings each, 6e-8 of what they round: 3e-6 of the sum; the
+  // variance is seven and a half times that.
+  EXPECT_NEAR(sum, 1, 3e-6);
+  EXPECT_NEAR(variance, 7.5, 7.5 * 3e-6);
   EXPECT_EQ(opacities[50 + 16], 0);  // s elements far and no farther
   EXPECT_GT(opacities[50 + 15], 0);
   std::vector<float> constant(101, 0.3f);
@@ -150,6 +153,8 @@ TEST(PropertyElements, VerticesMixPatchesContinuously) {
     EXPECT_LT(std::abs(vertices[30 * 61 + i + 1] - vertices[30 * 61 + i]), 0.5f) << i;
   EXPECT_EQ(vertex_opacities(e, std::vector<float>(e.count(), 0.5f)).size(), 61u * 61);
   for (const float v : vertex_opacities(e, std::vector<float>(e.count(), 0.5f)))
+    // A weighted mean of halves: a sum of some ten products over the sum of their weights, each
+    // rounded by 6e-8 of itself.
     EXPECT_NEAR(v, 0.5f, 1e-6f);
 }
 
@@ -193,6 +198,7 @@ TEST(PropertyElements, AnyMeshIsCut) {
   EXPECT_EQ(std::ranges::count(sizes(e), 0), 0);
   EXPECT_LE(e.count(), 5u);
   for (const float v : vertex_opacities(e, std::vector<float>(e.count(), 0.5f)))
+    // As above.
     EXPECT_NEAR(v, 0.5f, 1e-6f);
   EXPECT_EQ(surface_elements(scene_of({{"none", geometry::TriangleMesh()}}), 100).count(), 0u);
   EXPECT_EQ(surface_elements(scene_of({{"soup", random_triangles(20, 3)}}), 5).count(), 20u);

@@ -89,6 +89,7 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceFadesByAScalarOfItsData) {
   ASSERT_TRUE(surface.fading);
   const Vec3 x(3, 0.5, 0);
   const double share = (*surface.field->value(x) - 0.6) / 0.9;
+  // The field is read twice, from samples in float: 6e-8 of a value near 1, times 0.6 / 0.9.
   EXPECT_NEAR(surface.fading->opacity(x), 0.9 - 0.6 * share, 1e-7);
   EXPECT_EQ(surface.corners.colors.front(), Rgba(1, 0, 0, 1));
   const Scene triangles = with(text(by, R"(, "mesh": true)"));

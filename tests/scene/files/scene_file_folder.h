@@ -2,15 +2,13 @@
 #pragma once
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
-
-#include <filesystem>
 #include <fstream>
 
 #include "core/error.h"
 #include "geometry/files/mesh_file.h"
 #include "scene/files/scene_file.h"
 #include "tests/support/scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid::testing {
 
@@ -18,13 +16,10 @@ namespace pellucid::testing {
 class SceneFileTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "pellucid-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
     geometry::TriangleMesh mesh = full_layer(0, Rgba(0.25, 0.5, 0.75, 0.125));
     mesh.scalars["speed"] = {0, 1, 2, 4};
     geometry::write_mesh(folder_ / "sheet.ply", mesh);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   scene::Scene load(const std::string& text) const {
     std::ofstream(folder_ / "scene.json") << text;
@@ -47,7 +42,7 @@ class SceneFileTest : public ::testing::Test {
   }
 
   const std::string sheet = R"({"mesh": "sheet.ply"})";
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace pellucid::testing

@@ -22,6 +22,8 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
 
 TEST(UnitCamera, FrameIsRightHandedAndOrthonormal) {
   const CameraFrame frame = camera_frame({.eye = {1, 2, 3}, .target = {4, -1, 7}, .up = {0, 2, 1}});
+  // Products of unit vectors round by 1.1e-16 each: six of a cross product, three of a dot product,
+  // and those of the vectors themselves.
   expect_near(glm::cross(frame.right, frame.up), -frame.forward, 1e-15);
   EXPECT_NEAR(glm::dot(frame.right, frame.up), 0, 1e-15);
   EXPECT_GT(glm::dot(frame.up, Vec3(0, 2, 1)), 0);
@@ -91,6 +93,7 @@ TEST(UnitViewDepth, StartsAtTheEyeWhenTheSceneReachesBehindIt) {
   Scene scene = stack(2, 4, 4, [](int) { return Rgba(1); });
   scene.camera.eye = {0, 0, 0};
   scene.camera.target = {0, 0, -1};
+  // The margin, a 1e-5th of a depth range of length 1.
   EXPECT_NEAR(depth_range(scene).near, 0, 1.01e-5);
   scene.camera.target = {0, 0, 1};
   scene.objects.resize(1);

@@ -26,6 +26,8 @@ TEST(UnitRibbon, FacesTheEyeAndHasItsWidth) {
   const auto w = half_widths(helix, camera);
   ASSERT_EQ(w.size(), helix.size());
   for (std::size_t i = 1; i + 1 < helix.size(); ++i) {
+    // Unit vectors to some 3e-16, times distances up to 5 and the radius; the dot products add
+    // three.
     EXPECT_NEAR(glm::length(w[i]), radius, 1e-14);
     EXPECT_NEAR(glm::dot(w[i], helix[i] - camera.eye), 0, 1e-14);
     EXPECT_NEAR(glm::dot(w[i], helix[i + 1] - helix[i - 1]), 0, 1e-14);
@@ -35,6 +37,7 @@ TEST(UnitRibbon, FacesTheEyeAndHasItsWidth) {
 TEST(UnitRibbon, OrthographicLineAlongXIsWideAlongY) {
   const Camera camera{.projection = Projection::orthographic};
   for (const Vec3& w : half_widths({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}}, camera)) {
+    // One normalization and a product.
     EXPECT_NEAR(std::abs(w.y), radius, 1e-15);
     EXPECT_EQ(w.z, 0);
   }
@@ -52,6 +55,7 @@ TEST(UnitRibbon, StandsStillAndRunsAlongTheViewWithoutLosingItsWidth) {
   for (const auto& line :
        {std::vector<Vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}},
         std::vector<Vec3>{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}, std::vector<Vec3>{{1, 1, 0}}})
+    // A normalization and a product: some 4 · 1.1e-16 of the radius.
     for (const Vec3& w : half_widths(line, camera)) EXPECT_NEAR(glm::length(w), radius, 1e-14);
   EXPECT_TRUE(half_widths({}, camera).empty());
 }
@@ -63,13 +67,15 @@ TEST(UnitDepthRange, HoldsTheWidthsOfLinesAndPoints) {
   points.set.positions = {{0, 0, 0}};
   scene.objects.push_back({"points", points});
   const auto near = [&] { return depth_range(scene).near; };
-  EXPECT_NEAR(near(), 5 - radius, 1e-4);
+  // The margin: a 1e-5th of the depth range, at most 2 long.
+  EXPECT_NEAR(near(), 5 - radius, 2.1e-5);
   std::get<PointObject>(scene.objects[0].shape).profile = PointObject::Profile::disc;
   scene.objects.push_back({"tube", LineObject{{}, 1, LineObject::Profile::tube}});
   auto& line = std::get<LineObject>(scene.objects[1].shape);
   line.set.positions = {{0, 0, 0}, {1, 0, 0}};
   line.set.offsets = {0, 2};
-  EXPECT_NEAR(near(), 4, 1e-4);
+  // The same margin.
+  EXPECT_NEAR(near(), 4, 2.1e-5);
   line.profile = LineObject::Profile::ribbon;  // all of it at z = 0, as the disc
   EXPECT_GT(near(), 2);
   EXPECT_NEAR(depth_range(scene).normalized(5), 0.5, 1e-12);
