@@ -69,6 +69,8 @@ const int segment_elements_texture = 4;
 // Stage: what is opaque.
 const int opaque_picture_texture = 5;
 const int opaque_keys_texture = 6;
+// The first of a method's own. Methods outside of oit/ name theirs by it: own_texture + 1.
+const int own_texture = 8;
 // Optical depth.
 const int coefficients_texture = 8;
 const int color_sums_texture = 9;
