@@ -41,15 +41,16 @@ int value_of(const std::string& unit) {
 }
 
 struct Bound {
-  std::string unit, type;
+  std::string unit, type, name;
 };
 
 /// What a shader with its shared files binds, whatever its defines.
 std::vector<Bound> bound_by(std::string_view text) {
   static const std::regex layout(
-      R"(layout\(binding = ([^,)]+)[^)]*\)\s*(?:(?:coherent|readonly|uniform)\s+)*(\w+))");
+      R"(layout\(binding = ([^,)]+)[^)]*\)\s*(?:(?:coherent|readonly|uniform)\s+)*(\w+)\s*(\w*))");
   std::vector<Bound> all;
-  for (Matches m = matches(text, layout); m != Matches(); ++m) all.push_back({(*m)[1], (*m)[2]});
+  for (Matches m = matches(text, layout); m != Matches(); ++m)
+    all.push_back({(*m)[1], (*m)[2], (*m)[3]});
   return all;
 }
 
@@ -84,9 +85,10 @@ TEST(PropertyBindings, NoTwoOfAShadersUnitsAreOne) {
   for (const oit_glsl::File& file : oit_glsl::files()) {
     if (!is_shader(file)) continue;
     std::map<std::pair<std::string, int>, std::set<std::string>> units;
-    for (const auto& [unit, type] : bound_by(expand_includes(file.text()))) {
+    const std::string text = expand_includes(file.text());
+    for (const auto& [unit, type, name] : bound_by(text)) {
       ASSERT_GE(value_of(unit), 0) << file.path << ": " << unit;
-      units[{kind_of_type(type), value_of(unit)}].insert(unit);
+      units[{kind_of_type(type), value_of(unit)}].insert(type + " " + name);
       ++seen;
     }
     for (const auto& [unit, names] : units)
@@ -102,7 +104,7 @@ TEST(PropertyBindings, EveryUnitIsOneThatDriversHave) {
                                            {"atomic", bindings::atomic_counters},
                                            {"uniform block", bindings::uniform_blocks}};
   for (const oit_glsl::File& file : oit_glsl::files())
-    for (const auto& [unit, type] : bound_by(file.text()))
+    for (const auto& [unit, type, name] : bound_by(file.text()))
       EXPECT_LT(value_of(unit), most.at(kind_of_type(type))) << file.path << ": " << unit;
 }
 
