@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/listings.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "compare/measures/study_measures.h"
 #include "compare/methods/methods.h"
@@ -11,6 +11,8 @@
 #include "fields/analytic/catalogue.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/level_field.h"
+#include "fields/readers/file_field.h"
+#include "geometry/files/mesh_formats.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/butcher_tableau.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -148,6 +150,36 @@ nlohmann::ordered_json list_reconstructions() {
   return rows;
 }
 
+/// What a format of geometry can be read as and written from: "mesh, lines".
+template <class Mesh, class Lines, class Points>
+std::string kinds(const geometry::FormatRow& row, Mesh mesh, Lines lines, Points points) {
+  std::vector<std::string_view> kinds;
+  if (row.*mesh) kinds.emplace_back("mesh");
+  if (row.*lines) kinds.emplace_back("lines");
+  if (row.*points) kinds.emplace_back("points");
+  return fmt::format("{}", fmt::join(kinds, ", "));
+}
+
+/// Files of geometry and of fields; some hold either.
+nlohmann::ordered_json list_formats() {
+  using Row = geometry::FormatRow;
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Row& row : geometry::mesh_formats()) {
+    std::string read = kinds(row, &Row::read_mesh, &Row::read_lines, &Row::read_points);
+    if (fields::file_format(row.ending)) read += ", field";
+    rows.push_back(
+        {{"name", row.ending},
+         {"title", row.title},
+         {"read as", read},
+         {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)}});
+  }
+  for (const fields::FileFormatRow& row : fields::field_formats())
+    if (!geometry::mesh_format("file" + std::string(row.ending)))
+      rows.push_back(
+          {{"name", row.ending}, {"title", row.title}, {"read as", "field"}, {"written", ""}});
+  return rows;
+}
+
 nlohmann::ordered_json list_colormaps() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const scene::ColormapRow& row : scene::colormaps())
@@ -178,6 +210,7 @@ constexpr Listing table[] = {{"methods", "method", list_methods},
                              {"scalars", "scalar", list_scalars},
                              {"reconstructions", "reconstruction", list_reconstructions},
                              {"datasets", "data set", list_datasets},
+                             {"formats", "file format", list_formats},
                              {"colormaps", "colour map", list_colormaps},
                              {"metrics", "metric", list_metrics},
                              {"measures", "measure", list_measures},

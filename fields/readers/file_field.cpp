@@ -8,25 +8,9 @@
 #include <stdexcept>
 
 #include "core/error.h"
-#include "fields/readers/meta_image_field.h"
-#include "fields/readers/series_field.h"
-#include "fields/readers/vdb_field.h"
-#include "fields/readers/vtk_field.h"
 
 namespace pellucid::fields {
 namespace {
-
-constexpr FileFormatRow formats[] = {
-    {".vti", "VTK image", read_vtk_field},
-    {".vtr", "VTK rectilinear grid", read_vtk_field},
-    {".vts", "VTK structured grid", read_vtk_field},
-    {".vtu", "VTK unstructured grid", read_vtk_field},
-    {".vtk", "legacy VTK", read_vtk_field},
-    {".mhd", "MetaImage header beside raw data", read_meta_image_field},
-    {".mha", "MetaImage", read_meta_image_field},
-    {".vdb", "OpenVDB", read_vdb_field},
-    {".series", "time series of files, as ParaView writes it", read_series_field},
-};
 
 struct PathAndOptions {
   std::string_view path;
@@ -37,7 +21,7 @@ struct PathAndOptions {
 /// The options begin at the first colon behind a known ending, so that a path may hold colons.
 PathAndOptions split(std::string_view text) {
   PathAndOptions best{text, {}};
-  for (const FileFormatRow& row : formats)
+  for (const FileFormatRow& row : field_formats())
     for (std::size_t at = text.find(row.ending); at != std::string_view::npos;
          at = text.find(row.ending, at + 1)) {
       const std::size_t end = at + row.ending.size();
@@ -70,17 +54,15 @@ const OptionTable<FileOptions>& file_options() {
   return table;
 }
 
-std::span<const FileFormatRow> field_formats() { return formats; }
-
 std::string file_endings() {
   std::string endings;
-  for (const FileFormatRow& row : formats)
+  for (const FileFormatRow& row : field_formats())
     endings += (endings.empty() ? "" : ", ") + std::string(row.ending);
   return endings;
 }
 
 const FileFormatRow* file_format(std::string_view path) {
-  for (const FileFormatRow& row : formats)
+  for (const FileFormatRow& row : field_formats())
     if (path.ends_with(row.ending)) return &row;
   return nullptr;
 }

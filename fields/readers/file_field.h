@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/options/option_table.h"
 #include "fields/field.h"
@@ -29,6 +30,7 @@ struct FileFormatRow {
   std::unique_ptr<VectorField> (*read)(const std::filesystem::path&, const FileOptions&);
 };
 
+/// Returns all formats of sampled fields; field_formats.cpp lists them.
 std::span<const FileFormatRow> field_formats();
 
 /// ".vti, .vtr, …", for messages.

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/readers/meta_image_field.h"
+// Raw samples described by a MetaImage header, the text format of ITK and MetaIO: .mhd names a
+// file of raw data, .mha holds them behind the header. Read here: NDims 3, DimSize, ElementType
+// MET_FLOAT or MET_DOUBLE, ElementNumberOfChannels 3, ElementSpacing, Offset (Position, Origin),
+// BinaryDataByteOrderMSB (ElementByteOrderMSB), ElementDataFile. Refused: compressed data, turned
+// axes. It has one array, whose name is "velocity".
 
 #include <fmt/format.h>
 
@@ -133,8 +137,6 @@ std::unique_ptr<VectorField> make_field(const Layout& layout, std::string bytes,
   return make_dense_field(std::move(grid), interpolation, std::move(description));
 }
 
-}  // namespace
-
 std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileOptions& options) {
   if (!options.array.empty() && options.array != "velocity")
     fail(path, fmt::format("array={}: no such vectors; point arrays of three components: velocity",
@@ -153,6 +155,13 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   return layout.is_double
              ? make_field<double>(layout, std::move(bytes), options.interpolation, description)
              : make_field<float>(layout, std::move(bytes), options.interpolation, description);
+}
+
+}  // namespace
+
+std::vector<FileFormatRow> meta_image_formats() {
+  return {{".mhd", "MetaImage header beside raw data", read_meta_image_field},
+          {".mha", "MetaImage", read_meta_image_field}};
 }
 
 }  // namespace pellucid::fields

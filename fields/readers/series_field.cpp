@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/readers/series_field.h"
+// A time series of files, linear in time between them and `outside` before the first and after the
+// last. The description is the JSON that ParaView writes:
+//   {"file-series-version": "1.0", "files": [{"name": "a.vti", "time": 0}, …]}
+// with two or more files, times ascending, names relative to the description. The options hold for
+// every file. All files are read at once.
 
 #include <fmt/format.h>
 
@@ -184,8 +188,6 @@ Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& pa
   return {entry["time"], read_file(path.parent_path() / name, *format, options)};
 }
 
-}  // namespace
-
 std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& options) {
   const nlohmann::json description = parse(path);
   if (!description.is_object() || !description.contains("files") ||
@@ -202,6 +204,12 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
                                  path.filename().string(), frames.size(), frames.front().time,
                                  frames.back().time, frames.front().field->description());
   return std::make_unique<SeriesField>(std::move(frames), std::move(text));
+}
+
+}  // namespace
+
+std::vector<FileFormatRow> series_formats() {
+  return {{".series", "time series of files, as ParaView writes it", read_series_field}};
 }
 
 }  // namespace pellucid::fields

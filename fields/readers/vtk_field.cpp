@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/readers/vtk_field.h"
+// Image and rectilinear data become a dense array of our own; curvilinear and unstructured grids
+// are searched with VTK's cell locator.
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
@@ -137,8 +138,6 @@ std::unique_ptr<VectorField> from_rectilinear(vtkRectilinearGrid* grid, const Fi
                     grid, options, path);
 }
 
-}  // namespace
-
 std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
   const vtkSmartPointer<vtkDataSet> data = read_vtk_data_set(path);
   if (auto* image = vtkImageData::SafeDownCast(data)) return from_image(image, options, path);
@@ -147,6 +146,16 @@ std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions&
   if (options.interpolation != Interpolation::linear)
     fail(path, "sampler=c1 needs image or rectilinear data; this grid takes sampler=linear");
   return make_cell_field(data, pick_vectors(data, options.array, path), path);
+}
+
+}  // namespace
+
+std::vector<FileFormatRow> vtk_formats() {
+  return {{".vti", "VTK image", read_vtk_field},
+          {".vtr", "VTK rectilinear grid", read_vtk_field},
+          {".vts", "VTK structured grid", read_vtk_field},
+          {".vtu", "VTK unstructured grid", read_vtk_field},
+          {".vtk", "legacy VTK", read_vtk_field}};
 }
 
 }  // namespace pellucid::fields

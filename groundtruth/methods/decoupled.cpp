@@ -10,6 +10,7 @@
 #include "core/machine/stopwatch.h"
 #include "core/parallel.h"
 #include "groundtruth/sums/fourier_sum.h"
+#include "groundtruth/sums/front_to_back.h"
 #include "groundtruth/sums/picture_sums.h"
 #include "groundtruth/sums/ray_sums.h"
 #include "scene/view/pixel_samples.h"
@@ -117,15 +118,9 @@ class Decoupled final : public scene::Renderer {
 
   void add_sample(const RaySums& ray, PixelSum& sum) const {
     const ImportanceSums sums(ray, bands_);
-    Vec3 color(0);
-    double transmittance = 1;
-    for (const RayLayer& layer : ray.layers) {
-      const double alpha = opacity(layer, sums);
-      color += transmittance * alpha * layer.color;
-      transmittance *= 1 - alpha;
-    }
-    color += transmittance * scene_.background;
-    sum.rgba += glm::dvec4(color, 1 - transmittance);
+    FrontToBack composite;
+    for (const RayLayer& layer : ray.layers) composite.add(layer.color, opacity(layer, sums));
+    sum.rgba += glm::dvec4(composite.over(scene_.background), 1 - composite.transmittance);
     sum.layers = std::max(sum.layers, std::uint32_t(ray.layers.size()));
   }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/readers/series_field.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
