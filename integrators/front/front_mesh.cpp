@@ -8,11 +8,6 @@ FrontMesh::FrontMesh(SurfaceBuilder& builder)
       given_(builder.vertex_count()),
       joined_(geometry::half_edges(builder.positions(), builder.triangles())) {}
 
-geometry::Corners FrontMesh::corners(Facet facet) const {
-  const auto [first, second, last] = sides(facet);
-  return {to(last), to(first), to(second)};
-}
-
 void FrontMesh::push_neighbours(Facet facet, std::vector<Facet>& facets) const {
   for (const Edge edge : sides(facet))
     if (!is_on_border(edge)) facets.push_back(neighbour(edge));

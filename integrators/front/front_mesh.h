@@ -35,7 +35,10 @@ class FrontMesh {
 
   std::size_t facet_count() const { return mesh_.n_faces(); }  // removed ones, too
   std::array<Edge, 3> sides(Facet facet) const { return geometry::sides(mesh_, facet); }
-  geometry::Corners corners(Facet facet) const;
+  geometry::Corners corners(Facet facet) const {
+    const auto [first, second, last] = sides(facet);
+    return {to(last), to(first), to(second)};
+  }
   void push_neighbours(Facet facet, std::vector<Facet>& facets) const;
 
   /// Replaces the edge by the other diagonal of its two facets, which keep their numbers. False on
