@@ -114,8 +114,9 @@ TEST(PropertyMetrics, EveryRowMeasuresItsOwnNumber) {
   const Metrics m = metrics_of(x, y);
   for (std::size_t row = 0; row < metrics().size(); ++row) {
     EXPECT_EQ(&m[row], &m.of(metrics()[row].name));
-    if (const auto found = functions.find(metrics()[row].name); found != functions.end())
+    if (const auto found = functions.find(metrics()[row].name); found != functions.end()) {
       EXPECT_EQ(m[row], found->second) << metrics()[row].name;
+    }
   }
   EXPECT_THROW(m.of("rsme"), InputError);
 }
