@@ -47,7 +47,7 @@ nlohmann::ordered_json list_methods() {
                     {"exact without isosurfaces", row.promises.exact_without_isosurfaces},
                     {"exact without importance", row.promises.exact_without_importance},
                     {"exact unless set", row.promises.exact_unless},
-                    {"exact with", row.promises.exact_with},
+                    {"exact without integrated surfaces", row.promises.exact_without_sources},
                     {"exact up to", row.promises.exact_layers},
                     {"order-independent", row.promises.order_independent},
                     {"order spread", row.promises.order_spread},

@@ -139,15 +139,13 @@ struct RenderContext {
 /// by others where it says so; property tests hold every row to them (tests/compare/methods/).
 struct Promises {
   /// The picture equals the exact composite, up to float rounding and `edge_shift`: in every scene,
-  /// in scenes without isosurfaces, or in scenes without importance.
+  /// in scenes without isosurfaces, without importance, or without integrated surfaces.
   bool exact = false;
   bool exact_without_isosurfaces = false;
   bool exact_without_importance = false;
+  bool exact_without_sources = false;
   /// Parameters, "a|b", of which any value but the default takes exactness away; no other does.
   std::string_view exact_unless = {};
-  /// The setting, "a=b", by which the picture is exact, and bit-equal for any order of primitives,
-  /// though it is not by default.
-  std::string_view exact_with = {};
   /// The parameter that tells how many layers of a pixel are kept apart. A pixel that has no more
   /// of them is exact, and bit-equal for any order of primitives; RenderStats::stored counts them.
   std::string_view exact_layers = {};

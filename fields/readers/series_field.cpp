@@ -163,6 +163,8 @@ class SeriesField final : public VectorField {
   Lazy<double> sampling_error_;
 };
 
+constexpr std::string_view series_ending = ".series";
+
 [[noreturn]] void fail(const Path& path, std::string_view why) {
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
@@ -182,7 +184,7 @@ Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& pa
     fail(path, fmt::format("files[{}]: expected {{\"name\": text, \"time\": number}}", number));
   const std::string name = entry["name"];
   const FileFormatRow* format = file_format(name);
-  if (!format || format->read == read_series_field)
+  if (!format || format->ending == series_ending)
     fail(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
                            number, name, file_endings()));
   return {entry["time"], read_file(path.parent_path() / name, *format, options)};
@@ -209,7 +211,7 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
 }  // namespace
 
 std::vector<FileFormatRow> series_formats() {
-  return {{".series", "time series of files, as ParaView writes it", read_series_field}};
+  return {{series_ending, "time series of files, as ParaView writes it", read_series_field}};
 }
 
 }  // namespace pellucid::fields

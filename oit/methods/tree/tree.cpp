@@ -198,7 +198,7 @@ const scene::MethodRow& tree_method() {
       .checked_against = "the paper's additional material",
       .parameters = tree_options().specs(),
       // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
-      .promises = {.exact_with = "epsilon2=0",
+      .promises = {.exact_without_sources = true,
                    .own_layers = true,
                    .order_spread = 1,
                    .convex_hull = true},

@@ -84,18 +84,6 @@ TEST(PropertyExactness, PixelsOfNoMoreLayersThanAreKeptApartAreExactInAnyOrder) 
   }
 }
 
-TEST(PropertyExactness, TheSettingThatMakesARowExactDoes) {
-  const scene::Scene scene = faint_cloud(), other = shuffled(scene, 13);
-  const Image exact = render(find_row("method", "linked-list", methods()), scene).image;
-  for (const scene::MethodRow& row : methods()) {
-    if (row.promises.exact_with.empty()) continue;
-    const RawOptions options = setting(row.promises.exact_with);
-    const Image image = render(row, scene, options).image;
-    EXPECT_LE(largest_difference(image, exact), float_composite) << row.name;
-    EXPECT_EQ(largest_difference(image, render(row, other, options).image), 0) << row.name;
-  }
-}
-
 /// The defaults of a row, and every integer at 3: layers exceed it, where it limits them.
 std::vector<RawOptions> with_small_budgets(const scene::MethodRow& row) {
   std::vector<RawOptions> options{{}};

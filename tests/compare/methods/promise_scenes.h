@@ -52,7 +52,7 @@ inline scene::Scene with_importance(scene::Scene scene) {
 /// Does the row promise the exact composite of meshes, lines and points without importance?
 inline bool is_exact(const scene::MethodRow& row) {
   return row.promises.exact || row.promises.exact_without_isosurfaces ||
-         row.promises.exact_without_importance;
+         row.promises.exact_without_importance || row.promises.exact_without_sources;
 }
 
 /// Is `name` one of "a|b|c"?
