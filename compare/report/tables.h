@@ -26,11 +26,14 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows);
 /// in bold; the measures in a second tabular.
 std::string latex_table(const Study& study, std::span<const ResultRow> rows);
 
-/// Where a study gives its source's costs: every method's memory, time and time of each step, the
-/// longest in bold; the source's; and the reference's time over the others', here and there. Empty
-/// where it gives none.
+/// Writes the costs where a study gives its source's: every method's memory, time and time of each
+/// step, the longest in bold; the source's; and the reference's time over the others', here and
+/// there. Returns an empty text where it gives none.
+///@{
 std::string markdown_costs(const Study& study, std::span<const ResultRow> rows);
 std::string latex_costs(const Study& study, std::span<const ResultRow> rows);
+///@}
+
 /// A line for each step: table, scene, method, step, milliseconds.
 std::string csv_costs(const Study& study, std::span<const ResultRow> rows);
 

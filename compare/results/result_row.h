@@ -74,11 +74,13 @@ struct ResultRow {
   std::string call() const { return parameters.empty() ? method : method + ':' + parameters; }
 };
 
+/// Writes all of a row, as results.json and a cell's file have it.
 nlohmann::json to_json(const ResultRow& row);
 
 /// Throws nlohmann's exceptions when `json` was not made by to_json.
 ResultRow row_from_json(const nlohmann::json& json);
 
+/// Writes the metrics of the float pictures, and under "displayed" those of the 8-bit values.
 nlohmann::json to_json(const Comparison& comparison);
 
 }  // namespace pellucid::compare

@@ -65,6 +65,7 @@ std::filesystem::path find_study(std::string_view name_or_file);
 /// The names of its scenes, in their order.
 std::vector<std::string> scene_names(const Study& study);
 
+/// A StudySummary is what `list studies` tells of a study.
 struct StudySummary {
   std::string name, title, source;
   std::filesystem::path file;

@@ -22,7 +22,7 @@ struct Triple {
 ///   static constexpr FlowFacts facts;               what `list fields` says about it
 ///   using Options = …;                              a struct
 ///   static const OptionTable<Options>& options();
-///   template <class T> Triple<T> operator()(const Triple<T>& x, double t) const;
+///   Triple<T> operator()(const Triple<T>& x, double t) const;   for any number type T
 /// Its velocity is written once; T is double, or Dual for the Jacobian. A flow that some options
 /// make steady or unsteady has a member steady().
 template <class Flow>
@@ -51,6 +51,7 @@ class AnalyticSampler final : public FieldSampler {
   Box3 domain_;
 };
 
+/// An AnalyticField is a flow of the catalogue as a VectorField, with the options it was given.
 template <class Flow>
 class AnalyticField final : public VectorField {
  public:

@@ -28,6 +28,7 @@ struct FieldRow : FlowFacts {
   std::unique_ptr<VectorField> (*make)(const Parameters&);
 };
 
+/// Returns the table of the flows.
 std::span<const FieldRow> analytic_fields();
 
 }  // namespace pellucid::fields

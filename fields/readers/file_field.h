@@ -21,6 +21,7 @@ struct FileOptions {
   Interpolation interpolation = Interpolation::linear;
 };
 
+/// Returns the table of what may stand behind a file's name.
 const OptionTable<FileOptions>& file_options();
 
 /// One kind of file that holds a sampled field.

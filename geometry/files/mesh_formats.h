@@ -28,6 +28,7 @@ struct FormatRow {
   void (*write_points)(const std::filesystem::path&, const PointSet&) = nullptr;
 };
 
+/// Returns the table of formats.
 std::span<const FormatRow> mesh_formats();
 
 /// The format that the path ends as, in small or capital letters; nothing when there is none.
@@ -45,13 +46,17 @@ std::string endings_with(Function FormatRow::*function) {
   return endings;
 }
 
-/// Vertex attributes by name, as a file holds them; `take_attributes` moves those with a meaning
-/// (red green blue alpha importance nx ny nz) to where Vertices keep them.
+/// VertexAttributes are numbers of the vertices by their name, as a file holds them.
 using VertexAttributes = std::map<std::string, std::vector<double>>;
+
+/// Moves the attributes with a meaning (red green blue alpha importance nx ny nz) to where Vertices
+/// keep them, and the others to the scalars.
 void take_attributes(VertexAttributes attributes, Vertices& vertices);
 
-/// Throw InputError "FILE: …" for what read_mesh() promises to refuse.
+/// Throws InputError "FILE: …" for what read_mesh() promises to refuse.
+///@{
 void check_vertices(const std::string& file, const Vertices& vertices);
 void check_mesh(const std::string& file, const TriangleMesh& mesh);
+///@}
 
 }  // namespace pellucid::geometry

@@ -6,12 +6,14 @@
 
 namespace pellucid::groundtruth {
 
+/// DecoupledOptions are those of the method `decoupled`.
 struct DecoupledOptions {
   scene::EnergyOptions energy;
   int bands = 0;  // of the Fourier series that gives G(d), at most 64; 0: the exact sums
 
   bool operator==(const DecoupledOptions&) const = default;
 };
+/// Returns the table of DecoupledOptions.
 const OptionTable<DecoupledOptions>& decoupled_options();
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled opacity optimization

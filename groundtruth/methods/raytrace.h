@@ -5,6 +5,7 @@
 
 namespace pellucid::groundtruth {
 
+/// Returns the table of RaytraceOptions.
 const OptionTable<RaytraceOptions>& raytrace_options();
 
 /// The exact composite by Embree's all-hit traversal.

@@ -10,6 +10,7 @@
 
 namespace pellucid::groundtruth {
 
+/// RaytraceOptions are those of the method `raytrace`.
 struct RaytraceOptions {
   Precision precision = Precision::exact;
   double stop_below = 0;  // a ray ends where less than this share shows

@@ -21,6 +21,7 @@ class FrontLine {
     double s, t;
     int particle;
   };
+  /// An Edge joins two neighbours of the front.
   struct Edge {
     int left, right;
     Shadow shadow;  // by tolerance: from halfway between the seeds

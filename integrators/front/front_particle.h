@@ -49,6 +49,7 @@ struct Separation {
   double distance;
   double width;  // across the flow: a front edge may lean without its ribbon being wide
 };
+/// Returns how far a and b are apart, in world units.
 Separation separation(const FrontPoint& a, const FrontPoint& b);
 
 /// Do the two move away from each other within 60° of the line that joins them? So they do on

@@ -31,6 +31,7 @@ struct SurfaceOptions {
   SteppingOptions stepping;
 };
 
+/// Returns the table of SurfaceOptions.
 const OptionTable<SurfaceOptions>& surface_options();
 
 }  // namespace pellucid::integrators

@@ -23,6 +23,8 @@ struct LineRequest {
   Progress progress;
 };
 
+/// LineStats are what the lines took: seconds of wall clock, bytes of lines and trajectories, and
+/// how many particles ended for which reason.
 struct LineStats {
   std::uint64_t particles = 0;
   std::uint64_t evaluations = 0;

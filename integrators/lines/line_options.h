@@ -8,7 +8,7 @@
 
 namespace pellucid::integrators {
 
-/// Of stream lines and path lines.
+/// FollowingOptions are those of stream lines and path lines.
 struct FollowingOptions {
   int particles = 20;          // lines, evenly spaced on the seed curve
   std::optional<double> step;  // world units between a line's vertices; not set: by the turn
@@ -16,13 +16,17 @@ struct FollowingOptions {
   SteppingOptions stepping;
 };
 
+/// StreakOptions are those of streak lines.
 struct StreakOptions {
   int particles = 20;  // lines, evenly spaced on the seed curve
   int releases = 200;  // particles let go at each seed, evenly spaced in time
   SteppingOptions stepping;
 };
 
+/// Returns the table of the options.
+///@{
 const OptionTable<FollowingOptions>& following_options();
 const OptionTable<StreakOptions>& streak_options();
+///@}
 
 }  // namespace pellucid::integrators

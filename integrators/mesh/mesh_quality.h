@@ -29,6 +29,7 @@ struct MeshQuality {
   Percentiles normal_degrees;  // facet normal against its vertices' normals; 0 without normals
 };
 
+/// Measures connectivity and shapes, in time linear in the mesh but for sorting.
 MeshQuality measure_quality(const geometry::TriangleMesh& mesh);
 
 }  // namespace pellucid::integrators

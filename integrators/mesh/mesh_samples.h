@@ -21,6 +21,7 @@ struct MeshSample {
 /// Ascending in the triangle.
 std::vector<MeshSample> sample_mesh(const geometry::TriangleMesh& mesh, std::uint64_t samples);
 
+/// Returns where a sample lies, in world units.
 Vec3 position_of(const geometry::TriangleMesh& mesh, const MeshSample& sample);
 
 }  // namespace pellucid::integrators

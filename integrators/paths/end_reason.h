@@ -25,6 +25,7 @@ enum class EndReason {
 /// "duration", "left-domain", …; as `trace --json` prints them.
 std::string_view name_of(EndReason reason);
 
+/// EndCounts are how many particles ended for which reason.
 using EndCounts = std::map<EndReason, std::uint64_t>;
 
 }  // namespace pellucid::integrators

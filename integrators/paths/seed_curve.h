@@ -18,18 +18,20 @@ struct SeedCurve {
   std::vector<double> corners;               // s in (0, 1) where the tangent jumps, ascending
 };
 
+/// Makes the straight segment between two points, s proportional to arc length.
 SeedCurve segment_seed(const Vec3& from, const Vec3& to);
 
-/// s is proportional to arc length. Repeated points are dropped. Throws InputError when a point is
-/// not finite or fewer than two differ.
+/// Makes a polyline, s proportional to arc length. Repeated points are dropped. Throws InputError
+/// when a point is not finite or fewer than two differ.
 SeedCurve polyline_seed(std::span<const Vec3> points, bool closed = false);
 
+/// Makes the closed circle about `center` in the plane across `normal`; world units.
 SeedCurve circle_seed(const Vec3& center, const Vec3& normal, double radius);
 
-/// A C¹ curve through the points: Catmull-Rom with centripetal knots.
+/// Makes a C¹ curve through the points: Catmull-Rom with centripetal knots.
 SeedCurve spline_seed(std::span<const Vec3> points, bool closed = false);
 
-/// Any curve that is smooth on [0, 1]; its tangent is differenced unless given.
+/// Makes a seed of any curve that is smooth on [0, 1]; its tangent is differenced unless given.
 SeedCurve callable_seed(std::function<Vec3(double)> point, bool closed = false,
                         std::function<Vec3(double)> tangent = {});
 

@@ -20,6 +20,7 @@ struct SteppingOptions {
   std::uint64_t max_steps = 1'000'000;  // a particle ends after so many
 };
 
+/// Returns the table of SteppingOptions.
 const OptionTable<SteppingOptions>& stepping_options();
 
 }  // namespace pellucid::integrators

@@ -22,6 +22,7 @@ enum class Companion {
   ghost_rescaled  // a second particle, put back to `ghost_distance` after every step
 };
 
+/// TrajectoryOptions say how a particle is integrated.
 struct TrajectoryOptions {
   const ButcherTableau* stepper = &dopri5();  // of steppers()
   double duration = 1;                        // time units

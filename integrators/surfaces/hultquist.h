@@ -5,6 +5,8 @@
 
 namespace pellucid::integrators {
 
+/// Returns Hultquist's recursive ribbons (1992): a ribbon that lags behind is advanced first, and
+/// splits or merges where its width asks for it.
 const IntegratorRow& hultquist_integrator();
 
 }  // namespace pellucid::integrators

@@ -5,7 +5,10 @@
 
 namespace pellucid::integrators {
 
+/// Returns the front line without refinement: all particles of the seed curve, no others, as Tian
+/// and Günther compare it (additional material, Fig. 4, left).
 const IntegratorRow& fixed_front_integrator();
+/// Returns the front line with particles inserted and removed (Fig. 4, middle left).
 const IntegratorRow& adaptive_front_integrator();
 
 }  // namespace pellucid::integrators

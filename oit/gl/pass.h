@@ -9,6 +9,7 @@
 
 namespace pellucid::oit {
 
+/// A Blend says how fragments are combined with what is at the destination.
 enum class Blend {
   replace,
   add,      // destination + source

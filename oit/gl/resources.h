@@ -51,6 +51,7 @@ class Resources {
   std::size_t count_ = 0;
 };
 
+/// Returns all of both.
 inline Resources operator+(Resources a, const Resources& b) {
   a.add(b);
   return a;

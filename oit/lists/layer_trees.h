@@ -18,6 +18,7 @@ struct LayerRule {
 
   bool operator==(const LayerRule&) const = default;
 };
+/// Returns the table of LayerRule.
 const OptionTable<LayerRule>& layer_rule_options();
 
 /// LayerTrees are one tree of layers per pixel (layer_tree.glsl), which keeps what every frame

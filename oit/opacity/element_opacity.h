@@ -17,6 +17,7 @@ struct ElementOptions {
 
   bool operator==(const ElementOptions&) const = default;
 };
+/// Returns the table of ElementOptions.
 const OptionTable<ElementOptions>& element_options();
 
 /// Opacities of the scene's elements, and of its vertices by them: the object-space half of opacity
@@ -58,6 +59,7 @@ class ElementOpacity {
 
 /// Whether any transparent object of the scene has some: otherwise no opacity changes.
 bool has_importance(const scene::Scene& scene);
+/// What `--explain` says where no opacity is optimized.
 inline constexpr const char* nothing_is_important =
     "opacities: the scene's own, nothing in it is important";
 

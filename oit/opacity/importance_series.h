@@ -6,17 +6,20 @@
 
 namespace pellucid::oit {
 
+/// An ImportanceResolution says how many pixels share a series.
 enum class ImportanceResolution {
   full,  // a series a pixel
   half   // a series for 2 x 2 pixels
 };
 
+/// ImportanceOptions are those of the importance's series, beside SeriesOptions.
 struct ImportanceOptions {
   int bands = 0;  // of the series; 0: as many as the optical depth's
   ImportanceResolution resolution = ImportanceResolution::full;
 
   bool operator==(const ImportanceOptions&) const = default;
 };
+/// Returns the table of ImportanceOptions.
 const OptionTable<ImportanceOptions>& importance_options();
 
 /// The importance G(d) of every pixel as a Fourier series (Baeza Rojo et al. 2019, Eq. 11), for

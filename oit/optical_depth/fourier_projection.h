@@ -8,13 +8,13 @@
 
 namespace pellucid::oit {
 
-/// Where a series is taken to be at a fragment.
+/// A SeriesValue says which value of the series is taken at a fragment.
 enum class SeriesValue {
   behind,  // as in Eq. 15
   middle   // of the fragment's step, whither a series converges
 };
 
-/// Of the Fourier series of a pixel, and of the fragments that it is made of.
+/// SeriesOptions are those of the Fourier series of a pixel, and of the fragments in it.
 struct SeriesOptions {
   double clamp = usual_clamp;  // largest opacity, below 1: Eq. 13 divides by 1 - alpha
   SeriesValue at = SeriesValue::behind;
@@ -24,6 +24,7 @@ struct SeriesOptions {
 
   bool operator==(const SeriesOptions&) const = default;
 };
+/// Returns the table of SeriesOptions.
 const OptionTable<SeriesOptions>& series_options();
 
 /// The pass that projects what fragments carry onto Fourier series (Baeza Rojo et al. 2019, Eqs. 8,
@@ -58,6 +59,7 @@ struct FourierTarget {
   GLenum format;
   int layers;
 };
+/// Returns the array that so many bands, and band 0, take.
 FourierTarget fourier_target(int bands, const SeriesOptions& options);
 
 /// A program that clamps opacities and samples or makes a series of that margin.

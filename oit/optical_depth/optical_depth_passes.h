@@ -20,6 +20,7 @@ namespace pellucid::oit {
 /// color_sums_texture: it reads what its shader prefers.
 class OpticalDepthPasses {
  public:
+  /// A Target holds some of a pixel's coefficients: its name in the ledger, its format and layers.
   struct Target {
     std::string_view name;
     GLenum format;
@@ -56,11 +57,13 @@ GeometryProgram clamped_geometry_program(const Stage& stage, std::string_view fr
 inline constexpr double usual_clamp = 0.9999;
 
 // Options of the methods that weight by Eq. 15 of Baeza Rojo, Gross and Guenther 2019.
+/// Makes the row `normalize`.
 template <class Options>
 Option<Options> normalize_option(bool Options::*member) {
   return flag("normalize", member,
               "on: Eq. 19; off: Eq. 15, whose colours may leave their convex hull");
 }
+/// Makes the row `clamp`.
 template <class Options>
 Option<Options> clamp_option(double Options::*member) {
   return number("clamp", member,

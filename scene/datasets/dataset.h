@@ -19,6 +19,7 @@ namespace pellucid::scene {
 /// Velocities at the samples of nested grids, the coarsest first.
 using VelocityLevels = std::vector<fields::VectorLevel>;
 
+/// A Dataset is a shape, or velocities on levels.
 using Dataset =
     std::variant<geometry::TriangleMesh, geometry::LineSet, geometry::PointSet, VelocityLevels>;
 
@@ -34,6 +35,7 @@ struct DatasetRow {
   bool on_levels = false;  // VelocityLevels, which isosurfaces are made of; otherwise shapes
 };
 
+/// Returns the table of data sets.
 std::span<const DatasetRow> datasets();
 
 /// `dataset` is "NAME[:key=value,…]". Throws InputError for an unknown name, key or value.

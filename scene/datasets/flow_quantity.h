@@ -7,6 +7,7 @@
 
 namespace pellucid::scene {
 
+/// A FlowQuantity is what a flow's importance or colour may be by.
 enum class FlowQuantity {
   speed,      // |v|
   vorticity,  // |curl v|

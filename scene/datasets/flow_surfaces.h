@@ -5,9 +5,11 @@
 
 namespace pellucid::scene {
 
-/// Stream surfaces of the catalogue's flows, of random seed curves: in place of the surface data of
+/// Each row makes stream surfaces of a flow, of random seed curves: in place of the surface data of
 /// Baeza Rojo et al. 2019, Figs. 7 and 8.
+///@{
 const DatasetRow& tornado_dataset();
 const DatasetRow& delta_wing_dataset();
+///@}
 
 }  // namespace pellucid::scene

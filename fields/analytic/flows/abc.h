@@ -14,6 +14,7 @@
 
 namespace pellucid::fields::flow {
 
+/// AbcOptions are the constants of the field `abc`.
 struct AbcOptions {
   double A = std::numbers::sqrt3;
   double B = std::numbers::sqrt2;
@@ -21,6 +22,7 @@ struct AbcOptions {
   double decay = 0;  // 1/time: viscosity
 };
 
+/// An Abc is the field `abc`: Arnold-Beltrami-Childress flow.
 struct Abc : AbcOptions {
   using Options = AbcOptions;
   static constexpr FlowFacts facts{

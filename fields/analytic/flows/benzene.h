@@ -16,11 +16,13 @@
 
 namespace pellucid::fields::flow {
 
+/// BenzeneOptions are the constants of the field `benzene`.
 struct BenzeneOptions {
   double q = 0.115;   // e: charge of a hydrogen
   double soft = 0.1;  // Å: softening at the atoms
 };
 
+/// A Benzene is the field `benzene`: electrostatic field of benzene.
 struct Benzene {
   using Options = BenzeneOptions;
   static constexpr FlowFacts facts{
@@ -38,6 +40,7 @@ struct Benzene {
     return table;
   }
 
+  /// An Atom is a point charge of the molecule.
   struct Atom {
     double x, y, charge;
   };

@@ -15,6 +15,7 @@
 
 namespace pellucid::fields::flow {
 
+/// DeltaWingOptions are the constants of the field `delta-wing`.
 struct DeltaWingOptions {
   double U = 1;        // world units/time: speed far away
   double alpha = 15;   // degrees: angle of attack
@@ -24,6 +25,7 @@ struct DeltaWingOptions {
   double core = 0.06;  // world units: core radius
 };
 
+/// A DeltaWing is the field `delta-wing`: leading-edge vortex pair of a delta wing.
 struct DeltaWing {
   using Options = DeltaWingOptions;
   static constexpr FlowFacts facts{

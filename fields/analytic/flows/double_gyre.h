@@ -9,6 +9,7 @@
 
 namespace pellucid::fields::flow {
 
+/// DoubleGyreOptions are the constants of the field `double-gyre`.
 struct DoubleGyreOptions {
   double A = 0.1;              // world units²/time: strength
   double eps = 0.25;           // world units: amplitude of swing
@@ -16,6 +17,7 @@ struct DoubleGyreOptions {
   double c = 0.1;              // world units/time: drift along z
 };
 
+/// A DoubleGyre is the field `double-gyre`: double gyre with drift.
 struct DoubleGyre : DoubleGyreOptions {
   using Options = DoubleGyreOptions;
   static constexpr FlowFacts facts{

@@ -7,6 +7,7 @@
 
 namespace pellucid::fields::flow {
 
+/// A Drift is the field `drift`: turning uniform flow.
 struct Drift : WithoutOptions {
   static constexpr FlowFacts facts{
       .name = "drift",

@@ -18,17 +18,20 @@
 
 namespace pellucid::fields::flow {
 
+/// A FilamentElement is a short straight piece of a vortex filament.
 struct FilamentElement {
   Vec3 position;
   Vec3 length;  // dl, a step along the filament
 };
 
+/// FilamentSums are the sums over a filament's elements that a velocity is made of, each a vector.
 template <class T>
 struct FilamentSums {
   Triple<T> around{T(0), T(0), T(0)};
   Triple<T> along{T(0), T(0), T(0)};
 };
 
+/// Returns the sums at the point p; `core` is the radius within which the filament is smooth.
 inline FilamentSums<double> sum_over(const std::vector<FilamentElement>& filament,
                                      const Triple<double>& p, double core) {
   const Vec3 place(p.x, p.y, p.z);

@@ -11,11 +11,13 @@
 
 namespace pellucid::fields::flow {
 
+/// HillOptions are the constants of the field `hill`.
 struct HillOptions {
   double U = 1;  // world units/time: speed far away
   double a = 1;  // world units: radius
 };
 
+/// A Hill is the field `hill`: Hill's spherical vortex.
 struct Hill : HillOptions {
   using Options = HillOptions;
   static constexpr FlowFacts facts{

@@ -11,11 +11,14 @@
 
 namespace pellucid::fields::flow {
 
+/// KelvinHelmholtzOptions are the constants of the field `kelvin-helmholtz`.
 struct KelvinHelmholtzOptions {
   double c = 1.25;      // 1: not rolled up
   double drift = 0.25;  // world units/time: along z
 };
 
+/// A KelvinHelmholtz is the field `kelvin-helmholtz`: Kelvin-Helmholtz shear layer (Stuart's
+/// vortices).
 struct KelvinHelmholtz {
   using Options = KelvinHelmholtzOptions;
   static constexpr FlowFacts facts{

@@ -7,6 +7,7 @@
 
 namespace pellucid::fields::flow {
 
+/// A PulsingSaddle is the field `pulsing-saddle`: pulsing saddle.
 struct PulsingSaddle : WithoutOptions {
   static constexpr FlowFacts facts{
       .name = "pulsing-saddle",

@@ -7,11 +7,13 @@
 
 namespace pellucid::fields::flow {
 
+/// RotationOptions are the constants of the field `rotation`.
 struct RotationOptions {
   double omega = 1;  // rad/time: angular velocity
   double c = 0.2;    // world units/time: drift along z
 };
 
+/// A Rotation is the field `rotation`: rigid rotation and translation.
 struct Rotation : RotationOptions {
   using Options = RotationOptions;
   static constexpr FlowFacts facts{

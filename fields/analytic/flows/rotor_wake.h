@@ -12,6 +12,7 @@
 
 namespace pellucid::fields::flow {
 
+/// RotorWakeOptions are the constants of the field `rotor-wake`.
 struct RotorWakeOptions {
   int blades = 2;
   double R = 1;        // world units: rotor's radius
@@ -22,6 +23,7 @@ struct RotorWakeOptions {
   double omega = 1;    // rad/time: rotor's speed
 };
 
+/// A RotorWake is the field `rotor-wake`: tip vortices of a hovering rotor.
 struct RotorWake {
   using Options = RotorWakeOptions;
   static constexpr FlowFacts facts{

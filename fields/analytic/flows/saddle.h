@@ -7,10 +7,12 @@
 
 namespace pellucid::fields::flow {
 
+/// SaddleOptions are the constants of the field `saddle`.
 struct SaddleOptions {
   double a = 1;  // 1/time: rate of stretching
 };
 
+/// A Saddle is the field `saddle`: saddle.
 struct Saddle : SaddleOptions {
   using Options = SaddleOptions;
   static constexpr FlowFacts facts{

@@ -6,10 +6,12 @@
 
 namespace pellucid::fields::flow {
 
+/// ShearOptions are the constants of the field `shear`.
 struct ShearOptions {
   double b = 1;  // world units/time: speed at y = 0
 };
 
+/// A Shear is the field `shear`: linear shear.
 struct Shear : ShearOptions {
   using Options = ShearOptions;
   static constexpr FlowFacts facts{

@@ -21,12 +21,14 @@
 
 namespace pellucid::fields::flow {
 
+/// ShedWakeOptions are the constants of the field `shed-wake`.
 struct ShedWakeOptions {
   SphereOptions sphere;
   int rings = 5;       // 1.6 radii apart
   double gamma = 0.5;  // U: strength of a ring
 };
 
+/// A ShedWake is the field `shed-wake`: flow past a sphere with vortex rings in its wake.
 struct ShedWake {
   using Options = ShedWakeOptions;
   static constexpr FlowFacts facts{

@@ -15,12 +15,14 @@
 
 namespace pellucid::fields::flow {
 
+/// SphereOptions are the constants of the field `sphere`.
 struct SphereOptions {
   double U = 1;   // world units/time: speed far away
   double a = 1;   // world units: radius
   double Re = 4;  // Reynolds number 2aU/ν
 };
 
+/// A Sphere is the field `sphere`: flow past a sphere with its wake.
 struct Sphere : SphereOptions {
   using Options = SphereOptions;
   static constexpr FlowFacts facts{

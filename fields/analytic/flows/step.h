@@ -15,6 +15,7 @@
 
 namespace pellucid::fields::flow {
 
+/// StepOptions are the constants of the field `step`.
 struct StepOptions {
   double U = 1;         // world units/time: speed of the stream
   double delta = 0.2;   // world units: shear layer's thickness
@@ -26,6 +27,7 @@ struct StepOptions {
   double beta = pi;     // rad/world unit: wave number of ribs
 };
 
+/// A Step is the field `step`: separated shear flow behind a step.
 struct Step : StepOptions {
   using Options = StepOptions;
   static constexpr FlowFacts facts{

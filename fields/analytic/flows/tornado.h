@@ -13,6 +13,7 @@
 
 namespace pellucid::fields::flow {
 
+/// A Tornado is the field `tornado`: Crawfis tornado.
 struct Tornado : WithoutOptions {
   static constexpr FlowFacts facts{
       .name = "tornado",

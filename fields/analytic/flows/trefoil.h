@@ -14,6 +14,7 @@
 
 namespace pellucid::fields::flow {
 
+/// TrefoilOptions are the constants of the field `trefoil`.
 struct TrefoilOptions {
   double C = 1.6;    // world units: ring's radius
   double D = 1;      // world units: height of the crossings
@@ -21,6 +22,7 @@ struct TrefoilOptions {
   double twist = 1;  // 1/world unit: current
 };
 
+/// A Trefoil is the field `trefoil`: magnetic trefoil knot.
 struct Trefoil {
   using Options = TrefoilOptions;
   static constexpr FlowFacts facts{

@@ -8,6 +8,7 @@ namespace pellucid::oit {
 /// How tau is read within a bin.
 enum class BinMode { constant, linear };
 
+/// BinningOptions are those of the method `binning`.
 struct BinningOptions {
   int bins = 11;  // equal parts of the depth range, 1 to 1024
   BinMode mode = BinMode::linear;
@@ -16,6 +17,7 @@ struct BinningOptions {
 
   bool operator==(const BinningOptions&) const = default;
 };
+/// Returns the table of BinningOptions.
 const OptionTable<BinningOptions>& binning_options();
 
 /// Binning of the optical depth (Baeza Rojo, Gross and Guenther 2019, section 5.3, and section 2.2

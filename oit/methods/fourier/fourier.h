@@ -6,6 +6,7 @@
 
 namespace pellucid::oit {
 
+/// FourierOptions are those of the method `fourier`.
 struct FourierOptions {
   int bands = 5;          // frequencies of the series, 1 to 64 (m in the paper)
   bool normalize = true;  // by Eq. 19
@@ -13,6 +14,7 @@ struct FourierOptions {
 
   bool operator==(const FourierOptions&) const = default;
 };
+/// Returns the table of FourierOptions.
 const OptionTable<FourierOptions>& fourier_options();
 
 /// Fourier-based compositing (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization

@@ -16,6 +16,7 @@ enum class OpacityUnit {
 /// What the colours are composited by.
 enum class OpacityCompositing { fourier, lists };
 
+/// FourierOpacityOptions are those of the method `fourier-opacity`.
 struct FourierOpacityOptions {
   scene::EnergyOptions energy;
   FourierOptions fourier;  // its series options are those of the importance, too
@@ -26,6 +27,7 @@ struct FourierOpacityOptions {
 
   bool operator==(const FourierOpacityOptions&) const = default;
 };
+/// Returns the table of FourierOpacityOptions.
 const OptionTable<FourierOpacityOptions>& fourier_opacity_options();
 
 /// Fourier opacity optimization (Baeza Rojo, Gross and Guenther 2019, "Fourier opacity optimization

@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// KBufferOptions are those of the method `k-buffer`.
 struct KBufferOptions {
   int layers = 8;  // kept apart, 1 to 64 (k)
 
   bool operator==(const KBufferOptions&) const = default;
 };
+/// Returns the table of KBufferOptions.
 const OptionTable<KBufferOptions>& k_buffer_options();
 
 /// k-buffer with a tail: hybrid transparency (Maule, Comba, Torchelsen and Bastos 2013, I3D). The

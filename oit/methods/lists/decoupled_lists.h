@@ -7,12 +7,14 @@
 
 namespace pellucid::oit {
 
+/// DecoupledListsOptions are those of the method `decoupled-lists`.
 struct DecoupledListsOptions {
   scene::EnergyOptions energy;
   ElementOptions elements;
 
   bool operator==(const DecoupledListsOptions&) const = default;
 };
+/// Returns the table of DecoupledListsOptions.
 const OptionTable<DecoupledListsOptions>& decoupled_lists_options();
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled

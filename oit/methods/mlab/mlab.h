@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// MlabOptions are those of the method `mlab`.
 struct MlabOptions {
   int layers = 4;  // of a pixel, 2 to 64
 
   bool operator==(const MlabOptions&) const = default;
 };
+/// Returns the table of MlabOptions.
 const OptionTable<MlabOptions>& mlab_options();
 
 /// Multi-layer alpha blending (Salvi and Vaidyanathan 2014, I3D): `layers` layers per pixel in the

@@ -5,11 +5,13 @@
 
 namespace pellucid::oit {
 
+/// A MomentBasis says what the moments are of.
 enum class MomentBasis {
   power,         // powers of depth
   trigonometric  // cosines and sines of multiples of an angle
 };
 
+/// MomentOptions are those of the method `moment`.
 struct MomentOptions {
   int moments = 4;  // numbers beyond the zeroth moment: 4, 6 or 8
   MomentBasis basis = MomentBasis::power;
@@ -19,6 +21,7 @@ struct MomentOptions {
 
   bool operator==(const MomentOptions&) const = default;
 };
+/// Returns the table of MomentOptions.
 const OptionTable<MomentOptions>& moment_options();
 
 /// Moment-based order-independent transparency (Muenstermann, Krumpen, Klein and Peters 2018,

@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// DepthPeelingOptions are those of the method `depth-peeling`.
 struct DepthPeelingOptions {
   std::optional<int> peels;  // most layers, at least 1; not set: all of them
 
   bool operator==(const DepthPeelingOptions&) const = default;
 };
+/// Returns the table of DepthPeelingOptions.
 const OptionTable<DepthPeelingOptions>& depth_peeling_options();
 
 /// Depth peeling (Everitt 2001, "Interactive order-independent transparency", NVIDIA): the layers

@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// DualDepthPeelingOptions are those of the method `dual-depth-peeling`.
 struct DualDepthPeelingOptions {
   std::optional<int> peels;  // most passes, at least 1, two layers each; not set: all layers
 
   bool operator==(const DualDepthPeelingOptions&) const = default;
 };
+/// Returns the table of DualDepthPeelingOptions.
 const OptionTable<DualDepthPeelingOptions>& dual_depth_peeling_options();
 
 /// Dual depth peeling (Bavoil and Myers 2008, "Order independent transparency with dual depth

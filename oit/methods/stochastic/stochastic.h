@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// StochasticOptions are those of the method `stochastic`.
 struct StochasticOptions {
   int samples = 16;  // passes over the scene, 1 to 4096
 
   bool operator==(const StochasticOptions&) const = default;
 };
+/// Returns the table of StochasticOptions.
 const OptionTable<StochasticOptions>& stochastic_options();
 
 /// Stochastic transparency with alpha correction (Enderton, Sintorn, Shirley and Luebke 2010,

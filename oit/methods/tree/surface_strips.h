@@ -9,11 +9,13 @@
 
 namespace pellucid::oit {
 
+/// A LineSeeding says where on the seed curve lines begin.
 enum class LineSeeding {
   separation,  // more lines where neighbours part
   uniform      // evenly many in s
 };
 
+/// StripOptions say how wide the lines are drawn, and where they begin.
 struct StripOptions {
   double width = 1;   // pixels, at each point's view depth
   double widest = 8;  // pixels: a strip widens so far to reach the next lines
@@ -21,6 +23,7 @@ struct StripOptions {
 
   bool operator==(const StripOptions&) const = default;
 };
+/// Returns the table of StripOptions.
 const OptionTable<StripOptions>& strip_options();
 
 /// The lines that the particles of a seed curve draw on their surface, each as a strip that lies in

@@ -18,6 +18,7 @@ struct TreeBudget {
   bool operator==(const TreeBudget&) const = default;
 };
 
+/// TreeOptions are those of the method `tree`.
 struct TreeOptions {
   TreeBudget budget;
   LayerRule rule;
@@ -25,6 +26,7 @@ struct TreeOptions {
 
   bool operator==(const TreeOptions&) const = default;
 };
+/// Returns the table of TreeOptions.
 const OptionTable<TreeOptions>& tree_options();
 
 /// The progressive per-pixel tree (Tian and Guenther, "Progressive Rendering of Transparent

@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// WeightedBlendedOptions are those of the method `weighted-blended`.
 struct WeightedBlendedOptions {
   int weight = 10;  // number of the weight's equation, 7 to 10; 0: w = 1
 
   bool operator==(const WeightedBlendedOptions&) const = default;
 };
+/// Returns the table of WeightedBlendedOptions.
 const OptionTable<WeightedBlendedOptions>& weighted_blended_options();
 
 /// Weighted blended order-independent transparency (McGuire and Bavoil 2013, JCGT 2(2)): a weighted

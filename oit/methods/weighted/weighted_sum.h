@@ -6,11 +6,13 @@
 
 namespace pellucid::oit {
 
+/// WeightedSumOptions are those of the method `weighted-sum`.
 struct WeightedSumOptions {
   bool clamp = true;  // to [0, 1]
 
   bool operator==(const WeightedSumOptions&) const = default;
 };
+/// Returns the table of WeightedSumOptions.
 const OptionTable<WeightedSumOptions>& weighted_sum_options();
 
 /// Weighted sum (Meshkin 2007, "Sort-independent alpha blending", GDC): the terms of the composite
