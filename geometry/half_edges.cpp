@@ -154,7 +154,7 @@ void Builder::connect_faces() {
   for (std::size_t f = 0; f < triangles_.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       const HalfedgeHandle h = half_edge(3 * f + k);
-      const VertexHandle from(int(triangles_[f][k])), to(int(triangles_[f][(k + 1) % 3]));
+      const VertexHandle from{int(triangles_[f][k])}, to{int(triangles_[f][(k + 1) % 3])};
       mesh().set_face_handle(h, FaceHandle(int(f)));
       mesh().set_vertex_handle(h, to);
       mesh().set_vertex_handle(opposite(h), from);

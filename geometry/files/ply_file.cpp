@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "core/error.h"
@@ -34,9 +36,17 @@ void check_count(const ply::Reader& reader, const ply::Element& element) {
                                  reader.where(), element.count, element.name, reader.bytes_left()));
 }
 
+/// The length of a list, which a file may write as any number type: as many entries as 0, 1, … stay
+/// below it. The reader throws long before a length that no file holds.
+std::uint64_t list_length(ply::Reader& reader, const ply::Property& property) {
+  constexpr double most = 1e18;
+  const double length = std::ceil(reader.next(property.count_type));
+  return length > 0 ? std::uint64_t(std::min(length, most)) : 0;
+}
+
 void skip(ply::Reader& reader, const ply::Property& property) {
-  const double count = property.is_list ? reader.next(property.count_type) : 1;
-  for (double i = 0; i < count; ++i) reader.next(property.type);
+  const std::uint64_t count = property.is_list ? list_length(reader, property) : 1;
+  for (std::uint64_t i = 0; i < count; ++i) reader.next(property.type);
 }
 
 void skip(ply::Reader& reader, const ply::Element& element) {
@@ -81,9 +91,9 @@ std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face
 /// A polygon becomes a fan of triangles around its first vertex.
 void read_polygon(ply::Reader& reader, const ply::Property& property, std::uint64_t face,
                   TriangleMesh& mesh) {
-  const double corners = reader.next(property.count_type);
+  const std::uint64_t corners = list_length(reader, property);
   std::uint32_t first = 0, previous = 0;
-  for (double k = 0; k < corners; ++k) {
+  for (std::uint64_t k = 0; k < corners; ++k) {
     const std::uint32_t index = read_index(reader, property.type, face, mesh.positions.size());
     if (k == 0) first = index;
     if (k >= 2) mesh.triangles.push_back({first, previous, index});

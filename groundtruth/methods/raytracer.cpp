@@ -120,9 +120,10 @@ class Raytracer : public scene::Renderer {
     std::array<PixelSum, RayPacket::width> sums;
     std::vector<PictureRay> rays(static_cast<std::size_t>(columns) * rows);
     for (const Vec2& sample : samples_) {
-      for (std::size_t k = 0; k < rays.size(); ++k)
-        rays[k] = finder_.frame().ray(x.begin + int(k) % columns + sample.x,
-                                      y.begin + int(k) / columns + sample.y);
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        const int column = int(k) % columns, row = int(k) / columns;
+        rays[k] = finder_.frame().ray(x.begin + column + sample.x, y.begin + row + sample.y);
+      }
       finder_.find(rays, std::span(crossings).first(rays.size()));
       for (std::size_t k = 0; k < rays.size(); ++k) add_sample(rays[k], crossings[k], sums[k]);
     }
@@ -153,7 +154,8 @@ class Raytracer : public scene::Renderer {
 
   /// Traces the rays of one pixel's many samples together, some at a time.
   std::uint64_t retrace(std::size_t pixel, Buffers& crossings, scene::Rendering& result) const {
-    const Vec2 corner(double(pixel % scene_.width), double(pixel / scene_.width));
+    const std::size_t column = pixel % scene_.width, row = pixel / scene_.width;
+    const Vec2 corner(double(column), double(row));
     PixelSum sum;
     std::vector<PictureRay> rays;
     for (std::size_t first = 0; first < more_samples_.size(); first += RayPacket::width) {

@@ -33,7 +33,7 @@ std::uint64_t texel_bytes(GLenum format) {
       return 16;
     default:
       assert(false && "a format that this room does not use");
-      return 0;
+      return 16;  // the largest
   }
 }
 
