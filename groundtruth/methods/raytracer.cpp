@@ -155,7 +155,7 @@ class Raytracer : public scene::Renderer {
   /// Traces the rays of one pixel's many samples together, some at a time.
   std::uint64_t retrace(std::size_t pixel, Buffers& crossings, scene::Rendering& result) const {
     const std::size_t column = pixel % scene_.width, row = pixel / scene_.width;
-    const Vec2 corner(double(column), double(row));
+    const Vec2 corner{double(column), double(row)};
     PixelSum sum;
     std::vector<PictureRay> rays;
     for (std::size_t first = 0; first < more_samples_.size(); first += RayPacket::width) {

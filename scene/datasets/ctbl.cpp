@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "scene/datasets/point_clouds.h"
+#include "scene/datasets/dataset.h"
 #include "scene/datasets/stand_in.h"
 
 // Particles in a cloud-topped boundary layer over a square of ground: they fill the layer evenly,

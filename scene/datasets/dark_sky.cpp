@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/parallel.h"
-#include "scene/datasets/point_clouds.h"
+#include "scene/datasets/dataset.h"
 #include "scene/datasets/stand_in.h"
 
 // The cosmic web. Haloes are drawn at random, each with a mass by a power law; strands join each

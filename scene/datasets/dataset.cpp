@@ -5,14 +5,25 @@
 
 #include "core/error.h"
 #include "core/options/names.h"
-#include "scene/datasets/fibres.h"
-#include "scene/datasets/flow_lines.h"
-#include "scene/datasets/flow_surfaces.h"
-#include "scene/datasets/point_clouds.h"
-#include "scene/datasets/sphere_levels.h"
-#include "scene/datasets/stack.h"
 
 namespace pellucid::scene {
+
+// Each is defined where its data are made.
+const DatasetRow& stack_dataset();
+const DatasetRow& dark_sky_dataset();
+const DatasetRow& ctbl_dataset();
+const DatasetRow& viscous_fingers_dataset();
+const DatasetRow& benzene_dataset();
+const DatasetRow& dt_mri_dataset();
+const DatasetRow& bfs_dataset();
+const DatasetRow& icon_dataset();
+const DatasetRow& trefoil_dataset();
+const DatasetRow& ecmwf_dataset();
+const DatasetRow& helicopter_dataset();
+const DatasetRow& tornado_dataset();
+const DatasetRow& delta_wing_dataset();
+const DatasetRow& sphere_levels_dataset();
+
 namespace {
 
 std::string names_on_levels() {

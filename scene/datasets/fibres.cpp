@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/datasets/fibres.h"
+#include "scene/datasets/dataset.h"
 
 #include <algorithm>
 
@@ -85,6 +85,7 @@ Dataset make(const Parameters& parameters, const Progress&) {
 
 }  // namespace
 
+// Fibre tracks of a brain: in place of the diffusion data of Baeza Rojo et al. 2019, Fig. 1.
 const DatasetRow& dt_mri_dataset() {
   static const DatasetRow row{
       .name = "dt-mri",

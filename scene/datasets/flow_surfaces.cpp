@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/datasets/flow_surfaces.h"
+#include "scene/datasets/dataset.h"
 
 #include "fields/make_field.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -73,6 +73,8 @@ Dataset make(const Parameters& parameters, const Progress& progress) {
 
 }  // namespace
 
+// Each row makes stream surfaces of a flow, of random seed curves: in place of the surface data of
+// Baeza Rojo et al. 2019, Figs. 7 and 8.
 const DatasetRow& tornado_dataset() {
   static const DatasetRow row{"tornado", "Stream surfaces of the Crawfis tornado",
                               "R. A. Crawfis, The Ohio State University; field: tornado",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/datasets/sphere_levels.h"
+#include "scene/datasets/dataset.h"
 
 #include <fmt/format.h>
 
@@ -91,6 +91,8 @@ Dataset make_sphere_levels(const Parameters& parameters, const Progress&) {
 
 }  // namespace
 
+// The flow past a sphere (the fields sphere and shed-wake) at the samples of nested levels, the
+// finest around the sphere, each coarser one twice as coarse.
 const DatasetRow& sphere_levels_dataset() {
   static const DatasetRow row{.name = "sphere-levels",
                               .title = "Velocity past a sphere on four nested resolutions",

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/options/option_table.h"
+#include "scene/datasets/dataset.h"
 
 namespace pellucid::scene {
 namespace {
@@ -151,6 +152,9 @@ Rgba stack_color(int i, double alpha) {
   return {channel(0), channel(1.0 / 3), channel(2.0 / 3), alpha};
 }
 
+// Square sheets above one another, for the extremes of a method's numbers: from an orthographic
+// camera that looks along -z, every pixel is crossed by every sheet, and its exact colour is a sum
+// that is known (Baeza Rojo et al. 2019, Eq. 12).
 const DatasetRow& stack_dataset() {
   static const DatasetRow row{.name = "stack",
                               .title = "Sheets above one another",

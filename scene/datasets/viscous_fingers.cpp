@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "scene/datasets/point_clouds.h"
+#include "scene/datasets/dataset.h"
 #include "scene/datasets/stand_in.h"
 
 // A layer of salt dissolves at the top of a cylinder of water and sinks in fingers: each is a

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "groundtruth/methods/raytrace.h"
+#include "scene/datasets/dataset.h"
 #include "scene/datasets/stack.h"
 #include "tests/support/pictures.h"
 
