@@ -121,9 +121,9 @@ void add_catalogue() {
             {Vec3(0), Vec3(6)});
 }
 
-void add_sampled(const TemporaryFolder& folder) {
+void add_sampled(const testing::TemporaryFolder& folder) {
   const Box3 cube{Vec3(0), Vec3(1)};
-  write_cube(folder / "cube.vti", side, wave);
+  fields::write_cube(folder / "cube.vti", side, wave);
   benchmark::RegisterBenchmark("bare_dense", bare_dense);
   for (const std::string sampler : {"linear", "c1"})
     add_field("sampled/vti_" + sampler,
@@ -135,15 +135,17 @@ void add_sampled(const TemporaryFolder& folder) {
                                [grid](benchmark::State& state) { bare_vdb(state, *grid); });
   add_field("sampled/vdb", fields::make_field((folder / "sparse.vdb").string()), cube);
   for (const std::string_view kind : {"vts", "vtu"})
-    add_field("sampled/" + std::string(kind),
-              fields::make_field(write_grid(folder, grid_kind(kind), wave).string()), grid_box);
+    add_field(
+        "sampled/" + std::string(kind),
+        fields::make_field(fields::write_grid(folder, fields::grid_kind(kind), wave).string()),
+        fields::grid_box);
 }
 
 }  // namespace
 }  // namespace pellucid
 
 int main(int argc, char** argv) {
-  const pellucid::TemporaryFolder folder;
+  const pellucid::testing::TemporaryFolder folder;
   pellucid::add_catalogue();
   pellucid::add_sampled(folder);
   benchmark::Initialize(&argc, argv);

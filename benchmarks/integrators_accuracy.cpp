@@ -16,9 +16,9 @@
 namespace {
 
 using namespace pellucid;
-using pellucid::testing::closed_forms;
-using pellucid::testing::ClosedForm;
-using pellucid::testing::sweep;
+using pellucid::integrators::testing::closed_forms;
+using pellucid::integrators::testing::ClosedForm;
+using pellucid::integrators::testing::sweep;
 
 // The end points are in error by less than 1e-15.
 const Vec3 abc_start(0.1, 0.2, 0.3);
@@ -71,8 +71,8 @@ FrontError fixed_front_error(const ClosedForm& form, int n) {
   const auto swept = sweep(form, fmt::format("fixed-front:particles={},rows={}", n + 1, 3 * n / 2));
   const integrators::SurfaceError error =
       integrators::measure_error(swept.surface.mesh, swept.request, 1 << 20);
-  return {testing::largest_distance(form, swept.surface.mesh), error.normal_mean_degrees,
-          testing::worst_facet(form, swept.surface.mesh)};
+  return {integrators::testing::largest_distance(form, swept.surface.mesh),
+          error.normal_mean_degrees, integrators::testing::worst_facet(form, swept.surface.mesh)};
 }
 
 void surface_order(benchmark::State& state, const ClosedForm& form) {
@@ -94,11 +94,13 @@ void tolerance_held(benchmark::State& state, const ClosedForm& form, std::string
     const auto swept =
         sweep(form, fmt::format("{}:particles=2,tolerance={}", integrator, tolerance));
     const geometry::TriangleMesh& mesh = swept.surface.mesh;
-    state.counters["error/tolerance"] = testing::largest_distance(form, mesh) / tolerance;
-    state.counters["worst_facet_degrees"] = testing::worst_facet(form, mesh);
+    state.counters["error/tolerance"] =
+        integrators::testing::largest_distance(form, mesh) / tolerance;
+    state.counters["worst_facet_degrees"] = integrators::testing::worst_facet(form, mesh);
     state.counters["triangles"] = double(mesh.triangles.size());
     double off = 0;
-    for (const Vec3& x : mesh.positions) off = std::max(off, testing::implicit_distance(form, x));
+    for (const Vec3& x : mesh.positions)
+      off = std::max(off, integrators::testing::implicit_distance(form, x));
     state.counters["vertices_off"] = off;
   }
 }
@@ -110,7 +112,7 @@ void facet_tilt(benchmark::State& state, const ClosedForm& form, std::string_vie
       const auto swept = sweep(
           form, fmt::format("{}:particles=2,tolerance={},facet-angle=180", integrator, tolerance));
       state.counters[fmt::format("{:.3g}", tolerance)] =
-          testing::worst_facet(form, swept.surface.mesh);
+          integrators::testing::worst_facet(form, swept.surface.mesh);
     }
 }
 
@@ -141,7 +143,8 @@ void abc_facets(benchmark::State& state, const std::string& integrator) {
 }
 
 void crossing_saddle(benchmark::State& state) {
-  const ClosedForm form{"", "saddle", testing::wave_seed(-1, 1, 0.2, 3), 5, false, testing::wave};
+  const ClosedForm form{"", "saddle", integrators::testing::wave_seed(-1, 1, 0.2, 3),
+                        5,  false,    integrators::testing::wave};
   for (auto _ : state) {
     const auto swept = sweep(form, "hultquist:tolerance=1e-2");
     state.counters["sheets"] = double(integrators::measure_quality(swept.surface.mesh).sheets);

@@ -1,36 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integral surfaces, on one thread:
-// - triangles per second of processor time, and that time against the field evaluations' alone: the
-//   very places that a run asks for are recorded, and asked for once more in the same order;
-// - VTK's vtkStreamSurface, and beside each of its runs the cheapest of ours whose largest distance
-//   from the closed form is no larger. The fields are linear, so that trilinear samples are exact:
-//   both programs integrate the same field from the same image.
+// Integral surfaces, on one thread: triangles per second of processor time, and that time against
+// the field evaluations' alone: the very places that a run asks for are recorded, and asked for
+// once more in the same order.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
-#include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkStreamSurface.h>
-#include <vtkTriangleFilter.h>
-#include <vtkXMLImageDataWriter.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <ctime>
-#include <filesystem>
 
+#include "benchmarks/field_samples.h"
 #include "integrators/lines/integrate_lines.h"
 #include "tests/integrators/closed_forms.h"
 
 namespace {
 
 using namespace pellucid;
-using pellucid::testing::ClosedForm;
+using namespace pellucid::benchmarks;
 
 /// Processor time of all threads: the machine may be shared.
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
@@ -145,40 +133,6 @@ void abc_lines(benchmark::State& state) {
   state.counters["vertices"] = double(vertices);
 }
 
-vtkNew<vtkImageData> samples_of(const fields::VectorField& field, const Box3& box, int n) {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(n, n, n);
-  image->SetOrigin(box.min.x, box.min.y, box.min.z);
-  const Vec3 size = box.max - box.min;
-  image->SetSpacing(size.x / (n - 1), size.y / (n - 1), size.z / (n - 1));
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("velocity");
-  vectors->SetNumberOfComponents(3);
-  const auto sampler = field.sampler();
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i) {
-    double x[3];
-    image->GetPoint(i, x);
-    Vec3 v;
-    sampler->velocity({x[0], x[1], x[2]}, 0, v);
-    vectors->InsertNextTuple3(v.x, v.y, v.z);
-  }
-  image->GetPointData()->SetVectors(vectors);
-  return image;
-}
-
-/// The field's samples at n³ points of the box, trilinear between them.
-std::unique_ptr<fields::VectorField> sampled(const fields::VectorField& field, const Box3& box,
-                                             int n) {
-  const auto path = std::filesystem::temp_directory_path() / "pellucid_bench.vti";
-  vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(samples_of(field, box, n));
-  writer->Write();
-  auto samples = fields::make_field(path.string());
-  std::filesystem::remove(path);
-  return samples;
-}
-
 /// The same surface of the same flow by three kinds of field whose evaluations cost differently.
 std::unique_ptr<fields::VectorField> abc_field(const std::string& kind) {
   if (kind == "formula")
@@ -196,147 +150,11 @@ void abc_surface(benchmark::State& state, const std::string& kind, const std::st
       integrator);
 }
 
-vtkNew<vtkPolyData> polyline(const integrators::SeedCurve& seed, int count) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(count);
-  for (int i = 0; i < count; ++i) {
-    const Vec3 x = seed.point_at(double(i) / (count - 1));
-    lines->InsertCellPoint(points->InsertNextPoint(x.x, x.y, x.z));
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetLines(lines);
-  return data;
-}
-
-/// The box that the surface of this form stays in.
-Box3 box_of(const ClosedForm& form) {
-  Box3 box = pellucid::testing::sweep(form, "hultquist:threshold=0.1").surface.mesh.bounds();
-  box.extend(box.min - Vec3(0.1));
-  box.extend(box.max + Vec3(0.1));
-  return box;
-}
-
-geometry::TriangleMesh triangles_of(vtkPolyData* data) {
-  geometry::TriangleMesh mesh;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
-    double x[3];
-    data->GetPoint(i, x);
-    mesh.positions.emplace_back(x[0], x[1], x[2]);
-  }
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) {
-    vtkCell* cell = data->GetCell(i);
-    if (cell->GetNumberOfPoints() == 3)
-      mesh.triangles.push_back({std::uint32_t(cell->GetPointId(0)),
-                                std::uint32_t(cell->GetPointId(1)),
-                                std::uint32_t(cell->GetPointId(2))});
-  }
-  return mesh;
-}
-
-struct VtkRun {
-  bool iterative;
-  double spacing;  // of seeds and of steps, world units
-};
-
-vtkNew<vtkStreamSurface> vtk_filter(const ClosedForm& form, const VtkRun& run, vtkImageData* image,
-                                    double length) {
-  vtkNew<vtkStreamSurface> filter;
-  filter->SetInputData(0, image);
-  filter->SetInputData(1, polyline(form.seed, int(1 / run.spacing) + 1));
-  filter->SetIntegratorTypeToRungeKutta4();
-  filter->SetIntegrationDirectionToForward();
-  filter->SetIntegrationStepUnit(vtkStreamTracer::LENGTH_UNIT);
-  filter->SetInitialIntegrationStep(run.spacing);
-  filter->SetMaximumPropagation(length);
-  filter->SetUseIterativeSeeding(run.iterative);
-  return filter;
-}
-
-geometry::TriangleMesh mesh_of(vtkStreamSurface* filter) {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(filter->GetOutput());
-  triangles->Update();
-  return triangles_of(triangles->GetOutput());
-}
-
-/// Processor time: the median of several calls, which take at least a tenth of a second together.
-template <class Function>
-double median_seconds(const Function& function) {
-  std::vector<double> seconds;
-  double total = 0;
-  while (seconds.size() < 5 || (total < 0.1 && seconds.size() < 99)) {
-    const double begin = cpu_seconds();
-    function();
-    seconds.push_back(cpu_seconds() - begin);
-    total += seconds.back();
-  }
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 2];
-}
-
-/// The loosest tolerance, of a ladder, at which our error is at most VTK's.
-std::string as_exact_as(const integrators::SurfaceRequest& request, const ClosedForm& form,
-                        double error) {
-  for (double tolerance = 4 * error;; tolerance *= 0.9) {
-    const std::string integrator = fmt::format("hultquist:tolerance={}", tolerance);
-    const geometry::TriangleMesh mesh = integrators::integrate_surface(integrator, request).mesh;
-    if (pellucid::testing::largest_distance(form, mesh) <= error) return integrator;
-  }
-}
-
-/// VTK's time over ours at equal largest error, both from the same image, one thread each. Ours has
-/// normals, VTK's has none.
-void beside_vtk(benchmark::State& state, const ClosedForm& form, const VtkRun& run) {
-  const auto formula = fields::make_field(form.field);
-  const Box3 box = box_of(form);
-  const auto image = samples_of(*formula, box, 32);
-  const auto field = sampled(*formula, box, 32);
-  const double length =
-      pellucid::testing::sweep(form, "hultquist:threshold=0.1").surface.mesh.bounds().diagonal();
-  const integrators::SurfaceRequest request{field.get(), form.seed, form.duration, 0, false, {}};
-  for (auto _ : state) {
-    const auto filter = vtk_filter(form, run, image, length);
-    filter->Update();
-    const geometry::TriangleMesh theirs = mesh_of(filter);
-    const double error = pellucid::testing::largest_distance(form, theirs);
-    const std::string integrator = as_exact_as(request, form, error);
-    const geometry::TriangleMesh ours = integrators::integrate_surface(integrator, request).mesh;
-    const double vtk_seconds =
-        median_seconds([&] { vtk_filter(form, run, image, length)->Update(); });
-    const double our_seconds =
-        median_seconds([&] { integrators::integrate_surface(integrator, request); });
-    state.counters["vtk_ms"] = 1e3 * vtk_seconds;
-    state.counters["vtk_error"] = error;
-    state.counters["vtk_triangles"] = double(theirs.triangles.size());
-    state.counters["our_ms"] = 1e3 * our_seconds;
-    state.counters["our_error"] = pellucid::testing::largest_distance(form, ours);
-    state.counters["our_triangles"] = double(ours.triangles.size());
-    state.counters["times_as_fast"] = vtk_seconds / our_seconds;
-  }
-}
-
 template <class Function, class... Arguments>
 void add(const std::string& name, Function function, Arguments... arguments) {
   benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
       ->MeasureProcessCPUTime()
       ->Unit(benchmark::kMillisecond);
-}
-
-void add_side_by_side() {
-  for (const ClosedForm& form : pellucid::testing::closed_forms()) {
-    if (form.name != "Helicoid" && form.name != "HalfSaddle") continue;
-    for (const double spacing : {0.08, 0.04, 0.02, 0.01})
-      for (const bool iterative : {true, false})
-        benchmark::RegisterBenchmark(fmt::format("{}/beside vtk {}/spacing={}", form.name,
-                                                 iterative ? "iterative" : "simple", spacing)
-                                         .c_str(),
-                                     beside_vtk, form, VtkRun{iterative, spacing})
-            ->Iterations(1)
-            ->Unit(benchmark::kMillisecond);
-  }
 }
 
 }  // namespace
@@ -352,7 +170,6 @@ int main(int argc, char** argv) {
     add(fmt::format("abc/{}/hultquist:tolerance=1e-3", kind), abc_surface, std::string(kind),
         std::string("hultquist:tolerance=1e-3"));
   add("abc/65 stream lines of length 12", abc_lines);
-  add_side_by_side();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

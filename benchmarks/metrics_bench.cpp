@@ -27,9 +27,17 @@ void time_metric(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK(time_metric<ssim>)->Name("ssim")->Arg(1000)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(time_metric<rmse>)->Name("rmse")->Arg(1000)->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(time_metric<compare_images>)
+BENCHMARK(time_metric<compare::ssim>)
+    ->Name("ssim")
+    ->Arg(1000)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(time_metric<compare::rmse>)
+    ->Name("rmse")
+    ->Arg(1000)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(time_metric<compare::compare_images>)
     ->Name("compare")
     ->Arg(1000)
     ->UseRealTime()

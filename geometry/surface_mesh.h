@@ -19,7 +19,7 @@ struct SurfaceMeshTraits : OpenMesh::DefaultTraits {
   FaceAttributes(0);
 };
 
-/// What half_edges() joins triangles to (geometry/half_edges.h).
+/// A SurfaceMesh is what half_edges() joins triangles to (geometry/half_edges.h).
 using SurfaceMesh = OpenMesh::TriMesh_ArrayKernelT<SurfaceMeshTraits>;
 
 /// The numbers of the vertices of a triangle.

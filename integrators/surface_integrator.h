@@ -14,7 +14,7 @@
 
 namespace pellucid::integrators {
 
-/// What a surface took.
+/// SurfaceStats are what a surface took.
 struct SurfaceStats {
   std::uint64_t particles = 0;    // trajectories started on the seed curve
   std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian, discarded tries too
@@ -41,7 +41,7 @@ struct IntegratedSurface {
   SurfaceStats stats;
 };
 
-/// What a row of the table promises; a property test holds every row to it.
+/// IntegratorPromises are what a row of the table promises; a property test holds every row to it.
 struct IntegratorPromises {
   bool refines = false;       // neighbours that part get new particles between them
   bool coarsens = false;      // neighbours that meet are merged

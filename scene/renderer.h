@@ -175,7 +175,7 @@ struct MethodRow {
   std::string_view title;
   std::string_view citation;
   std::string_view equations;  // which of the citation's equations it implements
-  /// What it was compared with in writing it: the paper, or what stood in for the paper.
+  /// The method was compared with this in writing it: the paper, or what stood in for the paper.
   std::string_view checked_against = {};
   std::span<const ParameterSpec> parameters;
   Promises promises;

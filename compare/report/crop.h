@@ -11,8 +11,8 @@ namespace pellucid::compare {
 /// The part of a given crop that lies in a picture of this size; at least one pixel.
 Crop fit_crop(const Crop& crop, int width, int height);
 
-/// Where the pictures differ most: the window, a quarter of the picture on a side, with the largest
-/// sum of errors. `error` holds a pixel's error, added up over all the methods.
+/// Finds where the pictures differ most: the window, a quarter of the picture on a side, with the
+/// largest sum of errors. `error` holds a pixel's error, added up over all the methods.
 Crop worst_crop(const Raster<double>& error);
 
 }  // namespace pellucid::compare

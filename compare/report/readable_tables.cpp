@@ -13,10 +13,13 @@ namespace pellucid::compare {
 namespace {
 
 /// The columns that are few enough for a page.
-std::vector<Column> table_columns() {
-  std::vector<Column> chosen;
-  for (const Column& column : columns())
-    if (column.shown.tables) chosen.push_back(column);
+std::span<const Column> table_columns() {
+  static const std::vector<Column> chosen = [] {
+    std::vector<Column> few;
+    for (const Column& column : columns())
+      if (column.shown.tables) few.push_back(column);
+    return few;
+  }();
   return chosen;
 }
 

@@ -37,7 +37,7 @@ std::string latex_costs(const Study& study, std::span<const ResultRow> rows);
 /// A line for each step: table, scene, method, step, milliseconds.
 std::string csv_costs(const Study& study, std::span<const ResultRow> rows);
 
-/// As LaTeX prints it.
+/// Escapes a text so that LaTeX prints it as it stands.
 std::string latex_escaped(std::string_view text);
 
 /// {"format": "pellucid-results", "version": 1, "study": …, "rows": […]}.

@@ -7,7 +7,8 @@
 
 namespace pellucid::compare {
 
-/// What measuring a method on a scene gives: the row without its metrics, and the pictures.
+/// A CellMeasurement is what measuring a method on a scene gives: the row without its metrics, and
+/// the pictures.
 struct CellMeasurement {
   ResultRow row;
   Image image;

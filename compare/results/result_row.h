@@ -19,9 +19,9 @@ struct Spread {
   double median = 0, min = 0, max = 0;
 };
 
-/// Where a method that is exact, or makes layers of its own, sees another number of layers than the
-/// reference. An exact one does at the very edge of a triangle, which two renderers may give to
-/// either side.
+/// A CoverageCheck tells where a method that is exact, or makes layers of its own, sees another
+/// number of layers than the reference. An exact one does at the very edge of a triangle, which two
+/// renderers may give to either side.
 struct CoverageCheck {
   std::uint64_t differing = 0;          // pixels with another number of layers
   std::uint64_t differing_by_more = 0;  // … by more than one
@@ -44,7 +44,7 @@ struct RowCurve {
   std::vector<double> x, y;
 };
 
-/// What one cell of a study found out.
+/// A ResultRow is what one cell of a study found out.
 struct ResultRow {
   std::string scene, method, parameters;  // parameters as given: "bands=5"
   bool reference = false;

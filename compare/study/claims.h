@@ -10,8 +10,8 @@
 
 namespace pellucid::compare {
 
-/// What a study's source found: an order of its pictures by one number, to be held against what is
-/// measured here.
+/// A Claim is what a study's source found: an order of its pictures by one number, to be held
+/// against what is measured here.
 struct Claim {
   std::string text;    // for people: "Fourier errs least"
   const Column* by{};  // a column in which one way is better

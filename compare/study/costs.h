@@ -14,7 +14,8 @@ namespace pellucid::compare {
 
 struct Study;
 
-/// What the study's source printed of one method on one scene, on the source's own machine.
+/// A PublishedCost is what the study's source printed of one method on one scene, on the source's
+/// own machine.
 struct PublishedCost {
   std::string scene, call;
   double milliseconds = 0;
@@ -22,14 +23,14 @@ struct PublishedCost {
   std::vector<double> steps;  // milliseconds, in the source's order
 };
 
-/// A table of times that a study's source published.
+/// PublishedCosts are a table of times that a study's source published.
 struct PublishedCosts {
   std::string machine;             // what the source measured on
   std::vector<std::string> steps;  // the source's names
   std::vector<PublishedCost> rows;
 };
 
-/// One line of a table of costs.
+/// A CostLine is one line of a table of costs.
 struct CostLine {
   std::string scene, call;
   double milliseconds = 0;
@@ -38,14 +39,16 @@ struct CostLine {
   std::optional<std::size_t> bottleneck;     // the longest of several steps
 };
 
-/// What one method costs on every scene, step by step: here, or where the source measured it.
+/// A CostTable is what one method costs on every scene, step by step: here, or where the source
+/// measured it.
 struct CostTable {
   std::string title;
   std::vector<std::string> steps;
   std::vector<CostLine> lines;
 };
 
-/// How many times as long as `call` the reference takes on a scene, and the source's own ratio.
+/// A CostRatio tells how many times as long as `call` the reference takes on a scene, and the
+/// source's own ratio.
 struct CostRatio {
   std::string scene, call;
   double here = 0;
@@ -56,7 +59,7 @@ struct CostRatio {
 /// other study.
 std::vector<CostTable> cost_tables(const Study& study, std::span<const ResultRow> rows);
 
-/// Of every method on every scene where the reference was measured, too.
+/// Returns the ratios of every method on every scene where the reference was measured, too.
 std::vector<CostRatio> cost_ratios(const Study& study, std::span<const ResultRow> rows);
 
 }  // namespace pellucid::compare

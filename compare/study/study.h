@@ -35,7 +35,7 @@ struct Study {
   std::filesystem::path file;
   std::vector<std::filesystem::path> scenes;
   MethodCall reference;
-  /// What the reference draws in place of each scene: of lines that stand for a surface, the
+  /// The reference draws this in place of each scene: of lines that stand for a surface, the
   /// surface.
   std::optional<std::filesystem::path> reference_scene;
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first

@@ -6,11 +6,11 @@
 
 namespace pellucid {
 
-/// The parts of `text` between separators, empty ones included: n separators part n + 1. An empty
-/// text has one part, which is empty. The parts are views into `text`.
+/// Returns the parts of `text` between separators, empty ones included: n separators part n + 1. An
+/// empty text has one part, which is empty. The parts are views into `text`.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// The same where no separator within parentheses counts, so that a part may be a formula.
+/// Splits likewise, but at no separator within parentheses, so that a part may be a formula.
 std::vector<std::string_view> split_outside_parentheses(std::string_view text, char separator);
 
 }  // namespace pellucid

@@ -89,7 +89,7 @@ class AnalyticField final : public VectorField {
 /// Flows live in a namespace where the elementary functions of double and of Dual go by one name.
 namespace pellucid::fields::flow {
 
-/// What a flow that takes no options derives from.
+/// A flow that takes no options derives from WithoutOptions.
 struct WithoutOptions {
   using Options = WithoutOptions;
   static const OptionTable<Options>& options() {

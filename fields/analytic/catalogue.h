@@ -10,7 +10,7 @@
 
 namespace pellucid::fields {
 
-/// What is known of an analytic flow; a property test holds every flow to it.
+/// FlowFacts are what is known of an analytic flow; a property test holds every flow to it.
 struct FlowFacts {
   std::string_view name;
   std::string_view title;

@@ -15,7 +15,7 @@
 
 namespace pellucid::fields {
 
-/// What may be asked of a sampled field: "FILE:array=NAME,sampler=c1".
+/// FileOptions are what may be asked of a sampled field: "FILE:array=NAME,sampler=c1".
 struct FileOptions {
   std::string array;  // empty: the active vectors, or the only array of three components
   Interpolation interpolation = Interpolation::linear;

@@ -32,10 +32,10 @@ PointSet read_points(const std::filesystem::path& path);
 /// for an ending without a writer.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
-/// The same of polylines; in .ply each vertex has its line's number.
+/// Does so with polylines; in .ply each vertex has its line's number.
 void write_lines(const std::filesystem::path& path, const LineSet& lines);
 
-/// The same of points; .ply has them as the vertices of a mesh without triangles.
+/// Does so with points; .ply has them as the vertices of a mesh without triangles.
 void write_points(const std::filesystem::path& path, const PointSet& points);
 
 }  // namespace pellucid::geometry

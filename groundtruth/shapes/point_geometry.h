@@ -5,8 +5,8 @@
 
 namespace pellucid::groundtruth {
 
-/// What discs and spheres share: points of one radius, a primitive each, whose crossings have in
-/// Crossing::v the cosine of the angle between ray and normal, in [-1, 1].
+/// A PointGeometry is what discs and spheres share: points of one radius, a primitive each, whose
+/// crossings have in Crossing::v the cosine of the angle between ray and normal, in [-1, 1].
 class PointGeometry : public RayByRayGeometry {
  public:
   std::uint32_t box_count() const final;

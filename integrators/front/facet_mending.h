@@ -8,7 +8,7 @@
 
 namespace pellucid::integrators {
 
-/// What a facet may be like.
+/// A FacetBound says what a facet may be like.
 struct FacetBound {
   double largest_angle = 180;     // degrees, to the normals at its corners; 180: anything
   double shortest_edge = 0;       // world units: shorter ones are not split

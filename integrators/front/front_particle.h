@@ -11,7 +11,7 @@
 
 namespace pellucid::integrators {
 
-/// Where a particle's trajectory meets the mesh.
+/// A FrontPoint is where a particle's trajectory meets the mesh.
 struct FrontPoint {
   static constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
@@ -44,7 +44,7 @@ struct FrontParticle {
 /// vanish: the surface has no normal there.
 FrontPoint front_point(const Trajectory& path, double t);
 
-/// How far two neighbours of the front are apart, world units.
+/// A Separation tells how far two neighbours of the front are apart, in world units.
 struct Separation {
   double distance;
   double width;  // across the flow: a front edge may lean without its ribbon being wide

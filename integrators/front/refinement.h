@@ -68,7 +68,7 @@ double well_shapedness(const FrontPoint& a, const FrontPoint& b, const FrontPoin
 double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right);
 
-/// The same, once the path is known up to `next`: infinite when it may go there and beyond.
+/// Returns that step once the path is known up to `next`: infinite when it may go there and beyond.
 double allowed_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right, const FrontPoint& next);
 

@@ -8,20 +8,21 @@
 
 namespace pellucid::integrators {
 
-/// How the surface's tangent ∂x/∂s, and with it the normal, is known at a particle.
+/// SurfaceNormals say how the surface's tangent ∂x/∂s, and with it the normal, is known at a
+/// particle.
 enum class SurfaceNormals {
   variational,  // by the variational equation
   ghost,        // by a second particle beside it
   none          // not at all
 };
 
-/// When the second particle is pulled back.
+/// A GhostControl says when the second particle is pulled back.
 enum class GhostControl {
   reset,   // when it is too far
   rescale  // after every step
 };
 
-/// What every surface integrator takes beside its own options.
+/// SurfaceOptions are what every surface integrator takes beside its own.
 struct SurfaceOptions {
   SurfaceNormals normals = SurfaceNormals::variational;
   GhostControl ghost = GhostControl::reset;

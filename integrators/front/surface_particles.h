@@ -10,7 +10,8 @@
 
 namespace pellucid::integrators {
 
-/// What a surface is swept by: the options, and what follows from them for its request.
+/// A SurfaceSetup is what a surface is swept by: the options, and what follows from them for its
+/// request.
 struct SurfaceSetup : SurfaceOptions {
   TrajectoryOptions trajectory = {};
   double extent = 1;         // world units, of the seed curve: the unit of what is relative

@@ -13,7 +13,8 @@
 
 namespace pellucid::integrators {
 
-/// What the fronts of one surface share: where particles and triangles go, and the budgets.
+/// A SurfaceRun is what the fronts of one surface share: where particles and triangles go, and the
+/// budgets.
 class SurfaceRun {
  public:
   SurfaceRun(const SurfaceRequest& request, const SurfaceSetup& options);

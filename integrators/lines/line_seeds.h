@@ -7,21 +7,22 @@
 
 namespace pellucid::integrators {
 
-/// Where the lines of a surface start on its seed curve, s in [0, 1]: in the limit of many lines
-/// with a given density, and as evenly as it allows after any number of them.
+/// LineSeeds are where the lines of a surface start on its seed curve, s in [0, 1]: in the limit of
+/// many lines with a given density, and as evenly as it allows after any number of them.
 ///
 /// Seeds are the multiples of the golden ratio modulo 1: of all such sequences it leaves the
 /// smallest gaps (Graham and van Lint 1968, "On the distribution of nθ modulo 1", Canad. J. Math.
 /// 20).
 class LineSeeds {
  public:
-  /// Of any number of even seeds, in mean gaps: 1 + 2/√5.
+  /// The largest gap between any number of even seeds is so many mean gaps: 1 + 2/√5.
   static constexpr double largest_gap = 1.8945;
 
   /// Evenly spread.
   LineSeeds();
-  /// As dense as `importance(s)` >= 0 asks for, found by bisecting where most of it lies; a tenth
-  /// of the lines is spread evenly all the same. `importance` is called from several threads.
+  /// Makes seeds as dense as `importance(s)` >= 0 asks for, found by bisecting where most of it
+  /// lies; a tenth of the lines is spread evenly all the same. `importance` is called from several
+  /// threads.
   explicit LineSeeds(const std::function<double(double s)>& importance);
 
   /// The seed of line number `line` and the density of lines there, per s, of mean 1.

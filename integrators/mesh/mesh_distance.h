@@ -7,7 +7,8 @@
 
 namespace pellucid::integrators {
 
-/// Of points of one mesh from the other one, world units; mean and rms over the area.
+/// A MeshDistance tells how far points of one mesh are from the other one, in world units; mean and
+/// rms are over the area.
 struct OneSidedDistance {
   double mean = 0, rms = 0, max = 0;
 };

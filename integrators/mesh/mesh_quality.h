@@ -8,7 +8,7 @@
 
 namespace pellucid::integrators {
 
-/// Of a set of numbers.
+/// Percentiles are the 1st, the 50th and the 99th of a set of numbers, and the largest.
 struct Percentiles {
   double p1 = 0, p50 = 0, p99 = 0, max = 0;
 };

@@ -9,8 +9,8 @@
 
 namespace pellucid::integrators {
 
-/// Where particles start: a curve c(s), s in [0, 1], in world units. On a closed curve c(0) = c(1).
-/// A value; made by one of the functions below.
+/// A SeedCurve is where particles start: a curve c(s), s in [0, 1], in world units. On a closed
+/// curve c(0) = c(1). A value; made by one of the functions below.
 struct SeedCurve {
   bool closed = false;
   std::function<Vec3(double s)> point_at;

@@ -14,7 +14,7 @@
 
 namespace pellucid::integrators {
 
-/// What travels with a particle to tell how the surface lies around it.
+/// A Companion travels with a particle to tell how the surface lies around it.
 enum class Companion {
   none,
   variation,      // w = ∂x/∂s by the variational equation dw/dt = J(x) w
@@ -32,7 +32,7 @@ struct TrajectoryOptions {
   double max_step = std::numeric_limits<double>::infinity();  // time units
   double max_move = std::numeric_limits<double>::infinity();  // world units in one step
   double velocity_error = 0;  // of the field; errors far below it are not worth steps
-  /// Where samples fill a box: there max_move does not hold for a step that is free of kinks.
+  /// The box that samples fill: in it max_move does not hold for a step that is free of kinks.
   std::optional<Box3> filled;
   double still = 0;  // world units: moving less in the whole duration is standing
   double max_length = std::numeric_limits<double>::infinity();  // world units
@@ -59,7 +59,7 @@ class Trajectory {
   /// Integrates until t is covered. False when the particle ends before t.
   bool reach(double t, fields::FieldSampler& sampler);
 
-  /// The same, and forgets the way there.
+  /// Integrates until t is covered, and forgets the way there.
   bool skip_to(double t, fields::FieldSampler& sampler);
 
   /// t between what was released and time().

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "integrators/front/front_line.h"
-#include "integrators/front/surface_options.h"
+#include "integrators/front/refining_front.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -172,34 +172,19 @@ void RibbonFront::merge(int p, int middle) {
 
 constexpr double default_threshold = 0.05;  // world units
 
-struct HultquistOptions {
-  int particles = 2;  // evenly spaced on the seed curve, to begin with
-  RefinementOptions refinement;
-  SurfaceOptions surface;
-};
+using HultquistOptions = RefiningOptions<2>;
 
 const OptionTable<HultquistOptions>& hultquist_options() {
-  using Options = HultquistOptions;
-  static const OptionTable<Options> table{
-      number("particles", &Options::particles,
-             {.min = 2,
-              .max = 1e6,
-              .unit = "particles",
-              .help = "evenly spaced on the seed curve; more follow where they are needed"}),
-      part(&Options::refinement, refinement_options(default_threshold)),
-      part(&Options::surface, surface_options())};
+  static const auto table = refining_options<HultquistOptions>(default_threshold);
   return table;
 }
 
 IntegratedSurface run_hultquist(const SurfaceRequest& request, const Parameters& parameters) {
-  const HultquistOptions options = hultquist_options().read(parameters);
-  SurfaceSetup setup = surface_setup(request, options.surface);
-  const Refinement refinement = refinement_of(options.refinement, default_threshold, 1);
-  bound_facets(setup, options.refinement.facet_angle, refinement);
-  return run_surface(request, setup, options.particles,
-                     [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
-                       RibbonFront(run, refinement).sweep(seeds, ring);
-                     });
+  return run_refining(
+      request, hultquist_options().read(parameters), default_threshold, 1,
+      [](SurfaceRun& run, const Refinement& refinement, std::span<const double> seeds, bool ring) {
+        RibbonFront(run, refinement).sweep(seeds, ring);
+      });
 }
 
 }  // namespace

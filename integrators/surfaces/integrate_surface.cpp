@@ -5,8 +5,9 @@
 
 #include "core/error.h"
 #include "core/options/names.h"
+#include "integrators/surfaces/adaptive_front.h"
+#include "integrators/surfaces/fixed_front.h"
 #include "integrators/surfaces/hultquist.h"
-#include "integrators/surfaces/synchronous_front.h"
 
 namespace pellucid::integrators {
 namespace {

@@ -9,61 +9,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/parallel.h"
-#include "integrators/front/front_line.h"
-#include "integrators/front/surface_options.h"
 
 namespace pellucid::integrators {
 namespace {
 
-class SynchronousFront {
- public:
-  /// `rows`: so many of equal duration without refinement; 0: as the refinement says.
-  SynchronousFront(SurfaceRun& run, const Refinement& refinement, int rows)
-      : run_(run), refinement_(refinement), rows_(rows), front_(run, refinement, rows == 0) {}
+/// Not so where a particle stands still: its vertex is in both rows.
+bool has_three_vertices(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
+  return a.vertex != b.vertex && b.vertex != c.vertex && c.vertex != a.vertex;
+}
 
-  void sweep(std::span<const double> seeds, bool ring);
-
- private:
-  struct Ribbon {
-    int left, right;
-  };
-
-  void line_up();
-  void follow(int first);
-  template <class Function>
-  void for_each_moving(const Function& function);
-  void advance();
-  void advance_as_refined();
-  double planned_step();
-  double row_after(double dt) const;
-  double reach(double t);
-  bool try_merge(const Ribbon& a, const Ribbon& b);
-  void tile(const Ribbon& ribbon);
-  void tile(const FrontPoint& left, const FrontPoint& right, std::span<const int> chain);
-  bool diagonals_stray(const Ribbon& ribbon);
-  double diagonal_sagitta(int left, int right, const Vec3& x) const;
-  bool moves_on(int p) const { return !front_.at(p).path.end() || head_of(p).t < path_end(p); }
-  const FrontPoint& head_of(int p) const { return front_.at(p).head; }
-  double path_end(int p) const { return front_.at(p).path.time(); }
-
-  SurfaceRun& run_;
-  const Refinement& refinement_;
-  int rows_;
-  FrontLine front_;
-  double t_ = 0, dt_ = std::numeric_limits<double>::infinity();  // of the last row
-  std::vector<int> line_;     // particles with a neighbour, ascending
-  std::vector<int> moving_;   // those of them that go on
-  std::vector<Ribbon> row_;   // between them
-  int known_ = 0;             // particles that line_ has been told of
-  std::vector<int> visited_;  // by particle: in which row follow() was there last
-  int row_count_ = 0;
-  std::vector<FrontPoint> before_;  // by particle: its head in the row before
-  std::vector<double> steps_;       // scratch: by moving particle
-  std::vector<int> chain_;          // scratch of tile()
-};
+}  // namespace
 
 void SynchronousFront::sweep(std::span<const double> seeds, bool ring) {
   front_.start(seeds, ring);
@@ -242,11 +199,6 @@ void SynchronousFront::tile(const Ribbon& ribbon) {
 
 using Corners = std::array<const FrontPoint*, 3>;
 
-/// Not so where a particle stands still: its vertex is in both rows.
-bool has_three_vertices(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c) {
-  return a.vertex != b.vertex && b.vertex != c.vertex && c.vertex != a.vertex;
-}
-
 /// Triangles between the edge of the row before and a chain of the new row: those left of some
 /// corner of the chain share the edge's left end, those right of it the right one.
 void SynchronousFront::tile(const FrontPoint& left, const FrontPoint& right,
@@ -268,98 +220,6 @@ void SynchronousFront::tile(const FrontPoint& left, const FrontPoint& right,
   for (std::size_t i = 0; i < count; ++i)
     if (const auto [a, b, c] = triangle(best, i); has_three_vertices(*a, *b, *c))
       run_.add_triangle(a->vertex, b->vertex, c->vertex);
-}
-
-struct FixedFrontOptions {
-  int particles = 500;  // evenly spaced on the seed curve
-  int rows = 200;       // of vertices, evenly spaced in time
-  SurfaceOptions surface;
-};
-
-const OptionTable<FixedFrontOptions>& fixed_front_options() {
-  using Options = FixedFrontOptions;
-  static const OptionTable<Options> table{
-      number(
-          "particles", &Options::particles,
-          {.min = 2, .max = 1e6, .unit = "particles", .help = "evenly spaced on the seed curve"}),
-      number("rows", &Options::rows,
-             {.min = 1, .max = 1e6, .unit = "rows", .help = "of vertices, evenly spaced in time"}),
-      part(&Options::surface, surface_options())};
-  return table;
-}
-
-IntegratedSurface run_fixed(const SurfaceRequest& request, const Parameters& parameters) {
-  const FixedFrontOptions options = fixed_front_options().read(parameters);
-  const SurfaceSetup setup = surface_setup(request, options.surface);
-  const Refinement none{.threshold = std::numeric_limits<double>::infinity()};
-  return run_surface(request, setup, options.particles,
-                     [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
-                       SynchronousFront(run, none, options.rows).sweep(seeds, ring);
-                     });
-}
-
-/// The paper's threshold for the front's particles, in world units; in time its rows lie closer.
-constexpr double default_threshold = 0.5, rows_per_threshold = 5;
-
-struct AdaptiveFrontOptions {
-  int particles = 500;  // evenly spaced on the seed curve, to begin with
-  RefinementOptions refinement;
-  SurfaceOptions surface;
-};
-
-const OptionTable<AdaptiveFrontOptions>& adaptive_front_options() {
-  using Options = AdaptiveFrontOptions;
-  static const OptionTable<Options> table{
-      number("particles", &Options::particles,
-             {.min = 2,
-              .max = 1e6,
-              .unit = "particles",
-              .help = "evenly spaced on the seed curve; more follow where they are needed"}),
-      part(&Options::refinement, refinement_options(default_threshold)),
-      part(&Options::surface, surface_options())};
-  return table;
-}
-
-IntegratedSurface run_adaptive(const SurfaceRequest& request, const Parameters& parameters) {
-  const AdaptiveFrontOptions options = adaptive_front_options().read(parameters);
-  SurfaceSetup setup = surface_setup(request, options.surface);
-  const Refinement refinement =
-      refinement_of(options.refinement, default_threshold, rows_per_threshold);
-  bound_facets(setup, options.refinement.facet_angle, refinement);
-  return run_surface(request, setup, options.particles,
-                     [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {
-                       SynchronousFront(run, refinement, 0).sweep(seeds, ring);
-                     });
-}
-
-}  // namespace
-
-const IntegratorRow& fixed_front_integrator() {
-  static const IntegratorRow row = {
-      .name = "fixed-front",
-      .title = "Front line without refinement",
-      .citation =
-          "as compared in Tian & Günther, Progressive Rendering of Transparent Integral Surfaces, "
-          "additional material, Fig. 4, left",
-      .parameters = fixed_front_options().specs(),
-      .promises = {},
-      .run = run_fixed,
-  };
-  return row;
-}
-
-const IntegratorRow& adaptive_front_integrator() {
-  static const IntegratorRow row = {
-      .name = "adaptive-front",
-      .title = "Front line with particles inserted and removed",
-      .citation =
-          "as compared in Tian & Günther, Progressive Rendering of Transparent Integral Surfaces, "
-          "additional material, Fig. 4, middle left",
-      .parameters = adaptive_front_options().specs(),
-      .promises = {.refines = true, .coarsens = true, .bounds_error = true},
-      .run = run_adaptive,
-  };
-  return row;
 }
 
 }  // namespace pellucid::integrators

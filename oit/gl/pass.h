@@ -18,12 +18,12 @@ enum class Blend {
   transmit  // destination * (1 - source): the product of transmittances
 };
 
-/// What passes a target's depth attachment, which keeps the depth of what passed.
+/// A DepthTest says what passes a target's depth attachment, which keeps the depth of what passed.
 enum class DepthTest { off, less, less_or_equal };
 
-/// All of OpenGL's state that a draw depends on, besides program and geometry: where it draws, how
-/// that is blended, what its shaders find at which unit (bindings.glsl). It is a value, made where
-/// the draw is and given to it:
+/// A Pass is all of OpenGL's state that a draw depends on, besides program and geometry: where it
+/// draws, how that is blended, what its shaders find at which unit (bindings.glsl). It is a value,
+/// made where the draw is and given to it:
 ///
 ///     const Resource sums = sums_.as_texture(bindings::weighted_sums_texture);
 ///     stage_.draw_screen({picture, {Blend::replace}, sums}, composite_);

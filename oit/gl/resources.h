@@ -9,11 +9,11 @@
 
 namespace pellucid::oit {
 
-/// The kinds of what shaders reach through a unit. Each kind has units of its own.
+/// A ResourceKind is a kind of what shaders reach through a unit. Each kind has units of its own.
 enum class ResourceKind { texture, image, uniform_block, storage_block, atomic_counter };
 
-/// One object at one unit of bindings.glsl. It owns nothing: the object has to live while it is
-/// bound. Texture, BufferTexture and Buffer make it.
+/// A Resource is one object at one unit of bindings.glsl. It owns nothing: the object has to live
+/// while it is bound. Texture, BufferTexture and Buffer make it.
 struct Resource {
   const Gl* gl = nullptr;
   ResourceKind kind = ResourceKind::texture;
@@ -25,9 +25,9 @@ struct Resource {
   void bind() const;
 };
 
-/// What a pass binds, as a value: it is listed where the pass is, and nothing counts on what an
-/// earlier pass bound. Two resources of one kind at one unit are a programmer's error, which
-/// asserts.
+/// Resources are what a pass binds, as a value: it is listed where the pass is, and nothing counts
+/// on what an earlier pass bound. Two resources of one kind at one unit are a programmer's error,
+/// which asserts.
 class Resources {
  public:
   static constexpr std::size_t most = 16;

@@ -37,7 +37,7 @@ class ElementOpacity {
   void begin() const { textures_.opacities.buffer().clear(opaque_bits); }
   /// After it: for programs whose fragments have these opacities.
   void smooth_and_interpolate();
-  /// What that pass finds bound, for element_opacity.glsl.
+  /// Returns what that pass finds bound, for element_opacity.glsl.
   Resource image() const { return textures_.opacities.as_image(bindings::element_opacities_image); }
   static FragmentOpacity fragment_opacity() { return {.defines = {{"OPTIMIZED_VERTICES", 1}}}; }
   std::string describe() const;
@@ -59,7 +59,7 @@ class ElementOpacity {
 
 /// Whether any transparent object of the scene has some: otherwise no opacity changes.
 bool has_importance(const scene::Scene& scene);
-/// What `--explain` says where no opacity is optimized.
+/// `--explain` says this where no opacity is optimized.
 inline constexpr const char* nothing_is_important =
     "opacities: the scene's own, nothing in it is important";
 

@@ -31,7 +31,7 @@ class ImportanceSeries {
                    const scene::EnergyWeights& weights);
 
   void project() const;
-  /// Of programs that include importance_series.glsl, and what these find bound.
+  /// Programs that include importance_series.glsl have these defines, and find these bound.
   const Defines& defines() const { return defines_; }
   Resources resources() const;
   /// For programs whose fragments have the opacities of least energy, each its own.

@@ -27,11 +27,12 @@ struct SeriesOptions {
 /// Returns the table of SeriesOptions.
 const OptionTable<SeriesOptions>& series_options();
 
-/// The pass that projects what fragments carry onto Fourier series (Baeza Rojo et al. 2019, Eqs. 8,
-/// 11, 16, 17), a series a pixel, by adding: two bands in a target, up to 15 in one pass.
+/// A FourierProjection is the pass that projects what fragments carry onto Fourier series (Baeza
+/// Rojo et al. 2019, Eqs. 8, 11, 16, 17), a series a pixel, by adding: two bands in a target, up to
+/// 15 in one pass.
 class FourierProjection {
  public:
-  /// Of the optical depth; of the importance where PROJECT_IMPORTANCE is among the defines.
+  /// Projects the optical depth; the importance where PROJECT_IMPORTANCE is among the defines.
   /// `coefficients` as fourier_target() says; it has to outlive this.
   FourierProjection(const Stage& stage, const Texture& coefficients, int bands,
                     const SeriesOptions& options, const Defines& defines = {},
@@ -54,7 +55,7 @@ class FourierProjection {
   std::vector<Pass> passes_;
 };
 
-/// What holds the series' coefficients: an array of so many layers.
+/// A FourierTarget holds the series' coefficients: an array of so many layers.
 struct FourierTarget {
   GLenum format;
   int layers;

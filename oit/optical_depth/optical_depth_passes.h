@@ -8,8 +8,8 @@
 
 namespace pellucid::oit {
 
-/// What the methods share that hold the optical depth tau(d) of a pixel as a few coefficients
-/// (bins, bands, moments):
+/// OpticalDepthPasses are what the methods share that hold the optical depth tau(d) of a pixel as a
+/// few coefficients (bins, bands, moments):
 ///
 ///   project     sums every fragment's optical depth into the coefficients; the method's own
 ///   weight      sums the colours, each weighted by what the coefficients say of tau at its depth

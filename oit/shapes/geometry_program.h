@@ -29,7 +29,7 @@ class GeometryProgram {
                   const FragmentText& fragment, const Defines& defines,
                   const Resources& resources = {});
 
-  /// As Program has them.
+  /// Set a uniform of all its programs, as Program does.
   template <class T>
   void set(std::string_view name, const T& value) const {
     for (const auto& program : programs_)
@@ -40,7 +40,7 @@ class GeometryProgram {
     for (const auto& program : programs_)
       if (program) program->set_if_used(name, value);
   }
-  /// What it finds in any pass, as its FragmentOpacity says.
+  /// Returns what it finds in any pass, as its FragmentOpacity says.
   const Resources& resources() const { return resources_; }
   const Program& of(ShapeKind kind) const { return *programs_[std::size_t(kind)]; }
 

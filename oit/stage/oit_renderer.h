@@ -89,7 +89,7 @@ std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Param
   });
 }
 
-/// The same for a Method without options, which is constructed from (Stage&).
+/// Serves likewise for a Method without options, which is constructed from (Stage&).
 template <class Method>
 std::unique_ptr<scene::Renderer> make_oit(const scene::Scene& scene, const Parameters&,
                                           const scene::RenderContext& context) {

@@ -14,7 +14,7 @@ class OpaqueContext {
 
   std::uint64_t bytes() const { return picture_.bytes() + keys_.bytes() + depth_.bytes(); }
   void draw(const glm::vec3& background) const;
-  /// What programs with the define OPAQUE_CONTEXT find in composite.glsl and fragment.glsl.
+  /// Returns what programs with the define OPAQUE_CONTEXT find in composite.glsl and fragment.glsl.
   Resources resources() const;
 
  private:

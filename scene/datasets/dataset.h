@@ -41,7 +41,7 @@ std::span<const DatasetRow> datasets();
 /// `dataset` is "NAME[:key=value,…]". Throws InputError for an unknown name, key or value.
 Dataset make_dataset(std::string_view dataset, const Progress& progress = {});
 
-/// The same of a row that is on levels. Throws InputError for another one, too.
+/// Makes the data of a row that is on levels. Throws InputError for another one, too.
 VelocityLevels make_velocity_levels(std::string_view dataset, const Progress& progress = {});
 
 }  // namespace pellucid::scene

@@ -46,7 +46,7 @@ inline FilamentSums<double> sum_over(const std::vector<FilamentElement>& filamen
   return {{around.x, around.y, around.z}, {along.x, along.y, along.z}};
 }
 
-/// The same with derivatives, by their closed forms: half the cost of Duals in the loop.
+/// Returns the sums with their derivatives, by closed forms: half the cost of Duals in the loop.
 ///   ∂around/∂r_j = Σ dl × e_j / s³ - 3 r_j dl × r / s⁵
 ///   ∂along/∂r_j  = Σ dl r_j (3/s⁵ - 15ε²/s⁷) + 3 (dl_j r + (dl · r) e_j)/s⁵ - 15 (dl · r) r_j r /
 ///   s⁷

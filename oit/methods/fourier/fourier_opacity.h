@@ -7,13 +7,13 @@
 
 namespace pellucid::oit {
 
-/// What has one opacity.
+/// An OpacityUnit is what has one opacity.
 enum class OpacityUnit {
   element,  // a segment of a line, a patch of a surface, a point
   fragment
 };
 
-/// What the colours are composited by.
+/// An OpacityCompositing says what the colours are composited by.
 enum class OpacityCompositing { fourier, lists };
 
 /// FourierOpacityOptions are those of the method `fourier-opacity`.
