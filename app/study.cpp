@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "compare/methods/methods.h"
 #include "compare/report/tables.h"
+#include "compare/results/provenance.h"
 #include "compare/run/run_study.h"
 #include "compare/study/study.h"
 #include "core/error.h"
@@ -74,6 +76,8 @@ void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   else if (!globals.quiet)
     fmt::print("{} cells computed, {} kept; report: {}\n", outcome.computed, outcome.kept,
                (options.folder / "report.html").string());
+  for (const std::string& warning : compare::provenance_warnings(outcome.rows))
+    std::cerr << "pellucid: " << warning << '\n';
   check_failures(outcome, options.folder);
 }
 

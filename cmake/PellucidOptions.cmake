@@ -7,6 +7,8 @@ target_include_directories(pellucid_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(pellucid_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
 # No contraction and no fast-math: the exact paths count on IEEE double as written.
 target_compile_options(pellucid_options INTERFACE -ffp-contract=off)
+# A study's rows name the build that made them.
+target_link_options(pellucid_options INTERFACE -Wl,--build-id=sha1)
 if(PELLUCID_SANITIZE)
   # GCC 12 sees uninitialized values in instrumented library code.
   target_compile_options(pellucid_options INTERFACE -Wno-maybe-uninitialized)

@@ -3,10 +3,15 @@
 // Loops on TBB's threads. TBB's library is not instrumented, so the thread sanitizer does not see
 // that a loop's tasks follow its call and precede its return; here it is shown, and nothing else
 // is: tasks stay unordered among each other. Without the sanitizer these are TBB's own loops.
+//
+// Every task computes in its caller's floating-point environment. A thread of TBB otherwise keeps
+// the one that was set when TBB or the thread's arena began, and Embree flushes denormal numbers to
+// zero while it builds a hierarchy: nextafter(0, d) would be 0 in whatever follows.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
 
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
@@ -78,12 +83,24 @@ const Body& FencedBody(const Body& body, TaskFence&) {
 
 #endif
 
+/// A LoopContext carries the floating-point environment (rounding, denormal numbers) of the thread
+/// that makes it into the tasks that are given it.
+class LoopContext {
+ public:
+  operator tbb::task_group_context&() { return context_; }
+
+ private:
+  using Context = tbb::task_group_context;
+  Context context_{Context::bound, Context::default_traits | Context::fp_settings};
+};
+
 /// Calls body(i) for first ≤ i < last, on TBB's threads and in any order.
 template <class Index, class Body>
 void parallel_for(Index first, Index last, const Body& body) {
   TaskFence fence;
+  LoopContext context;
   fence.open();
-  tbb::parallel_for(first, last, FencedBody(body, fence));
+  tbb::parallel_for(first, last, FencedBody(body, fence), context);
   fence.join();
 }
 
@@ -91,8 +108,9 @@ void parallel_for(Index first, Index last, const Body& body) {
 template <class Range, class Body>
 void parallel_ranges(const Range& range, const Body& body) {
   TaskFence fence;
+  LoopContext context;
   fence.open();
-  tbb::parallel_for(range, FencedBody(body, fence));
+  tbb::parallel_for(range, FencedBody(body, fence), context);
   fence.join();
 }
 
@@ -101,9 +119,10 @@ void parallel_ranges(const Range& range, const Body& body) {
 template <class Range, class Sum, class Body, class Join>
 Sum parallel_sum(const Range& range, const Sum& identity, const Body& body, const Join& join) {
   TaskFence fence;
+  LoopContext context;
   fence.open();
   const Sum sum = tbb::parallel_deterministic_reduce(range, identity, FencedBody(body, fence),
-                                                     FencedBody(join, fence));
+                                                     FencedBody(join, fence), context);
   fence.join();
   return sum;
 }

@@ -30,18 +30,6 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037u;
 };
 
-/// Any text of a scene file that names a file beside it, options after a colon left out, is taken
-/// for one that the scene reads.
-void add_named_files(const json& node, const fs::path& base, Hash& hash) {
-  if (node.is_structured())
-    for (const json& child : node) add_named_files(child, base, hash);
-  if (!node.is_string()) return;
-  const std::string text = node.get<std::string>();
-  const fs::path path = base / text.substr(0, text.find(':'));
-  std::error_code ignored;
-  if (fs::is_regular_file(path, ignored)) hash.add(read_text(path));
-}
-
 void add_call(const MethodCall& call, Hash& hash) {
   hash.add(call.row->name);
   for (const auto& [key, value] : call.parameters.all()) {
@@ -55,6 +43,11 @@ bool is_complete(const CellFiles& files, const ResultRow& row) {
   return fs::exists(files.picture()) && fs::exists(files.preview()) &&
          std::all_of(row.pictures.begin(), row.pictures.end(),
                      [&](const RowPicture& p) { return fs::exists(files.further(p.name)); });
+}
+
+bool are_unchanged(const std::map<std::string, std::string>& files, ContentHashes& hashes) {
+  return std::ranges::all_of(
+      files, [&](const auto& file) { return hashes.of(file.first) == file.second; });
 }
 
 }  // namespace
@@ -110,30 +103,27 @@ ResultRow identity_row(const Cell& cell) {
   return row;
 }
 
-std::string scene_fingerprint(const fs::path& scene_file) {
+std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int repeats,
+                             const scene::RenderContext& context) {
   Hash hash;
-  hash.add(read_text(scene_file));
-  add_named_files(read_json(scene_file), scene_file.parent_path(), hash);
-  return hash.hex();
-}
-
-std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
-                             const MethodCall& reference, const scene::RenderContext& context) {
-  Hash hash;
-  hash.add(scene_fingerprint);
+  hash.add(read_text(cell.scene_file));
   add_call(cell.call, hash);
   add_call(reference, hash);
+  hash.add(std::to_string(repeats));
   hash.add(context.gl);
   for (const std::string& measure : cell.measures) hash.add(measure);
   for (const Pixel& pixel : cell.probes) hash.add(fmt::format("{} {}", pixel.x, pixel.y));
   return hash.hex();
 }
 
-std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint) {
+std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
+                                       ContentHashes& hashes) {
   if (!fs::exists(files.row())) return std::nullopt;
   try {
     ResultRow row = row_from_json(json::parse(read_text(files.row())));
-    if (row.fingerprint == fingerprint && row.error.empty() && is_complete(files, row)) return row;
+    if (row.fingerprint == fingerprint && row.error.empty() && is_complete(files, row) &&
+        are_unchanged(row.files_read, hashes))
+      return row;
   } catch (const json::exception&) {
     // Another version's row: the cell is computed again.
   }

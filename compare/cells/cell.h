@@ -8,6 +8,7 @@
 
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
+#include "core/files/files_read.h"
 
 namespace pellucid::compare {
 
@@ -54,18 +55,18 @@ class CellFiles {
 /// Returns the row of a cell that nothing is known of yet: its names and parameters.
 ResultRow identity_row(const Cell& cell);
 
-/// Returns a hash of the scene's file and of all files that it names. Throws InputError when the
-/// scene's file cannot be read or is no JSON.
-std::string scene_fingerprint(const std::filesystem::path& scene_file);
-
-/// Returns a hash of all that the cell's row depends on, times aside: the scene, the method and the
-/// reference with all their parameters, its measures and probes, and where OpenGL runs.
-std::string cell_fingerprint(const std::string& scene_fingerprint, const Cell& cell,
-                             const MethodCall& reference, const scene::RenderContext& context);
+/// Returns a hash of what a cell is asked to do: the scene's text, the method and the reference
+/// with all their parameters, its measures and probes, the number of repeats, and where OpenGL
+/// runs. What it reads beside the scene's file, its row lists. Throws InputError when the scene's
+/// file cannot be read.
+std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int repeats,
+                             const scene::RenderContext& context);
 
 /// Reads the row of a cell that was finished without an error, by whichever run, for the same
-/// fingerprint; nothing when there is none or one of its pictures is gone.
-std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint);
+/// fingerprint and from files whose content is as it was; nothing when there is none or one of its
+/// pictures is gone.
+std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
+                                       ContentHashes& hashes);
 
 /// Writes the row as JSON, whole or not at all. Throws as OutputFile does.
 void write_row(const CellFiles& files, const ResultRow& row);

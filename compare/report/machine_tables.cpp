@@ -8,6 +8,7 @@
 #include "compare/report/tables.h"
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
+#include "compare/results/provenance.h"
 
 namespace pellucid::compare {
 namespace {
@@ -74,6 +75,7 @@ std::string results_json(const Study& study, std::span<const ResultRow> rows) {
       {"format", "pellucid-results"},
       {"version", 1},
       {"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+      {"warnings", provenance_warnings(rows)},
       {"rows", list}};
   return json.dump(1) + "\n";
 }

@@ -8,6 +8,7 @@
 #include "compare/report/tables.h"
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
+#include "compare/results/provenance.h"
 
 namespace pellucid::compare {
 namespace {
@@ -177,6 +178,8 @@ std::string latex_escaped(std::string_view text) {
 std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("# {}\n", study.title);
   if (!study.source.empty()) text += fmt::format("\n{}\n", study.source);
+  for (const std::string& warning : provenance_warnings(rows))
+    text += fmt::format("\n**{}**\n", warning);
   for (const auto& scene : study.scenes) {
     const std::vector<ResultRow> here = rows_of(scene_name(scene), rows);
     text += markdown_block(scene_name(scene), here) + markdown_measures(here);

@@ -13,6 +13,7 @@
 #include "compare/report/crop.h"
 #include "compare/report/source_json.h"
 #include "compare/results/columns.h"
+#include "compare/results/provenance.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -170,6 +171,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
   for (const SceneCells& scene : done_scenes(study, rows))
     scenes.push_back(scene_json(study, folder, scene));
   return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+          {"warnings", provenance_warnings(rows)},
           {"columns", columns_json()},
           {"metrics", metrics_json()},
           {"rows", list},

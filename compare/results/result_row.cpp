@@ -177,7 +177,7 @@ json to_json(const ResultRow& row) {
   json j = {{"scene", row.scene},           {"method", row.method},
             {"parameters", row.parameters}, {"parameter_values", row.parameter_values},
             {"reference", row.reference},   {"fingerprint", row.fingerprint},
-            {"machine", row.machine}};
+            {"files_read", row.files_read}, {"machine", row.machine}};
   if (row.error.empty())
     add_results(row, j);
   else
@@ -194,6 +194,7 @@ ResultRow row_from_json(const json& j) {
     row.parameter_values.emplace(item.key(), item.value());
   row.reference = j.at("reference");
   row.fingerprint = j.at("fingerprint");
+  row.files_read = j.at("files_read");
   row.machine = j.at("machine");
   row.error = j.value("error", "");
   if (row.error.empty()) results_from(j, row);

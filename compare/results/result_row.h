@@ -50,7 +50,8 @@ struct ResultRow {
   bool reference = false;
   std::string error;  // empty: the cell is done, and what follows holds
 
-  std::string fingerprint;      // of everything that the picture depends on
+  std::string fingerprint;  // of the cell: scene's text, methods, parameters, repeats, driver
+  std::map<std::string, std::string> files_read;  // path → hash of the content
   RawOptions parameter_values;  // defaults included
   int repeats = 0;
   Comparison metrics;

@@ -44,17 +44,10 @@ bool is_selected(const Cell& cell, const std::string& only) {
 
 std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
   std::vector<Job> jobs;
-  std::string scene;
-  for (const Cell& cell : expand_cells(study)) {
-    // A scene's first cell is its reference.
-    if (cell.reference) scene = scene_fingerprint(cell.scene_file);
-    const bool one_scene = !study.reference_scene || cell.reference;
-    const std::string scene_of_cell =
-        one_scene ? scene : scene + scene_fingerprint(cell.scene_file);
+  for (const Cell& cell : expand_cells(study))
     jobs.push_back({cell, CellFiles(options.folder, cell),
-                    cell_fingerprint(scene_of_cell, cell, study.reference, options.context),
+                    cell_fingerprint(cell, study.reference, study.repeats, options.context),
                     is_selected(cell, options.only)});
-  }
   if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
     throw InputError(
         fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
@@ -63,15 +56,18 @@ std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
   return jobs;
 }
 
-/// Cells that this run does not have to compute: all that were finished when it resumes; otherwise
-/// those that it leaves out. Rows that this run will replace go first, so that a kill can't leave
-/// them to be taken for its own.
-void read_known_rows(std::vector<Job>& jobs, bool resume) {
+/// Cells that this run does not have to compute: all that its build has finished when it resumes;
+/// and those that it leaves out. Rows that this run will replace go first, so that a kill can't
+/// leave them to be taken for its own.
+void read_known_rows(std::vector<Job>& jobs, const StudyOptions& options) {
+  ContentHashes hashes;
   for (Job& job : jobs) {
-    if (resume || !job.selected)
-      job.row = read_finished(job.files, job.fingerprint);
-    else
-      fs::remove(job.files.row());
+    if (options.resume || !job.selected)
+      job.row = read_finished(job.files, job.fingerprint, hashes);
+    const bool of_this_build = job.row && job.row->machine["build"] == options.build;
+    if (!job.selected || (options.resume && of_this_build)) continue;
+    job.row.reset();
+    fs::remove(job.files.row());
   }
 }
 
@@ -96,7 +92,21 @@ class SceneAtHand {
   }
   bool has_reference_layers() const { return fs::exists(reference_files_->layers()); }
 
+  /// What the reference was made of counts for the cells that are compared with it.
+  void reads_also(std::map<std::string, std::string> files) {
+    files_of_reference_ = std::move(files);
+  }
+  /// What has been read to draw the scene and its reference, with the hash of its content.
+  std::map<std::string, std::string> files_read() {
+    std::map<std::string, std::string> files = files_of_reference_;
+    for (const fs::path& path : read_.paths()) files.emplace(path.string(), hashes_.of(path));
+    return files;
+  }
+
  private:
+  FilesRead read_;
+  ContentHashes hashes_;
+  std::map<std::string, std::string> files_of_reference_;
   fs::path file_;
   std::unique_ptr<scene::Scene> scene_;
   std::optional<CellFiles> reference_files_;
@@ -156,6 +166,7 @@ ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
         .measure(at_hand.scene(), at_hand.reference(), measured);
   write_further(job.files, measured);
   measured.row.fingerprint = job.fingerprint;
+  measured.row.files_read = at_hand.files_read();
   return measured.row;
 }
 
@@ -181,7 +192,7 @@ class StudyRun {
   StudyRun(const Study& study, const StudyOptions& options)
       : study_(study), options_(options), jobs_(make_jobs(study, options)) {
     for (const Job& job : jobs_) job.files.make_folders();
-    read_known_rows(jobs_, options.resume);
+    read_known_rows(jobs_, options);
     for (const Job& job : jobs_) outcome_.kept += job.row && job.selected;
   }
 
@@ -204,13 +215,16 @@ class StudyRun {
     const bool one_scene = reference.cell.scene_file == jobs.back().cell.scene_file;
     if (!reference.row) run_job(reference, one_scene ? at_hand : of_reference);
     at_hand.set_reference(reference.files);
+    at_hand.reads_also(reference.row->files_read);
     for (Job& job : jobs.subspan(1))
       if (pending(job)) reference.row->error.empty() ? run_job(job, at_hand) : skip(job);
   }
 
   void run_job(Job& job, SceneAtHand& at_hand) {
     report(options_.progress, progress(), job.cell.name());
-    record(job, compute_or_fail(job, at_hand, study_, options_.context));
+    ResultRow row = compute_or_fail(job, at_hand, study_, options_.context);
+    row.machine["build"] = options_.build;
+    record(job, std::move(row));
   }
 
   void skip(Job& job) { record(job, failed(job, "its scene's reference failed")); }

@@ -8,15 +8,17 @@
 
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
+#include "core/machine/build_info.h"
 
 namespace pellucid::compare {
 
 /// StudyOptions say which cells of a study a run computes, and where results go.
 struct StudyOptions {
   std::filesystem::path folder;  // where results go
-  bool resume = false;           // keep cells that were finished for the same scenes and parameters
-  std::string only;              // shell pattern; empty: every cell
+  bool resume = false;  // keep cells that this build finished for the same scenes and parameters
+  std::string only;     // shell pattern; empty: every cell
   scene::RenderContext context;
+  std::string build = build_id();  // of the program whose rows these are
   Progress progress;
   std::function<void(const ResultRow&)> on_row;  // called when a cell is done or has failed
 };
@@ -38,8 +40,10 @@ struct StudyOutcome {
 ///
 /// Cells share nothing but their scene's reference picture, which is computed where it is missing:
 /// several runs may share the work by `only` and a folder, and a last one with `resume` collects
-/// it. A cell that fails becomes a row with its error, and the study goes on. Throws InputError
-/// when the folder cannot be written or nothing fits `only`.
+/// it. With `resume` a row is kept when the same build made it of the same files, by their content;
+/// the rows that `only` leaves out are kept whichever build made them, and the report says so where
+/// builds or machines differ. A cell that fails becomes a row with its error, and the study goes
+/// on. Throws InputError when the folder cannot be written or nothing fits `only`.
 StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
 }  // namespace pellucid::compare

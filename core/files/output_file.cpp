@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/files/files_read.h"
 
 namespace pellucid {
 namespace {
@@ -90,9 +91,11 @@ std::string read_text(const fs::path& path) {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0)
       throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
-    if (got == 0) return text;
+    if (got == 0) break;
     text.append(block, static_cast<std::size_t>(got));
   }
+  note_read(path);
+  return text;
 }
 
 }  // namespace pellucid

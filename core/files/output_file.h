@@ -32,7 +32,8 @@ class OutputFile {
 /// Writes the whole text by an OutputFile, and throws as it does.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// Reads a whole file. Throws InputError when `path` cannot be read as a file.
+/// Reads a whole file and notes that it was read (note_read()). Throws InputError when `path` cannot
+/// be read as a file.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace pellucid

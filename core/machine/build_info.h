@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 namespace pellucid {
 
 /// These texts say what the program was built from: the project's version, the short hash of its
@@ -10,5 +12,10 @@ extern const char* const build_version;
 extern const char* const build_commit;
 extern const char* const build_compiler;
 ///@}
+
+/// Returns the hash of this program's code and data that the linker made (GNU build ID), in
+/// hexadecimal digits: two programs share it when they were built from the same sources by the same
+/// tools. Returns "unknown" where the linker made none.
+std::string build_id();
 
 }  // namespace pellucid

@@ -35,6 +35,7 @@ std::map<std::string, std::string> machine_facts() {
           {"kernel", fmt::format("{} {}", system.sysname, system.release)},
           {"compiler", build_compiler},
           {"version", build_version},
+          {"build", build_id()},
           {"commit", build_commit}};
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/files/files_read.h"
 
 namespace pellucid::fields {
 namespace {
@@ -70,6 +71,7 @@ const FileFormatRow* file_format(std::string_view path) {
 std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
                                        const FileFormatRow& format, const FileOptions& options) {
   require_readable(path);
+  note_read(path);
   try {
     return format.read(path, options);
   } catch (const std::bad_alloc&) {

@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "fields/readers/file_field.h"
 #include "fields/sampled/dense_field.h"
 
@@ -149,6 +150,7 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   if (data != "LOCAL") beside.open(path.parent_path() / data, std::ios::binary);
   if (data != "LOCAL" && !beside)
     fail(path, fmt::format("ElementDataFile = {}: cannot read", data));
+  if (data != "LOCAL") note_read(path.parent_path() / data);
   std::string bytes = read_bytes(data == "LOCAL" ? file : beside, path, layout.bytes());
   const std::string description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
                                               layout.size[0], layout.size[1], layout.size[2]);

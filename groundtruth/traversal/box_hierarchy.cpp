@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "core/parallel.h"
 
 namespace pellucid::groundtruth {
@@ -17,6 +18,7 @@ TaskFence embree_tasks;
 
 void give_box(const RTCBoundsFunctionArguments* args) {
   embree_tasks.enter();
+  const DefaultFloats floats;  // Embree flushes denormal numbers to zero while it builds
   const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
   const Box3 box = object.geometry->box(args->primID);
   const Vec3 low = box.min - object.center, high = box.max - object.center;

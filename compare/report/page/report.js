@@ -22,6 +22,7 @@ function headSection() {
     make("h1", {}, data.study.title),
     data.study.source && make("p", { class: "source" }, data.study.source),
     make("p", { class: "lead" }, lead),
+    ...data.warnings.map((warning) => make("p", { class: "failed", role: "alert" }, warning)),
     failed > 0 && make("p", { class: "failed" }, `${counted(failed, "cell")} failed; the table says why.`),
   ];
   return parts.filter(Boolean);

@@ -209,6 +209,67 @@ TEST(UnitResume, AnotherReferenceOrDriverMakesOtherCells) {
   EXPECT_EQ(run_study(study, options).computed, 4u);
 }
 
+TEST(UnitResume, AnotherBuildsRowsAreComputedAgain) {
+  const StudyFolder folder;
+  const Study study = load_study(folder.study(two_methods), fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  options.build = "one";
+  run_study(study, options);
+  options.resume = true;
+  EXPECT_EQ(run_study(study, options).computed, 0u);
+  options.build = "another";
+  options.only = "shifted*";
+  EXPECT_EQ(run_study(study, options).computed, 2u);  // those left out stay the first build's,
+  const auto mixed = nlohmann::json::parse(read_text(folder / "results/results.json"));
+  EXPECT_EQ(mixed["warnings"].size(), 1u);  // and the report says so
+  EXPECT_THAT(read_text(folder / "results/table.md"), HasSubstr("2 builds"));
+  EXPECT_THAT(read_text(folder / "results/report.html"), HasSubstr("2 builds"));
+  options.only.clear();
+  EXPECT_EQ(run_study(study, options).computed, 4u);
+  const auto whole = nlohmann::json::parse(read_text(folder / "results/results.json"));
+  EXPECT_EQ(whole["warnings"].size(), 0u);
+}
+
+TEST(UnitResume, ANumberOfRepeatsIsPartOfARow) {
+  const StudyFolder folder;
+  StudyOptions options;
+  options.folder = folder / "results";
+  run_study(load_study(folder.study(two_methods), fake_methods()), options);
+  options.resume = true;
+  const auto more = folder.study(two_methods, R"("repeats": 3)");
+  EXPECT_EQ(run_study(load_study(more, fake_methods()), options).computed, 6u);
+}
+
+/// 2 × 2 × 2 samples of one velocity, raw beside their header.
+void write_meta_image(const fs::path& header, const std::string& raw, float velocity) {
+  write_text(header,
+             "NDims = 3\nDimSize = 2 2 2\nElementType = MET_FLOAT\n"
+             "ElementNumberOfChannels = 3\nElementDataFile = " +
+                 raw + "\n");
+  const std::vector<float> samples(3 * 8, velocity);
+  write_text(header.parent_path() / raw,
+             {reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(float)});
+}
+
+TEST(UnitResume, FilesBehindFilesAreHashedByTheirContent) {
+  const StudyFolder folder;
+  write_meta_image(folder / "a.mhd", "a.raw", 0.1f);
+  write_meta_image(folder / "b.mhd", "b.raw", 0.1f);
+  write_text(folder / "both.series", R"({"file-series-version": "1.0", "files": [
+    {"name": "a.mhd", "time": 0}, {"name": "b.mhd", "time": 1}]})");
+  write_text(folder / "two.json", R"({"format": "pellucid-scene", "version": 1,
+    "resolution": [24, 16], "camera": {"eye": [0.5, 0.5, 5], "target": [0.5, 0.5, 0]},
+    "objects": [{"surface": {"field": "both.series", "integrator": "fixed-front:particles=3",
+      "seed": {"from": [0.1, 0.2, 0.3], "to": [0.1, 0.8, 0.3]}, "duration": 1}}]})");
+  for (const ResultRow& row : run(folder, R"(["shifted"])").rows) ASSERT_EQ(row.error, "");
+  EXPECT_EQ(run(folder, R"(["shifted"])", true).computed, 0u);
+  write_meta_image(folder / "b.mhd", "b.raw", 0.1f);  // a new file of the old content
+  EXPECT_EQ(run(folder, R"(["shifted"])", true).computed, 0u);
+  write_meta_image(folder / "b.mhd", "b.raw", 0.2f);
+  EXPECT_EQ(run(folder, R"(["shifted"])", true).computed, 2u);
+}
+
 TEST(UnitResume, AFailedCellIsTriedAgain) {
   const StudyFolder folder;
   run(folder, R"(["broken"])");
@@ -228,6 +289,7 @@ TEST(UnitOnly, ShareTheWorkByPatternsInAnyOrder) {
     nlohmann::json a = without_times(collected.rows[i]), b = without_times(expected.rows[i]);
     a.erase("scene_provenance"), b.erase("scene_provenance");  // holds the folder's name
     a.erase("fingerprint"), b.erase("fingerprint");
+    a.erase("files_read"), b.erase("files_read");  // their paths
     EXPECT_EQ(a, b);
   }
 }
