@@ -33,6 +33,9 @@ void add_global_options(CLI::App& command, GlobalOptions& globals);
 /// Adds --gl to a subcommand that may render by OpenGL.
 void add_gl_option(CLI::App& command, GlobalOptions& globals);
 
+/// Accepts numbers but NaN and infinity, which would switch a bound off.
+CLI::Validator finite_number();
+
 /// Prints how far the work is to stderr: one line that is rewritten, with an estimate of the time
 /// left, on a terminal; plain lines elsewhere; nothing when quiet.
 Progress console_progress(const GlobalOptions& globals);

@@ -13,6 +13,8 @@
 #include "compare/pictures/metrics.h"
 #include "compare/results/result_row.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
+#include "core/files/json_text.h"
 
 namespace pellucid::app {
 namespace {
@@ -40,7 +42,7 @@ void print_metrics(std::string_view title, const compare::Metrics& m) {
 }
 
 void print_comparison(const compare::Comparison& comparison, bool as_json) {
-  if (as_json) return fmt::print("{}\n", compare::to_json(comparison).dump(1));
+  if (as_json) return fmt::print("{}\n", json_text(compare::to_json(comparison), 1));
   print_metrics("float values", comparison.linear);
   print_metrics("8-bit values, as a screen shows them", comparison.displayed);
 }
@@ -51,7 +53,8 @@ void check_threshold(const compare::MetricRow& metric, double threshold,
   if (!value)
     throw InputError(fmt::format("{}: the pictures have no {}; accepted: larger ones",
                                  threshold_option(metric), heading(metric)));
-  if (higher ? *value < threshold : *value > threshold)
+  const bool within = higher ? *value >= threshold : *value <= threshold;  // NaN is not
+  if (!within)
     throw WorkError(fmt::format("{} {:.6g} is {} {} {}", heading(metric), *value,
                                 higher ? "below" : "above", threshold_option(metric), threshold));
 }
@@ -64,6 +67,7 @@ void check_thresholds(const CompareArguments& arguments, const compare::Metrics&
 }
 
 void run(const CompareArguments& arguments, const GlobalOptions& globals) {
+  const ProtectedInputs inputs;
   const Image reference = compare::read_image(arguments.reference);
   const Image test = compare::read_image(arguments.test);
   const compare::Comparison comparison = compare::compare_images(reference, test);
@@ -84,9 +88,11 @@ void add_compare_command(CLI::App& app, GlobalOptions& globals) {
       "--diff", arguments->diff,
       "Write the error map (.png, .exr): largest RGB error, logarithmic from 0.001 to 1");
   for (const compare::MetricRow& metric : compare::metrics())
-    command->add_option(threshold_option(metric), arguments->fail[metric.name],
-                        fmt::format("Exit 1 when the {} is {} this", heading(metric),
-                                    metric.better == compare::Better::higher ? "below" : "above"));
+    command
+        ->add_option(threshold_option(metric), arguments->fail[metric.name],
+                     fmt::format("Exit 1 when the {} is {} this", heading(metric),
+                                 metric.better == compare::Better::higher ? "below" : "above"))
+        ->check(finite_number());
   command->footer("Exit code: 0 compared, within the thresholds; 1 beyond one; 2 wrong input.");
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -63,6 +64,15 @@ void add_global_options(CLI::App& command, GlobalOptions& globals) {
   command.add_option("--threads", globals.threads, "Threads; 0: as many as the machine has")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+}
+
+CLI::Validator finite_number() {
+  const auto complaint = [](std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value)) return {};
+    return fmt::format("'{}'; accepted: a finite number", text);
+  };
+  return {complaint, "FINITE"};
 }
 
 void add_gl_option(CLI::App& command, GlobalOptions& globals) {

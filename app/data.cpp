@@ -7,6 +7,8 @@
 
 #include "app/commands.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
+#include "core/files/json_text.h"
 #include "core/options/names.h"
 #include "fields/levels/vdb_levels.h"
 #include "geometry/files/mesh_file.h"
@@ -61,12 +63,13 @@ nlohmann::ordered_json write(const geometry::PointSet& points, const std::string
 }
 
 void make(const std::string& dataset, const std::string& output, const GlobalOptions& globals) {
+  const ProtectedInputs inputs;
   check(dataset, output);
   const nlohmann::ordered_json json =
       std::visit([&](const auto& data) { return write(data, output); },
                  scene::make_dataset(dataset, console_progress(globals)));
   if (globals.json)
-    std::cout << json.dump(2) << '\n';
+    std::cout << json_text(json, 2) << '\n';
   else if (!globals.quiet)
     for (const auto& [key, value] : json.items()) std::cout << key << ": " << value << '\n';
 }

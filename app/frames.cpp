@@ -10,6 +10,8 @@
 #include "compare/pictures/image_file.h"
 #include "compare/run/frame_sequence.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
+#include "core/files/json_text.h"
 #include "core/files/output_file.h"
 #include "core/options/names.h"
 #include "scene/files/scene_file.h"
@@ -67,6 +69,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void frames(const FramesOptions& options, const GlobalOptions& globals) {
+  const ProtectedInputs inputs;
   const NameAndOptions named = parse_name_and_options(options.method);
   const scene::MethodRow& row = find_row("method", named.name, compare::methods());
   const Parameters parameters(row.name, row.parameters, named.options);
@@ -87,7 +90,7 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
         report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
       });
   if (globals.json)
-    std::cout << table.json().dump(2) << '\n';
+    std::cout << json_text(table.json(), 2) << '\n';
   else if (!globals.quiet)
     std::cout << fmt::format("{}: {} frames; largest change of an element's opacity {:.3g}\n",
                              folder.string(), scene.camera_path.size(), table.largest_change());
@@ -107,8 +110,10 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->add_option("-o,--output", options->output,
                    "Folder for the pictures 0000.png, ... and frames.csv")
       ->required();
-  CLI::Option* around = command->add_option(
-      "--orbit", options->orbit, "Instead: go so many degrees around the camera's target");
+  CLI::Option* around = command
+                            ->add_option("--orbit", options->orbit,
+                                         "Instead: go so many degrees around the camera's target")
+                            ->check(finite_number());
   command->add_option("--frames", options->frames, "Of the orbit")
       ->needs(around)
       ->check(CLI::Range(2, 100000))

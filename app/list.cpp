@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/listings.h"
 #include "core/error.h"
+#include "core/files/json_text.h"
 #include "core/options/names.h"
 
 namespace pellucid::app {
@@ -69,7 +70,7 @@ void run(const ListArguments& arguments, const GlobalOptions& globals) {
   nlohmann::ordered_json rows = listing.make();
   if (!arguments.name.empty()) rows = row_of(listing, rows, arguments.name);
   if (globals.json)
-    std::cout << rows.dump(2) << '\n';
+    std::cout << json_text(rows, 2) << '\n';
   else if (arguments.markdown)
     print_markdown(rows);
   else

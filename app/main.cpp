@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tbb/global_control.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -18,8 +21,18 @@ namespace {
 enum ExitCode { done = 0, work_failed = 1, input_wrong = 2 };
 
 int complain(const std::exception& error, ExitCode code) {
-  std::cerr << "pellucid: " << error.what() << '\n';
+  std::cerr << "pellucid: " << one_line(error.what()) << '\n';
   return code;
+}
+
+/// What a full disk or a closed descriptor has kept from being printed is a failure; that a reader
+/// of a pipe has seen enough is none.
+int flushed(int code) {
+  errno = 0;
+  const bool printed = std::fflush(stdout) == 0 && std::cout.flush().good() && !std::ferror(stdout);
+  if (printed || errno == EPIPE || code != done) return code;
+  std::cerr << "pellucid: cannot write to the standard output: " << std::strerror(errno) << '\n';
+  return work_failed;
 }
 
 /// The limit holds while `limit` lives. Runs before any command does.
@@ -75,5 +88,5 @@ int run(int argc, char** argv) {
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
-  return pellucid::app::run(argc, argv);
+  return pellucid::app::flushed(pellucid::app::run(argc, argv));
 }

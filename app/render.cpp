@@ -12,6 +12,8 @@
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/sums_file.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
+#include "core/files/json_text.h"
 #include "core/files/output_file.h"
 #include "core/machine/machine.h"
 #include "core/options/names.h"
@@ -73,7 +75,7 @@ void print_summary(const RenderOptions& options, const scene::RenderStats& stats
 void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
                       const Progress& progress) {
   if (!options.probe.empty())
-    write_text(options.probe_output, probe_json(scene, options.probe).dump(2) + '\n');
+    write_text(options.probe_output, json_text(probe_json(scene, options.probe), 2) + '\n');
   if (options.sums.empty() && options.deep.empty()) return;
   if (!options.deep.empty() && scene.samples != 1)
     throw InputError(fmt::format("--deep: the scene takes {0} x {0} samples per pixel; accepted: 1",
@@ -89,6 +91,7 @@ void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
 }
 
 void render(const RenderOptions& options, const GlobalOptions& globals) {
+  const ProtectedInputs inputs;
   const NameAndOptions named = parse_name_and_options(options.method);
   const scene::MethodRow& row = find_row("method", named.name, compare::methods());
   const Parameters parameters(row.name, row.parameters, named.options);
@@ -106,9 +109,9 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   compare::write_image(options.output, rendering.image);
   if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
   const nlohmann::json json = to_json(row, parameters, rendering.stats, *renderer);
-  if (!options.stats.empty()) write_text(options.stats, json.dump(2) + '\n');
+  if (!options.stats.empty()) write_text(options.stats, json_text(json, 2) + '\n');
   if (globals.json)
-    std::cout << json.dump(2) << '\n';
+    std::cout << json_text(json, 2) << '\n';
   else
     print_summary(options, rendering.stats);
 }

@@ -9,6 +9,8 @@
 #include "compare/methods/distance_picture.h"
 #include "compare/pictures/image_file.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
+#include "core/files/json_text.h"
 #include "core/options/names.h"
 #include "core/options/split.h"
 #include "fields/make_field.h"
@@ -112,7 +114,7 @@ void print_summary(const std::string& output, const nlohmann::ordered_json& json
 void print(const TraceOptions& options, const GlobalOptions& globals,
            const nlohmann::ordered_json& json) {
   if (globals.json)
-    std::cout << json.dump(2) << '\n';
+    std::cout << json_text(json, 2) << '\n';
   else if (!globals.quiet)
     print_summary(options.output, json);
 }
@@ -188,6 +190,7 @@ bool draws_lines(std::string_view integrator) {
 }
 
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
+  const ProtectedInputs inputs;
   const auto field = fields::make_field(options.field);
   const bool measures = options.samples > 0 && !draws_lines(options.integrator);
   for (const auto& [name, value] : {std::pair("--error-picture", &options.error_picture),
@@ -215,8 +218,11 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--seed", options->seed, "Polyline X,Y,Z:X,Y,Z[:...] of the seeds")
       ->required();
   command->add_flag("--closed", options->closed, "Join the polyline's ends");
-  command->add_option("--duration", options->duration, "Time to integrate, > 0")->required();
-  command->add_option("--start-time", options->start_time, "The field's time at the seeds");
+  command->add_option("--duration", options->duration, "Time to integrate, > 0")
+      ->required()
+      ->check(finite_number());
+  command->add_option("--start-time", options->start_time, "The field's time at the seeds")
+      ->check(finite_number());
   command->add_flag("--path", options->path, "Path surface: the field's time runs along");
   command
       ->add_option("-o,--output", options->output,

@@ -11,6 +11,7 @@
 #include "compare/methods/sweep.h"
 #include "compare/run/tune.h"
 #include "core/error.h"
+#include "core/files/json_text.h"
 #include "core/options/names.h"
 
 namespace pellucid::app {
@@ -75,7 +76,7 @@ void run(const TuneArguments& arguments, const GlobalOptions& globals) {
   const compare::TuneOutcome outcome = compare::tune(request_of(arguments, globals));
   const compare::ResultRow* best = outcome.best();
   if (globals.json) {
-    std::cout << to_json(outcome).dump(2) << '\n';
+    std::cout << json_text(to_json(outcome), 2) << '\n';
   } else {
     print_table(outcome);
     if (best)
@@ -93,8 +94,10 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
       app.add_subcommand("tune", "Find the cheapest method within an error bound for a scene");
   const auto arguments = std::make_shared<TuneArguments>();
   command->add_option("SCENE", arguments->scene, "Scene file")->required();
-  command->add_option("--max-rmse", arguments->bound.max_rmse, "Largest RMSE against raytrace");
-  command->add_option("--min-ssim", arguments->bound.min_ssim, "Smallest SSIM against raytrace");
+  command->add_option("--max-rmse", arguments->bound.max_rmse, "Largest RMSE against raytrace")
+      ->check(finite_number());
+  command->add_option("--min-ssim", arguments->bound.min_ssim, "Smallest SSIM against raytrace")
+      ->check(finite_number());
   command->add_option("--max-bytes", arguments->bound.max_bytes,
                       "Largest memory beyond the scene and the picture, bytes");
   command->add_option("--cost", arguments->cost, "What cheap means: seconds or bytes")

@@ -120,18 +120,20 @@ std::optional<ResultRow> read_finished(const CellFiles& files, const std::string
                                        ContentHashes& hashes) {
   if (!fs::exists(files.row())) return std::nullopt;
   try {
-    ResultRow row = row_from_json(json::parse(read_text(files.row())));
+    ResultRow row = row_from_json(read_json(files.row()));
     if (row.fingerprint == fingerprint && row.error.empty() && is_complete(files, row) &&
         are_unchanged(row.files_read, hashes))
       return row;
   } catch (const json::exception&) {
-    // Another version's row: the cell is computed again.
+    // Another version's row: the cell is computed again,
+  } catch (const InputError&) {
+    // as when a kill or a full disk has left less than a row.
   }
   return std::nullopt;
 }
 
 void write_row(const CellFiles& files, const ResultRow& row) {
-  write_text(files.row(), to_json(row).dump(1) + "\n");
+  write_text(files.row(), json_text(to_json(row), 1) + "\n");
 }
 
 }  // namespace pellucid::compare

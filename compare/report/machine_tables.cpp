@@ -9,6 +9,7 @@
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
 #include "compare/results/provenance.h"
+#include "core/files/json_text.h"
 
 namespace pellucid::compare {
 namespace {
@@ -77,7 +78,7 @@ std::string results_json(const Study& study, std::span<const ResultRow> rows) {
       {"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
       {"warnings", provenance_warnings(rows)},
       {"rows", list}};
-  return json.dump(1) + "\n";
+  return json_text(json, 1) + "\n";
 }
 
 }  // namespace pellucid::compare

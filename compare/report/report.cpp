@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/report/report_data.h"
+#include "core/files/json_text.h"
 #include "core/files/output_file.h"
 #include "report_files.h"
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// JSON inside a <script> element: no "</script>" may end it early.
 std::string inline_json(const nlohmann::json& j) {
-  std::string text = j.dump();
+  std::string text = json_text(j);
   for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
     text.replace(at, 2, "<\\/");
   return text;

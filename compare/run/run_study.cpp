@@ -183,7 +183,7 @@ ResultRow compute_or_fail(const Job& job, SceneAtHand& at_hand, const Study& stu
   try {
     return compute(job, at_hand, study, context);
   } catch (const std::exception& error) {
-    return failed(job, error.what());
+    return failed(job, one_line(error.what()));
   }
 }
 

@@ -22,7 +22,7 @@ std::string option_text(const JsonNode& node) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
   if (value.is_number()) return value.dump();
-  node.fail(value.dump() + "; accepted: a number, text, true, false, or an array of these");
+  node.fail(json_text(value) + "; accepted: a number, text, true, false, or an array of these");
 }
 
 std::vector<std::string> option_values(const JsonNode& node) {

@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/error.h"
+
 namespace pellucid {
 namespace {
 
@@ -18,6 +20,7 @@ namespace fs = std::filesystem;
 struct Listeners {
   std::mutex mutex;
   std::vector<FilesRead*> lists;
+  std::vector<const FilesRead*> protect;
 };
 
 Listeners& listeners() {
@@ -53,6 +56,31 @@ void note_read(const fs::path& path) {
   if (listeners().lists.empty()) return;
   const fs::path noted = normal(path);
   for (FilesRead* list : listeners().lists) list->paths_.insert(noted);
+}
+
+ProtectedInputs::ProtectedInputs() {
+  const std::lock_guard lock(listeners().mutex);
+  listeners().protect.push_back(&read_);
+}
+
+ProtectedInputs::~ProtectedInputs() {
+  const std::lock_guard lock(listeners().mutex);
+  std::erase(listeners().protect, &read_);
+}
+
+void ProtectedInputs::refuse(const fs::path& output) {
+  std::vector<const FilesRead*> protect;
+  {
+    const std::lock_guard lock(listeners().mutex);
+    protect = listeners().protect;
+  }
+  for (const FilesRead* list : protect)
+    for (const fs::path& input : list->paths()) {
+      std::error_code none;  // one of them does not exist: they are not the same
+      if (fs::equivalent(input, output, none))
+        throw InputError(
+            fmt::format("{}: cannot write: it is an input of this command", output.string()));
+    }
 }
 
 std::string ContentHashes::of(const fs::path& path) {

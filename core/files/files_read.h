@@ -28,6 +28,22 @@ class FilesRead {
   std::set<std::filesystem::path> paths_;
 };
 
+/// A ProtectedInputs keeps the files that this process reads while it lives from being written
+/// over: a command's output may not be one of its inputs, by whichever name or link.
+class ProtectedInputs {
+ public:
+  ProtectedInputs();
+  ~ProtectedInputs();
+  ProtectedInputs(const ProtectedInputs&) = delete;
+  ProtectedInputs& operator=(const ProtectedInputs&) = delete;
+
+  /// Throws InputError when a ProtectedInputs that lives has seen the file `output` read.
+  static void refuse(const std::filesystem::path& output);
+
+ private:
+  FilesRead read_;
+};
+
 /// Reports to every FilesRead that lives that `path` is read. read_text() does so by itself.
 void note_read(const std::filesystem::path& path);
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/files/output_file.h"
+#include "core/files/json_text.h"
 #include "core/options/names.h"
 
 namespace pellucid {
@@ -24,9 +24,7 @@ void JsonNode::fail(const std::string& what) const {
 
 void JsonNode::refuse(std::string_view accepted) const {
   // A long value would hide the message.
-  std::string given = value_->dump();
-  if (given.size() > 60) given = given.substr(0, 57) + "...";
-  fail(fmt::format("{}; accepted: {}", given, accepted));
+  fail(fmt::format("{}; accepted: {}", one_line(json_text(*value_), 60), accepted));
 }
 
 bool JsonNode::is_string() const { return value_->is_string(); }
@@ -101,16 +99,6 @@ Vec3 JsonNode::vec3() const {
   constexpr double any = std::numeric_limits<double>::max();
   const auto parts = elements();
   return {parts[0].number(-any, any), parts[1].number(-any, any), parts[2].number(-any, any)};
-}
-
-nlohmann::json read_json(const std::filesystem::path& path) {
-  try {
-    return nlohmann::json::parse(read_text(path));
-  } catch (const nlohmann::json::parse_error& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: …": drop the prefix.
-    const std::string what = error.what();
-    throw InputError(fmt::format("{}: {}", path.string(), what.substr(what.find("] ") + 2)));
-  }
 }
 
 }  // namespace pellucid

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/files/json_text.h"
 #include "core/vec.h"
 
 namespace pellucid {
@@ -65,9 +65,5 @@ decltype(auto) at_place(const JsonNode& node, const Make& make) {
     node.fail(error.what());
   }
 }
-
-/// Reads and parses a JSON file. Throws InputError when it cannot be read, and with line and column
-/// when it is no JSON.
-nlohmann::json read_json(const std::filesystem::path& path);
 
 }  // namespace pellucid

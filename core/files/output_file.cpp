@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,28 +46,117 @@ void write_all(const Descriptor& file, std::string_view text, const fs::path& pa
   }
 }
 
+/// The file that a chain of links leads to, which need not exist yet.
+fs::path behind_links(const fs::path& path) {
+  std::error_code code;
+  fs::path target = path;
+  for (int links = 0; links < 40 && fs::is_symlink(target, code); ++links) {
+    const fs::path next = fs::read_symlink(target, code);
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target;
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// Temporaries of one target have this around the number of their process.
+struct TemporaryName {
+  explicit TemporaryName(const fs::path& target)
+      : prefix(fmt::format(".{}.", target.stem().string())), suffix(target.extension().string()) {}
+
+  fs::path mine() const { return fmt::format("{}{}{}", prefix, ::getpid(), suffix); }
+  bool fits(const std::string& name) const {
+    if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) ||
+        !name.ends_with(suffix))
+      return false;
+    const auto middle =
+        std::string_view(name).substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+    return middle.find_first_not_of("0123456789") == std::string_view::npos;
+  }
+
+  std::string prefix, suffix;
+};
+
+/// Who writes a temporary holds a lock on it for as long as he lives, on other machines too.
+void remove_abandoned(const fs::path& target) {
+  const TemporaryName names(target);
+  std::error_code code;
+  for (fs::directory_iterator at(folder_of(target), code), end; !code && at != end;
+       at.increment(code)) {
+    if (!names.fits(at->path().filename().string())) continue;
+    const Descriptor file{
+        ::open(at->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+    if (file.fd < 0 || ::flock(file.fd, LOCK_EX | LOCK_NB) != 0) continue;
+    std::error_code ignored;
+    fs::remove(at->path(), ignored);
+  }
+}
+
+/// Devices and pipes take what is written into them; theirs is made where temporaries belong.
+fs::path place_of_temporary(const fs::path& target, bool is_regular) {
+  std::error_code code;
+  return (is_regular ? target.parent_path() : fs::temp_directory_path(code)) /
+         TemporaryName(target).mine();
+}
+
+void copy_into(const fs::path& from, const fs::path& to, const fs::path& path) {
+  const Descriptor source{::open(from.c_str(), O_RDONLY | O_CLOEXEC)};
+  const Descriptor target{::open(to.c_str(), O_WRONLY | O_CLOEXEC)};
+  if (source.fd < 0 || target.fd < 0) fail(path, errno);
+  char block[1 << 16];
+  for (ssize_t got; (got = ::read(source.fd, block, sizeof block)) != 0;) {
+    if (got < 0 && errno != EINTR) fail(path, errno);
+    if (got > 0) write_all(target, {block, std::size_t(got)}, path);
+  }
+}
+
+[[noreturn]] void cannot_read(const fs::path& path, std::string_view why) {
+  throw InputError(fmt::format("{}: cannot read: {}", path.string(), why));
+}
+
+/// Opening a pipe would wait for who writes into it.
+void require_regular(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) cannot_read(path, std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) cannot_read(path, std::strerror(EISDIR));
+  if (!S_ISREG(status.st_mode)) cannot_read(path, "a pipe or a device; accepted: a file");
+  const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
+  if (double(status.st_size) > memory)
+    cannot_read(path, fmt::format("its {:.3g} bytes are more than this machine's memory holds",
+                                  double(status.st_size)));
+}
+
 }  // namespace
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-  temporary_ = path_.parent_path() / fmt::format(".{}.{}{}", path_.stem().string(), ::getpid(),
-                                                 path_.extension().string());
-  if (fs::is_directory(path_)) fail(path_, EISDIR);
-  const Descriptor file{::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
-  if (file.fd < 0) fail(path_, errno);
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
+  ProtectedInputs::refuse(path_);
+  std::error_code code;
+  const fs::file_status status = fs::status(target_, code);
+  if (fs::is_directory(status)) fail(path_, EISDIR);
+  is_regular_ = !fs::exists(status) || fs::is_regular_file(status);
+  if (is_regular_) remove_abandoned(target_);
+  temporary_ = place_of_temporary(target_, is_regular_);
+  lock_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (lock_ < 0) fail(path_, errno);
+  ::flock(lock_, LOCK_EX | LOCK_NB);  // where the file system has no locks, nothing is removed
 }
 
 OutputFile::~OutputFile() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 void OutputFile::commit() {
+  if (!is_regular_) return copy_into(temporary_, target_, path_);
   {
     const Descriptor file{::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC)};
     if (file.fd < 0 || ::fsync(file.fd) != 0) fail(path_, errno);
   }
   std::error_code code;
-  fs::rename(temporary_, path_, code);
+  fs::rename(temporary_, target_, code);
   if (code) fail(path_, code.value());
   temporary_.clear();
 }
@@ -81,16 +172,15 @@ void write_text(const fs::path& path, std::string_view text) {
 }
 
 std::string read_text(const fs::path& path) {
+  require_regular(path);
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.fd < 0)
-    throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+  if (file.fd < 0) cannot_read(path, std::strerror(errno));
   std::string text;
   char block[1 << 16];
   for (;;) {
     const ssize_t got = ::read(file.fd, block, sizeof block);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0)
-      throw InputError(fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)));
+    if (got < 0) cannot_read(path, std::strerror(errno));
     if (got == 0) break;
     text.append(block, static_cast<std::size_t>(got));
   }

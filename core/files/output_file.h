@@ -8,8 +8,11 @@
 namespace pellucid {
 
 /// An OutputFile appears whole or not at all: it is written beside its place and renamed by
-/// commit(). Without commit() nothing remains. Throws InputError when the folder is missing or not
-/// writable, WorkError when the disk is full or fails.
+/// commit(). Without commit() nothing remains, and what a killed process has left beside the place
+/// is removed by the next OutputFile of that name. A link stays a link to the file that is written;
+/// a device or a pipe is written into and stays what it is. Throws InputError when the folder is
+/// missing or not writable, or the place holds what a ProtectedInputs has seen read; WorkError when
+/// the disk is full or fails.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -25,15 +28,18 @@ class OutputFile {
   void commit();
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_;    // as given, for messages
+  std::filesystem::path target_;  // behind the links
+  bool is_regular_ = true;        // or will be
   std::filesystem::path temporary_;
+  int lock_ = -1;  // held on the temporary while this process lives
 };
 
 /// Writes the whole text by an OutputFile, and throws as it does.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// Reads a whole file and notes that it was read (note_read()). Throws InputError when `path` cannot
-/// be read as a file.
+/// Reads a whole file and notes that it was read (note_read()). Throws InputError when `path`
+/// cannot be read as a file.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace pellucid

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vtkSmartPointer.h>
-
 #include <filesystem>
 #include <string>
 
@@ -10,10 +8,6 @@ class vtkDataArray;
 class vtkDataSet;
 
 namespace pellucid::fields {
-
-/// Reads .vti, .vtr, .vts, .vtu and legacy .vtk with VTK's readers. Throws InputError for a file
-/// without points, a truncated one, and whatever else VTK would print about it.
-vtkSmartPointer<vtkDataSet> read_vtk_data_set(const std::filesystem::path& path);
 
 /// Returns the point array `name`; or, when it is empty, the active vectors or else the only array
 /// with three components. Throws InputError that lists the file's vector arrays when there is no

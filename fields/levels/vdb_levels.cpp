@@ -2,17 +2,15 @@
 #include "fields/levels/vdb_levels.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <new>
-#include <stdexcept>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
-#include "fields/files/vdb_open.h"
+#include "fields/files/vdb_box.h"
 #include "fields/levels/derived_scalar.h"
+#include "readers/vdb/vdb_file.h"
 
 namespace pellucid::fields {
 namespace {
@@ -92,21 +90,11 @@ std::vector<ScalarLevel> levels_in(const openvdb::GridBase::Ptr& grid, std::stri
   return {};
 }
 
-std::vector<ScalarLevel> read(const fs::path& path, std::string_view scalar) {
-  const auto file = open_vdb(path);
-  std::vector<ScalarLevel> levels;
-  std::vector<std::string> found;
-  for (auto name = file->beginName(); name != file->endName(); ++name) {
-    const openvdb::GridBase::Ptr grid = file->readGrid(*name);
-    found.push_back(fmt::format("{} ({})", *name, grid->valueType()));
-    for (ScalarLevel& level :
-         levels_in(grid, scalar, fmt::format("{}: grid {}", path.string(), *name)))
-      levels.push_back(std::move(level));
-  }
-  if (levels.empty())
-    fail(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar,
-                           found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", "))));
-  return levels;
+std::string listed(std::span<const readers::VdbGrid> grids) {
+  std::string text;
+  for (const readers::VdbGrid& grid : grids)
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", grid.name, grid.value_type);
+  return text.empty() ? "none" : text;
 }
 
 openvdb::Vec3s voxel_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
@@ -129,6 +117,23 @@ openvdb::GridBase::Ptr grid_of(const std::string& name, const Level<T>& level) {
   return grid;
 }
 
+/// OpenVDB does not notice a disk that is full: what it has written is read back.
+void check_written(const fs::path& written, const fs::path& path,
+                   const openvdb::GridPtrVec& grids) {
+  const auto fails = [&] {
+    throw WorkError(fmt::format("{}: cannot write: is the disk full?", path.string()));
+  };
+  try {
+    const auto back = readers::read_vdb_grids(written);
+    if (back.size() != grids.size()) fails();
+    for (std::size_t i = 0; i < grids.size(); ++i)
+      if (!back[i].grid || back[i].grid->activeVoxelCount() != grids[i]->activeVoxelCount())
+        fails();
+  } catch (const InputError&) {
+    fails();
+  }
+}
+
 template <class T>
 void write(const fs::path& path, const std::string& name, std::span<const Level<T>> levels) {
   if (path.extension() != ".vdb")
@@ -146,6 +151,7 @@ void write(const fs::path& path, const std::string& name, std::span<const Level<
   } catch (const openvdb::Exception& error) {
     throw WorkError(fmt::format("{}: {}", path.string(), error.what()));
   }
+  check_written(out.temporary(), path, grids);
   out.commit();
 }
 
@@ -161,15 +167,17 @@ void write_vdb_levels(const fs::path& path, const std::string& name,
 }
 
 std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar) {
-  try {
-    return read(path, scalar);
-  } catch (const openvdb::Exception& error) {
-    fail(path, fmt::format("not a valid .vdb file: {}", error.what()));
-  } catch (const std::bad_alloc&) {
-    fail(path, "claims more data than this machine's memory holds");
-  } catch (const std::length_error&) {
-    fail(path, "claims more data than can be");
+  const std::vector<readers::VdbGrid> grids = readers::read_vdb_grids(path);
+  std::vector<ScalarLevel> levels;
+  for (const readers::VdbGrid& grid : grids) {
+    if (!grid.grid) continue;  // of a type that holds no scalars or vectors
+    const std::string name = fmt::format("{}: grid {}", path.string(), grid.name);
+    for (ScalarLevel& level : levels_in(grid.grid, scalar, name))
+      levels.push_back(std::move(level));
   }
+  if (levels.empty())
+    fail(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar, listed(grids)));
+  return levels;
 }
 
 }  // namespace pellucid::fields

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/files/output_file.h"
+#include "core/files/json_text.h"
 #include "fields/lazy.h"
 #include "fields/readers/file_field.h"
 
@@ -169,14 +169,6 @@ constexpr std::string_view series_ending = ".series";
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
-nlohmann::json parse(const Path& path) {
-  try {
-    return nlohmann::json::parse(read_text(path));
-  } catch (const nlohmann::json::exception& error) {
-    fail(path, fmt::format("not a valid .series file: {}", error.what()));
-  }
-}
-
 Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& path,
                  const FileOptions& options) {
   if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() ||
@@ -191,7 +183,7 @@ Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& pa
 }
 
 std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& options) {
-  const nlohmann::json description = parse(path);
+  const nlohmann::json description = read_json(path);
   if (!description.is_object() || !description.contains("files") ||
       !description["files"].is_array() || description["files"].size() < 2)
     fail(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");

@@ -9,12 +9,13 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "fields/files/vdb_open.h"
+#include "fields/files/vdb_box.h"
 #include "fields/finite.h"
 #include "fields/lazy.h"
 #include "fields/readers/file_field.h"
 #include "fields/readers/vdb_sampler.h"
 #include "fields/sampled/dense_field.h"
+#include "readers/vdb/vdb_file.h"
 
 namespace pellucid::fields {
 namespace {
@@ -125,20 +126,22 @@ std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
   return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
 }
 
-bool is_vector_grid(const openvdb::GridBase& grid) {
-  return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
+bool is_vector_grid(const readers::VdbGrid& grid) {
+  return grid.value_type == openvdb::typeNameAsString<openvdb::Vec3s>() ||
+         grid.value_type == openvdb::typeNameAsString<openvdb::Vec3d>();
 }
 
-/// The name of the grid to read; the file's vector grids are listed when there is no such one.
-std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const Path& path) {
-  std::string names, first;
+/// The grid to read; the file's vector grids are listed when there is no such one.
+openvdb::GridBase::Ptr pick_grid(const std::vector<readers::VdbGrid>& grids,
+                                 const std::string& wanted, const Path& path) {
+  std::string names;
+  openvdb::GridBase::Ptr first;
   int count = 0;
-  const openvdb::GridPtrVecPtr grids = file.readAllGridMetadata();
-  for (const auto& grid : *grids) {
-    if (!is_vector_grid(*grid)) continue;
-    if (grid->getName() == wanted) return wanted;
-    if (count++ == 0) first = grid->getName();
-    names += (names.empty() ? "" : ", ") + grid->getName();
+  for (const readers::VdbGrid& grid : grids) {
+    if (!is_vector_grid(grid)) continue;
+    if (grid.name == wanted) return grid.grid;
+    if (count++ == 0) first = grid.grid;
+    names += (names.empty() ? "" : ", ") + grid.name;
   }
   if (wanted.empty() && count == 1) return first;
   if (names.empty()) names = "none";
@@ -146,21 +149,13 @@ std::string pick_grid(openvdb::io::File& file, const std::string& wanted, const 
   fail(path, fmt::format("array={}: no such grid; vector grids: {}", wanted, names));
 }
 
-openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
-  const auto file = open_vdb(path);
-  return file->readGrid(pick_grid(*file, wanted, path));
-}
-
 std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
-  try {
-    const openvdb::GridBase::Ptr grid = read_grid(options.array, path);
-    if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
-      return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
-    return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid),
-                                              options, path);
-  } catch (const openvdb::Exception& error) {
-    fail(path, fmt::format("not a valid .vdb file: {}", error.what()));
-  }
+  const openvdb::GridBase::Ptr grid =
+      pick_grid(readers::read_vdb_grids(path, options.array), options.array, path);
+  if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
+    return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
+  return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid), options,
+                                            path);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "fields/readers/file_field.h"
 #include "fields/sampled/cell_field.h"
 #include "fields/sampled/dense_field.h"
+#include "readers/vtk/vtk_file.h"
 
 namespace pellucid::fields {
 namespace {
@@ -139,7 +140,7 @@ std::unique_ptr<VectorField> from_rectilinear(vtkRectilinearGrid* grid, const Fi
 }
 
 std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
-  const vtkSmartPointer<vtkDataSet> data = read_vtk_data_set(path);
+  const vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);
   if (auto* image = vtkImageData::SafeDownCast(data)) return from_image(image, options, path);
   if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
     return from_rectilinear(grid, options, path);

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "core/error.h"
@@ -136,9 +137,25 @@ Header Reader::read_header() {
                       fmt::join(words, " ")));
     }
   }
+  check_elements(header.elements);
   encoding_ = header.encoding;
   ++line_;
   return header;
+}
+
+/// Names have to tell elements and properties apart, and what has no property takes no byte, so
+/// that no count of it can be held to the file's size.
+void Reader::check_elements(const std::vector<Element>& elements) const {
+  std::set<std::string_view> names;
+  for (const Element& element : elements) {
+    if (!names.insert(element.name).second) fail(fmt::format("two elements '{}'", element.name));
+    if (element.properties.empty() && element.count > 0)
+      fail(fmt::format("{} × '{}' without a property", element.count, element.name));
+    std::set<std::string_view> properties;
+    for (const Property& property : element.properties)
+      if (!properties.insert(property.name).second)
+        fail(fmt::format("element '{}' has two properties '{}'", element.name, property.name));
+  }
 }
 
 std::string_view Reader::next_word() {

@@ -63,6 +63,7 @@ class Reader {
   std::string_view next_line();
   std::string_view next_word();
   double next_binary(Type type);
+  void check_elements(const std::vector<Element>& elements) const;
   [[noreturn]] void fail(const std::string& what) const;
 
   std::string file_;

@@ -13,41 +13,24 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <numeric>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
-#include "fields/files/vtk_file.h"
-#include "fields/files/vtk_messages.h"
 #include "geometry/files/mesh_formats.h"
+#include "readers/vtk/vtk_file.h"
+#include "readers/vtk/vtk_messages.h"
 
 namespace pellucid::geometry {
 namespace {
 
-vtkSmartPointer<vtkDataSet> load_vtp(const std::filesystem::path& path) {
-  const fields::VtkMessages messages;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (!messages.first_line().empty())
-    throw InputError(
-        fmt::format("{}: not a valid VTP file: {}", path.string(), messages.first_line()));
-  return reader->GetOutput();
-}
-
-vtkSmartPointer<vtkDataSet> load(const std::filesystem::path& path) {
-  read_text(path);  // a missing or unreadable file: the message of every other format
-  return path.extension() == ".vtp" ? load_vtp(path) : fields::read_vtk_data_set(path);
-}
-
 /// Polygons and lines as they are; of other data the lines, and the faces that bound its cells.
 vtkSmartPointer<vtkPolyData> load_cells(const std::filesystem::path& path) {
-  const auto data = load(path);
+  const auto data = readers::read_vtk_data_set(path);
   if (const auto polygons = vtkPolyData::SafeDownCast(data)) return polygons;
-  const fields::VtkMessages messages;
+  const readers::VtkMessages messages;
   vtkNew<vtkGeometryFilter> filter;
   filter->SetInputData(data);
   filter->Update();
@@ -180,7 +163,7 @@ void add_scalars(const std::string& name, const std::vector<Value>& values, vtkP
 
 void save(const std::filesystem::path& path, vtkPolyData& data) {
   OutputFile out(path);
-  const fields::VtkMessages messages;
+  const readers::VtkMessages messages;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(out.temporary().c_str());
   writer->SetInputData(&data);
@@ -210,7 +193,7 @@ LineSet read_vtk_lines(const std::filesystem::path& path) {
 }
 
 PointSet read_vtk_points(const std::filesystem::path& path) {
-  const auto data = load(path);
+  const auto data = readers::read_vtk_data_set(path);
   PointSet points;
   take_positions(*data, points);
   take_attributes(attributes_of(*data, every_point(*data)), points);

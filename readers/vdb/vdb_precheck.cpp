@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/files/vdb_precheck.h"
+#include "readers/vdb/vdb_precheck.h"
 
 #include <fmt/format.h>
 #include <openvdb/version.h>
@@ -11,7 +11,7 @@
 
 #include "core/error.h"
 
-namespace pellucid::fields {
+namespace pellucid::readers {
 namespace {
 
 constexpr std::uint32_t oldest_version = 222;  // of the file format: selective compression
@@ -120,4 +120,4 @@ void precheck_vdb(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace pellucid::fields
+}  // namespace pellucid::readers

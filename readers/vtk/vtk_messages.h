@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-namespace pellucid::fields {
+namespace pellucid::readers {
 
 /// While a VtkMessages lives, VTK's warnings and errors are kept in it instead of printed. VTK has
 /// one output for the whole process, so these objects wait for each other.
@@ -29,4 +29,4 @@ class VtkMessages {
   vtkSmartPointer<vtkOutputWindow> capture_;
 };
 
-}  // namespace pellucid::fields
+}  // namespace pellucid::readers

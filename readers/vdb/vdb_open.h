@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Includes OpenVDB: for the readers of .vdb files alone.
+// Includes OpenVDB: for the process that pellucid-read-vdb is, and no other.
 
 #include <openvdb/io/DelayedLoadMetadata.h>
 #include <openvdb/openvdb.h>
@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "core/error.h"
-#include "fields/files/vdb_precheck.h"
+#include "readers/vdb/vdb_precheck.h"
 
-namespace pellucid::fields {
+namespace pellucid::readers {
 
 /// Opens an OpenVDB file once precheck_vdb() has checked its claims. Throws InputError when it is
 /// missing or claims too much, openvdb::Exception when OpenVDB cannot read it.
@@ -25,13 +25,4 @@ inline std::unique_ptr<openvdb::io::File> open_vdb(const std::filesystem::path& 
   return file;
 }
 
-/// Says whether the active voxels are single ones (so that the file holds each of them) and fill
-/// `box`, in voxels.
-template <class Grid>
-bool fills_a_box(const Grid& grid, const openvdb::CoordBBox& box) {
-  const openvdb::Vec3d size(box.dim().asVec3d());
-  return grid.tree().activeTileCount() == 0 &&
-         double(grid.activeVoxelCount()) == size.x() * size.y() * size.z();
-}
-
-}  // namespace pellucid::fields
+}  // namespace pellucid::readers

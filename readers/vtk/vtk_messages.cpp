@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/files/vtk_messages.h"
+#include "readers/vtk/vtk_messages.h"
 
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
 
-namespace pellucid::fields {
+namespace pellucid::readers {
 namespace {
 
 std::mutex& output_mutex() {
@@ -55,4 +55,4 @@ std::string VtkMessages::first_line() const {
   return text;
 }
 
-}  // namespace pellucid::fields
+}  // namespace pellucid::readers

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace pellucid {
+
+/// NumberType is what the numbers of a block are, in the machine's byte order.
+enum class NumberType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
+
+/// Returns the size of one number in bytes; 0 when there is no such type.
+std::size_t size_of(NumberType type);
+
+/// Returns the type that T is kept as.
+template <class T>
+constexpr NumberType number_type() {
+  static_assert(std::is_arithmetic_v<T> && sizeof(T) <= 8);
+  if constexpr (std::is_floating_point_v<T>)
+    return sizeof(T) == 4 ? NumberType::f32 : NumberType::f64;
+  constexpr int power = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
+  return NumberType(2 * power + std::is_unsigned_v<T>);
+}
+
+/// A BlockError says what is wrong with a stream of blocks.
+struct BlockError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A Block is a named array of `tuples` × `components` numbers.
+struct Block {
+  std::string name;
+  NumberType type = NumberType::u8;
+  std::uint32_t components = 1;
+  std::uint64_t tuples = 0;
+  std::span<const std::byte> bytes;
+
+  /// Returns the numbers, tuple after tuple. Throws BlockError when they are of another type.
+  template <class T>
+  std::span<const T> values() const {
+    if (type != number_type<T>()) fail("is of another type");
+    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+  }
+  /// Returns a number as the double nearest to it.
+  double number(std::uint64_t index) const;
+  [[noreturn]] void fail(std::string_view why) const;
+};
+
+/// A BlockWriter writes blocks one after another to an open file:
+///
+///     "PLBLOCK1", then per block: length of the name (u32), type (u32), components (u32), 0 (u32),
+///     tuples (u64), 0 (u64), the name, the numbers; name and numbers are padded to 16 bytes
+///
+/// The end is a block without a name. Throws WorkError when the file takes no more.
+class BlockWriter {
+ public:
+  explicit BlockWriter(int file);
+
+  void add(std::string_view name, NumberType type, std::uint32_t components, std::uint64_t tuples,
+           const void* numbers);
+  template <class T>
+  void add(std::string_view name, std::span<const T> numbers, std::uint32_t components = 1) {
+    add(name, number_type<T>(), components, numbers.size() / components, numbers.data());
+  }
+  void add_text(std::string_view name, std::string_view text);
+  /// Writes the end, without which the blocks do not count as whole.
+  void finish();
+
+ private:
+  void write(const void* data, std::size_t size);
+  void pad(std::size_t size);
+
+  int file_;
+};
+
+/// Blocks are what a BlockWriter has written to a file, mapped into memory: the arrays are where
+/// they were written and are not copied.
+class Blocks {
+ public:
+  /// Maps the file and checks every claim in it against its size. Throws BlockError.
+  explicit Blocks(int file);
+
+  const std::vector<Block>& all() const { return blocks_; }
+  /// Returns the block of this name, or nullptr.
+  const Block* find(std::string_view name) const;
+  /// Returns the block of this name. Throws BlockError when there is none.
+  const Block& at(std::string_view name) const;
+  /// Returns the characters of a block, or "" where there is none of this name.
+  std::string text(std::string_view name) const;
+
+ private:
+  std::shared_ptr<const std::byte> memory_;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace pellucid

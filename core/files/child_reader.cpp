@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/child_reader.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "core/error.h"
+#include "core/files/files_read.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int result_file = 3;  // where the child finds what it has to fill
+constexpr int complaint_code = 2;
+constexpr std::string_view complaint = "complaint";
+
+/// A file in memory, without a name.
+class MemoryFile {
+ public:
+  MemoryFile() : file_(::memfd_create("pellucid-blocks", MFD_CLOEXEC)) {
+    if (file_ < 0) throw WorkError(fmt::format("no memory for a file: {}", std::strerror(errno)));
+  }
+  ~MemoryFile() { ::close(file_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  int descriptor() const { return file_; }
+
+ private:
+  int file_;
+};
+
+/// What the new process has open: the file for the result, and nothing to read or print.
+class SpawnFiles {
+ public:
+  explicit SpawnFiles(int result) {
+    ::posix_spawn_file_actions_init(&actions_);
+    for (int standard = 0; standard < 3; ++standard)
+      ::posix_spawn_file_actions_addopen(&actions_, standard, "/dev/null", O_RDWR, 0);
+    ::posix_spawn_file_actions_adddup2(&actions_, result, result_file);
+  }
+  ~SpawnFiles() { ::posix_spawn_file_actions_destroy(&actions_); }
+  SpawnFiles(const SpawnFiles&) = delete;
+  SpawnFiles& operator=(const SpawnFiles&) = delete;
+  const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+fs::path folder_of_this_program() {
+  std::error_code code;
+  return fs::read_symlink("/proc/self/exe", code).parent_path();
+}
+
+pid_t start(const fs::path& program, std::vector<std::string> words, int result) {
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const SpawnFiles files(result);
+  pid_t child = 0;
+  const int code =
+      ::posix_spawn(&child, program.c_str(), files.get(), nullptr, argv.data(), environ);
+  if (code != 0)
+    throw WorkError(
+        fmt::format("{}: cannot be started: {}", program.string(), std::strerror(code)));
+  return child;
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+/// Why the child ended without an answer.
+std::string reason(int status, const ReadLimits& limits) {
+  if (!WIFSIGNALED(status))
+    return fmt::format("its reader ended with code {}", WEXITSTATUS(status));
+  switch (WTERMSIG(status)) {
+    case SIGXCPU:
+      return fmt::format("reading it takes over {} s", limits.cpu_seconds);
+    case SIGALRM:
+      return fmt::format("reading it takes over {} s", limits.wall_seconds);
+    case SIGXFSZ:
+      return fmt::format("it claims more than {} MiB", limits.bytes >> 20);
+    case SIGKILL:
+      return "its reader was killed: out of memory?";
+    default:
+      return fmt::format("its reader crashed ({})", ::strsignal(WTERMSIG(status)));
+  }
+}
+
+std::string not_valid(const fs::path& file, std::string_view why) {
+  return fmt::format("{}: not a valid {} file: {}", file.string(), file.extension().string(), why);
+}
+
+/// The signal comes at the soft limit; at the hard one of processor time it would be SIGKILL.
+void limit(decltype(RLIMIT_AS) what, std::uint64_t amount) {
+  const rlimit bounds{amount, amount + 1};
+  ::setrlimit(what, &bounds);
+}
+
+void set_limits(const ReadLimits& limits) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer any more
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  limit(RLIMIT_AS, limits.bytes);  // a sanitizer's shadow takes far more
+#endif
+  limit(RLIMIT_FSIZE, limits.bytes);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, limits.cpu_seconds);
+  ::alarm(limits.wall_seconds);
+}
+
+}  // namespace
+
+ReadLimits read_limits(std::uint64_t size) {
+  const auto seconds = unsigned(5 + (size >> 20));
+  return {(std::uint64_t(1) << 30) + 64 * size, seconds, 10 * seconds};
+}
+
+Blocks read_in_child(std::string_view program, const fs::path& file,
+                     const std::vector<std::string>& arguments) {
+  std::error_code code;
+  if (!fs::is_regular_file(file, code) || ::access(file.c_str(), R_OK) != 0)
+    throw InputError(fmt::format("{}: cannot read: no such file, or not permitted", file.string()));
+  const fs::path path = folder_of_this_program() / program;
+  note_read(file);
+  note_read(path);
+  const ReadLimits limits = read_limits(fs::file_size(file));
+  std::vector<std::string> words{path.string(), file.string(), std::to_string(limits.bytes),
+                                 std::to_string(limits.cpu_seconds),
+                                 std::to_string(limits.wall_seconds)};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const MemoryFile result;
+  const int status = wait_for(start(path, std::move(words), result.descriptor()));
+  const bool answered =
+      WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == complaint_code);
+  if (!answered) throw InputError(not_valid(file, reason(status, limits)));
+  try {
+    Blocks blocks(result.descriptor());
+    if (WEXITSTATUS(status) == complaint_code) throw InputError(blocks.text(complaint));
+    return blocks;
+  } catch (const BlockError& error) {
+    throw InputError(not_valid(file, error.what()));
+  }
+}
+
+int run_child_reader(
+    int argc, char** argv,
+    const std::function<void(const fs::path&, std::span<const std::string>, BlockWriter&)>& read) {
+  if (argc < 5 || ::fcntl(result_file, F_GETFD) < 0) return 1;  // pellucid starts this, nobody else
+  const fs::path file = argv[1];
+  const ReadLimits limits{std::strtoull(argv[2], nullptr, 10), unsigned(std::atoi(argv[3])),
+                          unsigned(std::atoi(argv[4]))};
+  const std::vector<std::string> further(argv + 5, argv + argc);
+  set_limits(limits);
+  std::string why;
+  try {
+    BlockWriter out(result_file);
+    read(file, further, out);
+    out.finish();
+    return 0;
+  } catch (const InputError& error) {
+    why = error.what();
+  } catch (const std::bad_alloc&) {
+    why = not_valid(file, fmt::format("it claims more than {} MiB", limits.bytes >> 20));
+  } catch (const std::exception& error) {
+    why = not_valid(file, error.what());
+  }
+  // What was written before is void.
+  if (::ftruncate(result_file, 0) != 0 || ::lseek(result_file, 0, SEEK_SET) != 0) return 1;
+  BlockWriter out(result_file);
+  out.add_text(complaint, why);
+  out.finish();
+  return complaint_code;
+}
+
+}  // namespace pellucid

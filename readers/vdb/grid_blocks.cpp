@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/vdb/grid_blocks.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <memory>
+
+namespace pellucid::readers {
+namespace {
+
+constexpr std::int32_t leaf_width = 8;
+constexpr std::size_t leaf_size = 512, mask_words = 8, tile_words = 5;
+
+template <class Value>
+struct Components {
+  using Number = Value;
+  static constexpr std::uint32_t count = 1;
+};
+template <class Number_>
+struct Components<openvdb::math::Vec3<Number_>> {
+  using Number = Number_;
+  static constexpr std::uint32_t count = 3;
+};
+
+/// Values of a grid as a block of their numbers.
+template <class Value>
+void add_values(const std::string& name, std::span<const Value> values, BlockWriter& out) {
+  using Parts = Components<Value>;
+  static_assert(sizeof(Value) == Parts::count * sizeof(typename Parts::Number));
+  out.add(name, number_type<typename Parts::Number>(), Parts::count, values.size(), values.data());
+}
+
+template <class Value>
+std::span<const Value> values_of(const Block& block) {
+  using Parts = Components<Value>;
+  if (block.components != Parts::count) block.fail("has another number of components");
+  const auto numbers = block.values<typename Parts::Number>();
+  return {reinterpret_cast<const Value*>(numbers.data()), block.tuples};
+}
+
+template <class Grid>
+void write_leaves(const std::string& prefix, const Grid& grid, BlockWriter& out) {
+  std::vector<std::int32_t> origins;
+  std::vector<std::uint64_t> masks;
+  std::vector<typename Grid::ValueType> values;
+  values.reserve(grid.tree().leafCount() * leaf_size);
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    const openvdb::Coord origin = leaf->origin();
+    origins.insert(origins.end(), {origin.x(), origin.y(), origin.z()});
+    for (openvdb::Index word = 0; word < mask_words; ++word)
+      masks.push_back(leaf->valueMask().template getWord<openvdb::Index64>(word));
+    const auto* first = leaf->buffer().data();
+    values.insert(values.end(), first, first + leaf_size);
+  }
+  out.add(prefix + ".origins", std::span<const std::int32_t>(origins), 3);
+  out.add(prefix + ".masks", std::span<const std::uint64_t>(masks), mask_words);
+  add_values<typename Grid::ValueType>(prefix + ".values", values, out);
+}
+
+template <class Grid>
+void write_tiles(const std::string& prefix, const Grid& grid, BlockWriter& out) {
+  std::vector<std::int32_t> places;
+  std::vector<typename Grid::ValueType> values;
+  auto tile = grid.tree().cbeginValueAll();
+  tile.setMaxDepth(decltype(tile)::LEAF_DEPTH - 1);
+  for (; tile; ++tile) {
+    if (!tile.isValueOn() && tile.getValue() == grid.background()) continue;
+    const openvdb::Coord at = tile.getCoord();
+    places.insert(places.end(), {std::int32_t(tile.getLevel()), at.x(), at.y(), at.z(),
+                                 std::int32_t(tile.isValueOn())});
+    values.push_back(tile.getValue());
+  }
+  out.add(prefix + ".tiles", std::span<const std::int32_t>(places), tile_words);
+  add_values<typename Grid::ValueType>(prefix + ".tile_values", values, out);
+}
+
+template <class Grid>
+void write_tree(const std::string& prefix, const Grid& grid, BlockWriter& out) {
+  const typename Grid::ValueType background = grid.background();
+  add_values<typename Grid::ValueType>(prefix + ".background", {&background, 1}, out);
+  write_leaves(prefix, grid, out);
+  write_tiles(prefix, grid, out);
+}
+
+template <class Grid>
+void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+  const auto origins = blocks.at(prefix + ".origins").values<std::int32_t>();
+  const auto masks = blocks.at(prefix + ".masks").values<std::uint64_t>();
+  const auto values = values_of<typename Grid::ValueType>(blocks.at(prefix + ".values"));
+  const std::size_t count = origins.size() / 3;
+  if (masks.size() != count * mask_words || values.size() != count * leaf_size)
+    throw BlockError(fmt::format("grid {}: its leaves do not fit each other", prefix));
+  for (std::size_t i = 0; i < count; ++i) {
+    const openvdb::Coord origin(origins[3 * i], origins[3 * i + 1], origins[3 * i + 2]);
+    if (origin != (origin & ~(leaf_width - 1)))
+      throw BlockError(fmt::format("grid {}: leaf {} is off its lattice", prefix, i));
+    auto leaf = std::make_unique<Leaf>(origin, grid.background());
+    typename Leaf::NodeMaskType mask;
+    for (openvdb::Index word = 0; word < mask_words; ++word)
+      mask.template getWord<openvdb::Index64>(word) = masks[i * mask_words + word];
+    leaf->setValueMask(mask);
+    std::copy_n(values.data() + i * leaf_size, leaf_size, leaf->buffer().data());
+    grid.tree().addLeaf(leaf.release());
+  }
+}
+
+template <class Grid>
+void read_tiles(const std::string& prefix, const Blocks& blocks, Grid& grid) {
+  const auto places = blocks.at(prefix + ".tiles").values<std::int32_t>();
+  const auto values = values_of<typename Grid::ValueType>(blocks.at(prefix + ".tile_values"));
+  if (places.size() != values.size() * tile_words)
+    throw BlockError(fmt::format("grid {}: its tiles do not fit each other", prefix));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::int32_t* place = &places[i * tile_words];
+    if (place[0] < 1 || place[0] > std::int32_t(Grid::TreeType::RootNodeType::LEVEL))
+      throw BlockError(fmt::format("grid {}: tile {} is on level {}", prefix, i, place[0]));
+    grid.tree().addTile(openvdb::Index(place[0]), {place[1], place[2], place[3]}, values[i],
+                        place[4] != 0);
+  }
+}
+
+template <class Grid>
+openvdb::GridBase::Ptr read_tree(const std::string& prefix, const Blocks& blocks) {
+  const auto background = values_of<typename Grid::ValueType>(blocks.at(prefix + ".background"));
+  if (background.size() != 1)
+    throw BlockError(fmt::format("grid {}: {} backgrounds", prefix, background.size()));
+  const auto grid = Grid::create(background[0]);
+  read_tiles(prefix, blocks, *grid);  // first: a tile would replace the leaves below it
+  read_leaves(prefix, blocks, *grid);
+  return grid;
+}
+
+/// One row per type of values that is taken.
+struct TypeRow {
+  void (*write)(const std::string&, const openvdb::GridBase&, BlockWriter&);
+  openvdb::GridBase::Ptr (*read)(const std::string&, const Blocks&);
+  std::string type;
+};
+
+template <class Grid>
+TypeRow row_of() {
+  return {[](const std::string& prefix, const openvdb::GridBase& grid, BlockWriter& out) {
+            write_tree(prefix, static_cast<const Grid&>(grid), out);
+          },
+          read_tree<Grid>, Grid::gridType()};
+}
+
+const TypeRow* find_type(const std::string& grid_type) {
+  static const TypeRow rows[] = {row_of<openvdb::FloatGrid>(), row_of<openvdb::DoubleGrid>(),
+                                 row_of<openvdb::Vec3SGrid>(), row_of<openvdb::Vec3DGrid>()};
+  for (const TypeRow& row : rows)
+    if (row.type == grid_type) return &row;
+  return nullptr;
+}
+
+void place(const std::string& prefix, const Blocks& blocks, openvdb::GridBase& grid) {
+  const auto grid_class = blocks.at(prefix + ".class").values<std::int32_t>();
+  if (grid_class.size() == 1) grid.setGridClass(openvdb::GridClass(grid_class[0]));
+  const auto affine = blocks.at(prefix + ".affine").values<double>();
+  if (affine.size() != 16)
+    throw BlockError(fmt::format("grid '{}': its transform is not affine", grid.getName()));
+  try {
+    // As it is: createLinearTransform() would take the matrix apart and round it.
+    const openvdb::math::MapBase::Ptr map(
+        new openvdb::math::AffineMap(openvdb::Mat4d(affine.data())));
+    grid.setTransform(openvdb::math::Transform::Ptr(new openvdb::math::Transform(map)));
+  } catch (const openvdb::Exception& error) {
+    throw BlockError(fmt::format("grid '{}': its transform is not affine, or flat: {}",
+                                 grid.getName(), error.what()));
+  }
+}
+
+}  // namespace
+
+void write_grid(int number, const openvdb::GridBase& grid, bool with_tree, BlockWriter& out) {
+  const std::string prefix = std::to_string(number);
+  out.add_text(prefix + ".name", grid.getName());
+  out.add_text(prefix + ".value", grid.valueType());
+  const TypeRow* row = find_type(grid.type());
+  if (!with_tree || !row) return;
+  out.add_text(prefix + ".type", grid.type());
+  const std::int32_t grid_class = grid.getGridClass();
+  out.add(prefix + ".class", std::span<const std::int32_t>(&grid_class, 1));
+  std::vector<double> affine;
+  if (grid.transform().isLinear()) {
+    const openvdb::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
+    affine.assign(m.asPointer(), m.asPointer() + 16);
+  }
+  out.add(prefix + ".affine", std::span<const double>(affine));
+  row->write(prefix, grid, out);
+}
+
+std::vector<VdbGrid> grids_of(const Blocks& blocks) {
+  std::vector<VdbGrid> grids;
+  for (int number = 0;; ++number) {
+    const std::string prefix = std::to_string(number);
+    if (!blocks.find(prefix + ".name")) return grids;
+    VdbGrid& grid = grids.emplace_back(
+        VdbGrid{blocks.text(prefix + ".name"), blocks.text(prefix + ".value"), nullptr});
+    const TypeRow* row = find_type(blocks.text(prefix + ".type"));
+    if (!row) continue;
+    grid.grid = row->read(prefix, blocks);
+    grid.grid->setName(grid.name);
+    place(prefix, blocks, *grid.grid);
+  }
+}
+
+}  // namespace pellucid::readers

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <openvdb/points/PointDataGrid.h>
+
+#include <array>
+#include <map>
+
+#include "core/vec.h"
+#include "readers/vdb/parse_vdb.h"
+#include "readers/vdb/vdb_open.h"
+
+namespace pellucid::readers {
+namespace {
+
+using Columns = std::map<std::string, std::vector<double>>;
+using openvdb::points::PointDataGrid;
+using Leaf = PointDataGrid::TreeType::LeafNodeType;
+
+/// Calls visit(value, coordinates of its voxel) for each of a leaf's points in active voxels.
+template <class T>
+void visit(const Leaf& leaf, const std::string& attribute, const auto& visit) {
+  const openvdb::points::AttributeHandle<T> handle(leaf.constAttributeArray(attribute));
+  for (auto i = leaf.beginIndexOn(); i; ++i) visit(handle.get(*i), i.getCoord());
+}
+
+template <class T>
+void append(const Leaf& leaf, const std::string& attribute, std::vector<double>& values) {
+  visit<T>(leaf, attribute, [&](const T& value, const auto&) { values.push_back(double(value)); });
+}
+
+void append_attribute(const Leaf& leaf, const std::string& name, Columns& attributes) {
+  const std::string type = leaf.constAttributeArray(name).valueType();
+  if (type == "float") append<float>(leaf, name, attributes[name]);
+  if (type == "double") append<double>(leaf, name, attributes[name]);
+  if (type == "int32") append<std::int32_t>(leaf, name, attributes[name]);
+  if (type == "int64") append<std::int64_t>(leaf, name, attributes[name]);
+  if (type == "vec3s" && name == "Cd")
+    visit<openvdb::Vec3f>(leaf, name, [&](const openvdb::Vec3f& color, const auto&) {
+      for (int channel = 0; channel < 3; ++channel)
+        attributes[std::array{"red", "green", "blue"}[std::size_t(channel)]].push_back(
+            color[channel]);
+    });
+}
+
+struct Points {
+  std::vector<Vec3> positions;
+  Columns attributes;
+};
+
+void append_leaf(const Leaf& leaf, const openvdb::math::Transform& transform, Points& points) {
+  visit<openvdb::Vec3f>(leaf, "P", [&](const openvdb::Vec3f& in_voxel, const openvdb::Coord& c) {
+    const openvdb::Vec3d x = transform.indexToWorld(c.asVec3d() + openvdb::Vec3d(in_voxel));
+    points.positions.emplace_back(x.x(), x.y(), x.z());
+  });
+  for (const auto& [name, place] : leaf.attributeSet().descriptor().map())
+    if (name != "P") append_attribute(leaf, name, points.attributes);
+}
+
+Points points_of(openvdb::io::File& file) {
+  Points points;
+  for (auto name = file.beginName(); name != file.endName(); ++name) {
+    const auto grid = openvdb::gridPtrCast<PointDataGrid>(file.readGrid(*name));
+    if (!grid) continue;
+    for (auto leaf = grid->tree().cbeginLeaf(); leaf; ++leaf)
+      append_leaf(*leaf, grid->transform(), points);
+  }
+  // What only some of the grids have belongs to none of the points.
+  std::erase_if(points.attributes, [&](const auto& attribute) {
+    return attribute.second.size() != points.positions.size();
+  });
+  return points;
+}
+
+}  // namespace
+
+void parse_vdb_points(const std::filesystem::path& path, BlockWriter& out) {
+  const auto file = open_vdb(path);
+  const Points points = points_of(*file);
+  out.add("positions", NumberType::f64, 3, points.positions.size(), points.positions.data());
+  for (const auto& [name, values] : points.attributes)
+    out.add("column:" + name, std::span<const double>(values));
+}
+
+}  // namespace pellucid::readers

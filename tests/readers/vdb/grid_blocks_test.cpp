@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/vdb/grid_blocks.h"
+
+#include <gmock/gmock.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <functional>
+
+namespace pellucid::readers {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<VdbGrid> through_blocks(const std::function<void(BlockWriter&)>& write) {
+  const int file = ::memfd_create("blocks", 0);
+  BlockWriter out(file);
+  write(out);
+  out.finish();
+  const Blocks blocks(file);
+  ::close(file);
+  return grids_of(blocks);
+}
+
+class UnitGridBlocks : public ::testing::Test {
+ protected:
+  void SetUp() override { openvdb::initialize(); }
+};
+
+/// Leaves, active and inactive tiles of every level, and voxels that are off but have values.
+template <class Grid>
+void expect_same_after_blocks(const typename Grid::ValueType& background,
+                              const typename Grid::ValueType& value) {
+  const auto grid = Grid::create(background);
+  grid->setName("velocity");
+  grid->setGridClass(openvdb::GRID_STAGGERED);
+  openvdb::Mat4d affine = openvdb::Mat4d::identity();
+  affine[0][0] = 0.3;
+  affine[1][0] = 7e-5;
+  affine[3][2] = -1. / 3;
+  grid->setTransform(openvdb::math::Transform::Ptr(new openvdb::math::Transform(
+      openvdb::math::MapBase::Ptr(new openvdb::math::AffineMap(affine)))));
+  grid->fill(openvdb::CoordBBox({-20, -20, -20}, {300, 40, 140}), value, true);
+  grid->fill(openvdb::CoordBBox({0, 0, 0}, {31, 31, 31}), value, false);
+  for (int i = -9; i < 9; ++i) grid->tree().setValueOn({i * 1000, i, i * i}, background + value);
+  grid->tree().setValueOff({5000, 5, 5}, value);
+  const auto copies = through_blocks([&](BlockWriter& out) { write_grid(0, *grid, true, out); });
+  ASSERT_EQ(copies.size(), 1u);
+  EXPECT_EQ(copies[0].name, "velocity");
+  EXPECT_EQ(copies[0].value_type, grid->valueType());
+  const auto copy = openvdb::gridPtrCast<Grid>(copies[0].grid);
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->getGridClass(), openvdb::GRID_STAGGERED);
+  EXPECT_EQ(copy->transform().baseMap()->getAffineMap()->getMat4(), affine);
+  EXPECT_EQ(copy->background(), background);
+  EXPECT_EQ(copy->activeVoxelCount(), grid->activeVoxelCount());
+  EXPECT_TRUE(copy->tree().hasSameTopology(grid->tree()));
+  for (auto at = grid->cbeginValueAll(); at; ++at)
+    ASSERT_EQ(copy->tree().getValue(at.getCoord()), at.getValue()) << at.getCoord();
+}
+
+TEST_F(UnitGridBlocks, KeepsEveryValueAndPlace) {
+  expect_same_after_blocks<openvdb::FloatGrid>(0.25f, 1.5f);
+  expect_same_after_blocks<openvdb::DoubleGrid>(0, 1. / 3);
+  expect_same_after_blocks<openvdb::Vec3SGrid>({0, 0, 0}, {1, 2, 3});
+  expect_same_after_blocks<openvdb::Vec3DGrid>({1, 0, 0}, {0.1, 0.2, 0.3});
+}
+
+TEST_F(UnitGridBlocks, OfOthersOnlyTheNameIsKept) {
+  const auto grid = openvdb::FloatGrid::create();
+  grid->setName("density");
+  const auto mask = openvdb::BoolGrid::create();
+  mask->setName("mask");
+  const auto copies = through_blocks([&](BlockWriter& out) {
+    write_grid(0, *grid, false, out);
+    write_grid(1, *mask, true, out);
+  });
+  ASSERT_EQ(copies.size(), 2u);
+  EXPECT_EQ(copies[0].grid, nullptr);
+  EXPECT_EQ(copies[1].grid, nullptr);
+  EXPECT_EQ(copies[0].name + copies[1].name, "densitymask");
+  EXPECT_EQ(copies[1].value_type, "bool");
+}
+
+/// One leaf of zeros with this origin and so many values.
+std::string complaint_about(std::int32_t origin, std::size_t values, std::int32_t tile_level) {
+  try {
+    through_blocks([&](BlockWriter& out) {
+      const std::int32_t grid_class = 0, origins[] = {origin, 0, 0};
+      const std::int32_t tile[] = {tile_level, 0, 0, 0, 1};
+      const double affine[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+      const std::uint64_t masks[8] = {};
+      const std::vector<float> numbers(values);
+      out.add_text("0.name", "p");
+      out.add_text("0.type", openvdb::FloatGrid::gridType());
+      out.add("0.class", std::span<const std::int32_t>(&grid_class, 1));
+      out.add("0.affine", std::span<const double>(affine));
+      out.add("0.background", std::span<const float>(numbers).first(1));
+      out.add("0.origins", std::span<const std::int32_t>(origins), 3);
+      out.add("0.masks", std::span<const std::uint64_t>(masks), 8);
+      out.add("0.values", std::span<const float>(numbers));
+      out.add("0.tiles", std::span<const std::int32_t>(tile), 5);
+      out.add("0.tile_values", std::span<const float>(numbers).first(1));
+    });
+  } catch (const BlockError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST_F(UnitGridBlocks, WhatDoesNotFitIsRefused) {
+  EXPECT_EQ(complaint_about(-8, 512, 1), "accepted");
+  EXPECT_THAT(complaint_about(4, 512, 1), HasSubstr("off its lattice"));
+  EXPECT_THAT(complaint_about(0, 511, 1), HasSubstr("do not fit"));
+  EXPECT_THAT(complaint_about(0, 512, 0), HasSubstr("level 0"));
+  EXPECT_THAT(complaint_about(0, 512, 9), HasSubstr("level 9"));
+}
+
+}  // namespace
+}  // namespace pellucid::readers
