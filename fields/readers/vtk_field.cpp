@@ -18,6 +18,7 @@
 #include "fields/readers/file_field.h"
 #include "fields/sampled/cell_field.h"
 #include "fields/sampled/dense_field.h"
+#include "readers/vtk/shown_cells.h"
 #include "readers/vtk/vtk_file.h"
 
 namespace pellucid::fields {
@@ -139,13 +140,21 @@ std::unique_ptr<VectorField> from_rectilinear(vtkRectilinearGrid* grid, const Fi
                     grid, options, path);
 }
 
+/// Hidden points alone can be had in a dense array: they are NaN there.
+bool hides_some_cells(vtkDataSet* data) { return data->GetCellGhostArray() && readers::hides_cells(data); }
+
 std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
   const vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);
-  if (auto* image = vtkImageData::SafeDownCast(data)) return from_image(image, options, path);
-  if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
+  // A dense array has no cell that is missing: where some are hidden, cells are searched.
+  const bool is_dense = !hides_some_cells(data);
+  if (auto* image = vtkImageData::SafeDownCast(data); image && is_dense)
+    return from_image(image, options, path);
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(data); grid && is_dense)
     return from_rectilinear(grid, options, path);
   if (options.interpolation != Interpolation::linear)
-    fail(path, "sampler=c1 needs image or rectilinear data; this grid takes sampler=linear");
+    fail(path,
+         "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
+         "sampler=linear");
   return make_cell_field(data, pick_vectors(data, options.array, path), path);
 }
 

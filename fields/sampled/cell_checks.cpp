@@ -6,7 +6,9 @@
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -15,6 +17,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "readers/vtk/shown_cells.h"
 
 namespace pellucid::fields {
 namespace {
@@ -96,7 +99,7 @@ void check_cell(vtkIdType number, int type, vtkIdList* points, vtkIdType point_c
                              points->GetId(i), point_count));
 }
 
-/// The grid's checked volume cells alone.
+/// The grid's checked volume cells alone, without those that it hides.
 vtkSmartPointer<vtkDataSet> volume_of(vtkUnstructuredGrid* grid, const Path& path) {
   check_offsets(grid, path);
   const auto volume = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -108,6 +111,7 @@ vtkSmartPointer<vtkDataSet> volume_of(vtkUnstructuredGrid* grid, const Path& pat
     if (is_lower_dimensional(type)) continue;
     grid->GetCells()->GetCellAtId(i, points);
     check_cell(i, type, points, grid->GetNumberOfPoints(), path);
+    if (readers::hides_cell(grid, i)) continue;
     volume->InsertNextCell(type, points);
   }
   return volume;
@@ -117,6 +121,8 @@ vtkSmartPointer<vtkDataSet> volume_of(vtkUnstructuredGrid* grid, const Path& pat
 
 vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const Path& path) {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data)) return volume_of(grid, path);
+  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data))
+    return readers::shown_cells(data, path);
   auto* structured = vtkStructuredGrid::SafeDownCast(data);
   if (!structured)
     fail(path, fmt::format("it holds a {}; accepted: image, rectilinear, structured and "
@@ -129,6 +135,7 @@ vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const Path& path) {
   if (size[0] < 2 || size[1] < 2 || size[2] < 2)
     fail(path, fmt::format("{} × {} × {} samples; a field needs two or more along each axis",
                            size[0], size[1], size[2]));
+  if (readers::hides_cells(data)) return readers::shown_cells(data, path);
   return data;
 }
 

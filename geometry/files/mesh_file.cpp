@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/vertex_normals.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -95,6 +96,7 @@ void check_mesh(const std::string& file, const TriangleMesh& mesh) {
 TriangleMesh read_mesh(const fs::path& path) {
   TriangleMesh mesh = row_with(&FormatRow::read_mesh, path, "mesh").read_mesh(path);
   check_mesh(path.string(), mesh);
+  mend_normals(mesh);
   return mesh;
 }
 

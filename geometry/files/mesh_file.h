@@ -9,18 +9,20 @@
 
 namespace pellucid::geometry {
 
-/// Reads triangles by the file's ending, which mesh_formats() lists. Polygons become triangle fans;
-/// of cells with a volume the faces on their boundary are taken.
-/// Vertex attributes `red green blue alpha` (float as they are, 8-bit as n/255) fill `colors`,
-/// `importance` fills `importance`, `nx ny nz` the normals; every other numeric vertex attribute
-/// becomes a scalar of its name. Throws InputError for a file that is missing, truncated, without
-/// triangles, or that holds a position that is not finite, an index out of range, or an opacity,
-/// colour or importance outside [0, 1].
+/// Reads triangles by the file's ending, which mesh_formats() lists. Polygons become the
+/// triangles of triangulate_polygon(); of cells with a volume the faces on their boundary are
+/// taken. Vertex attributes `red green blue alpha` (float as they are, 8-bit as n/255) fill
+/// `colors`, `importance` fills `importance`, `nx ny nz` the normals; every other numeric vertex
+/// attribute becomes a scalar of its name. A normal of length 0 or that is not finite is none: its
+/// vertex gets the mean of its facets'. In .obj every pair of position and normal is a vertex.
+/// Throws InputError for a file that is missing, truncated, without triangles, or that holds a
+/// position that is not finite, an index out of range, or an opacity, colour or importance outside
+/// [0, 1].
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// Reads polylines. In .ply consecutive vertices of equal `line` are joined; without that attribute
-/// all of them. Attributes and refusals as for read_mesh(); lines of fewer than two points are
-/// kept.
+/// Reads polylines. In .ply consecutive vertices of equal `line` are joined, else those of an
+/// element `edge`; without either there are no lines. Attributes and refusals as for read_mesh();
+/// lines of fewer than two points are kept.
 LineSet read_lines(const std::filesystem::path& path);
 
 /// Reads points; what joins them in a file of triangles or lines is left out. The first line of a

@@ -4,13 +4,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <map>
+#include <optional>
+#include <span>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "core/options/parameters.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/polygons/triangulate.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -32,13 +40,32 @@ class Words {
   std::string_view rest_;
 };
 
+constexpr std::uint32_t none = ~0u;
+
+/// A corner of a face or of a line, by the numbers of what is listed; `none` where it names none.
+struct Corner {
+  std::uint32_t position = none, texture = none, normal = none;
+};
+
+/// Rows of values, such as the corners of faces: those of all, and where those of each end.
+template <class Value>
+struct Rows {
+  std::vector<Value> values;
+  std::vector<std::size_t> ends{0};
+
+  std::size_t count() const { return ends.size() - 1; }
+  std::span<const Value> row(std::size_t i) const {
+    return std::span(values).subspan(ends[i], ends[i + 1] - ends[i]);
+  }
+};
+
 struct ObjReader {
   std::string file;
   std::size_t line = 0;
-  TriangleMesh mesh;
-  std::vector<std::vector<std::uint32_t>> lines;
-  std::vector<Vec3> normals;        // as listed
-  std::vector<Vec3> vertex_normal;  // per position, the last one that a face named
+  TriangleMesh mesh;  // its vertices are the positions as listed
+  Rows<Corner> faces, lines;
+  std::vector<Vec3> normals;  // as listed
+  Rows<double> textures;      // as listed: one to three numbers each
   bool has_color = false;
 
   [[noreturn]] void fail(const std::string& what) const {
@@ -79,69 +106,153 @@ struct ObjReader {
     return static_cast<std::uint32_t>(zero_based);
   }
 
-  std::uint32_t corner(std::string_view word) {
-    const std::size_t slash = word.find('/'), last = word.rfind('/');
-    const std::uint32_t v = index(word.substr(0, slash), mesh.positions.size(), "vertex");
-    if (slash != last && last + 1 < word.size()) {
-      vertex_normal.resize(mesh.positions.size());
-      vertex_normal[v] = normals[index(word.substr(last + 1), normals.size(), "normal")];
-    }
-    return v;
-  }
-
-  void face(Words& words) {
-    std::uint32_t first = 0, previous = 0;
-    int corners = 0;
-    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-      const std::uint32_t v = corner(word);
-      if (corners++ >= 2) mesh.triangles.push_back({first, previous, v});
-      if (corners == 1) first = v;
-      previous = v;
-    }
-  }
-
-  void polyline(Words& words) {
-    lines.emplace_back();
+  void texture(Words& words) {
     for (std::string_view word = words.next(); !word.empty(); word = words.next())
-      lines.back().push_back(
-          index(word.substr(0, word.find('/')), mesh.positions.size(), "vertex"));
+      textures.values.push_back(number(word));
+    textures.ends.push_back(textures.values.size());
   }
 
+  /// "v", "v/vt", "v//vn" or "v/vt/vn". Of a face "vt" says nothing that is drawn, and is passed
+  /// over.
+  Corner corner(std::string_view word, bool of_line) const {
+    const auto part = [&] {
+      const std::size_t slash = std::min(word.find('/'), word.size());
+      const std::string_view first = word.substr(0, slash);
+      word.remove_prefix(std::min(slash + 1, word.size()));
+      return first;
+    };
+    Corner corner;
+    corner.position = index(part(), mesh.positions.size(), "vertex");
+    const std::string_view vt = part(), vn = part();
+    if (of_line && !vt.empty()) corner.texture = index(vt, textures.count(), "texture");
+    if (!of_line && !vn.empty()) corner.normal = index(vn, normals.size(), "normal");
+    return corner;
+  }
+
+  void row(Words& words, Rows<Corner>& rows) {
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+      rows.values.push_back(corner(word, &rows == &lines));
+    rows.ends.push_back(rows.values.size());
+  }
+
+  void statement(Words words) {
+    const std::string_view keyword = words.next();
+    if (keyword == "v") vertex(words);
+    if (keyword == "vn") normals.push_back(vector(words));
+    if (keyword == "vt") texture(words);
+    if (keyword == "f") row(words, faces);
+    if (keyword == "l") row(words, lines);
+  }
+
+  /// A backslash at a line's end goes on in the next one.
   void read(std::string_view text) {
+    std::string joined;
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      Words words(text.substr(0, end));
+      std::string_view row = text.substr(0, end);
       text.remove_prefix(std::min(end + 1, text.size()));
       ++line;
-      const std::string_view keyword = words.next();
-      if (keyword == "v") vertex(words);
-      if (keyword == "vn") normals.push_back(vector(words));
-      if (keyword == "f") face(words);
-      if (keyword == "l") polyline(words);
+      row = row.substr(0, row.find_last_not_of(" \t\r") + 1);
+      const bool goes_on = row.ends_with('\\') && row.find('#') == row.npos && !text.empty();
+      if (row.ends_with('\\')) row.remove_suffix(1);
+      if (goes_on || !joined.empty()) (joined += row) += ' ';
+      if (goes_on) continue;
+      statement(Words(joined.empty() ? row : joined));
+      joined.clear();
     }
   }
 };
 
-TriangleMesh read_obj(const std::filesystem::path& path) {
-  ObjReader reader{path.string(), 0, {}, {}, {}, {}, false};
+ObjReader read_file(const std::filesystem::path& path) {
+  ObjReader reader;
+  reader.file = path.string();
   reader.read(read_text(path));
   if (!reader.has_color) reader.mesh.colors.clear();
-  if (reader.vertex_normal.size() == reader.mesh.positions.size())
-    reader.mesh.normals = std::move(reader.vertex_normal);
+  return reader;
+}
+
+/// Gives every pair of a position and a normal that a face has a vertex of its own. The first of a
+/// position keeps its number; a corner without a normal has (0, 0, 0), which is none.
+class VertexPairs {
+ public:
+  explicit VertexPairs(ObjReader& reader) : reader_(reader), first_(reader.mesh.positions.size()) {
+    reader.mesh.normals.assign(reader.mesh.positions.size(), Vec3(0));
+  }
+
+  std::uint32_t vertex(const Corner& corner) {
+    const Vec3 normal = corner.normal == none ? Vec3(0) : reader_.normals[corner.normal];
+    std::optional<Vec3>& first = first_[corner.position];
+    if (!first) {
+      first = normal;
+      reader_.mesh.normals[corner.position] = normal;
+    }
+    if (same(*first, normal)) return corner.position;
+    const auto [found, is_new] = further_.try_emplace(
+        {corner.position, bits(normal.x), bits(normal.y), bits(normal.z)}, size());
+    if (is_new) copy(corner.position, normal);
+    return found->second;
+  }
+
+ private:
+  static std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
+  static bool same(const Vec3& a, const Vec3& b) {
+    return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+  }
+  std::uint32_t size() const { return std::uint32_t(reader_.mesh.positions.size()); }
+  void copy(std::uint32_t position, const Vec3& normal) {
+    TriangleMesh& mesh = reader_.mesh;
+    mesh.positions.push_back(Vec3(mesh.positions[position]));
+    mesh.normals.push_back(normal);
+    if (!mesh.colors.empty()) mesh.colors.push_back(Rgba(mesh.colors[position]));
+  }
+
+  ObjReader& reader_;
+  std::vector<std::optional<Vec3>> first_;                         // normal, by position
+  std::map<std::array<std::uint64_t, 4>, std::uint32_t> further_;  // by position and normal's bits
+};
+
+TriangleMesh read_obj(const std::filesystem::path& path) {
+  ObjReader reader = read_file(path);
+  VertexPairs pairs(reader);
+  std::vector<std::uint32_t> polygon;
+  for (std::size_t face = 0; face < reader.faces.count(); ++face) {
+    polygon.clear();
+    for (const Corner& corner : reader.faces.row(face)) polygon.push_back(pairs.vertex(corner));
+    triangulate_polygon(reader.mesh.positions, polygon, reader.mesh.triangles);
+  }
+  if (reader.normals.empty()) reader.mesh.normals.clear();
   return std::move(reader.mesh);
 }
 
-LineSet read_obj_lines(const std::filesystem::path& path) {
-  ObjReader reader{path.string(), 0, {}, {}, {}, {}, false};
-  reader.read(read_text(path));
-  LineSet lines;
-  for (const auto& polyline : reader.lines) {
-    for (const std::uint32_t v : polyline) {
-      lines.positions.push_back(reader.mesh.positions[v]);
-      if (reader.has_color) lines.colors.push_back(reader.mesh.colors[v]);
+/// Numbers of the points of lines: those of the "vt" that a corner names, else of the one that is
+/// listed as its position is, when there are as many. (So do the data sets of M. Kern et al., A
+/// Comparison of Rendering Techniques for 3D Line Sets with Transparency, 2020.) They are called
+/// attribute0, attribute1, … as those of .binlines; a point that has none has NaN.
+VertexAttributes texture_attributes(const ObjReader& reader) {
+  VertexAttributes attributes;
+  const bool by_position = reader.textures.count() == reader.mesh.positions.size();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < reader.textures.count(); ++i)
+    count = std::max(count, reader.textures.row(i).size());
+  for (std::size_t k = 0; k < count; ++k)
+    for (const Corner& corner : reader.lines.values) {
+      const std::uint32_t i =
+          corner.texture == none && by_position ? corner.position : corner.texture;
+      const bool has = i < reader.textures.count() && k < reader.textures.row(i).size();
+      attributes[fmt::format("attribute{}", k)].push_back(has ? reader.textures.row(i)[k] : NAN);
     }
-    lines.offsets.push_back(lines.positions.size());
+  return attributes;
+}
+
+LineSet read_obj_lines(const std::filesystem::path& path) {
+  const ObjReader reader = read_file(path);
+  LineSet lines;
+  for (const Corner& corner : reader.lines.values) {
+    lines.positions.push_back(reader.mesh.positions[corner.position]);
+    if (reader.has_color) lines.colors.push_back(reader.mesh.colors[corner.position]);
   }
+  lines.offsets.assign(reader.lines.ends.begin(), reader.lines.ends.end());
+  lines.scalars = texture_attributes(reader);
   return lines;
 }
 

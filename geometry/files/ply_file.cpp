@@ -5,26 +5,24 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/ply_format.h"
+#include "geometry/polygons/triangulate.h"
 
 namespace pellucid::geometry {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "encode_ply writes in memory order");
 
-bool is_color(std::string_view name) {
-  return name == "red" || name == "green" || name == "blue" || name == "alpha";
-}
-
 /// 8- and 16-bit colours count in steps of 1/255 and 1/65535; anything else is used as it stands.
-double color_scale(const ply::Property& property) {
-  if (!is_color(property.name)) return 1;
-  if (property.type == ply::Type::uint8) return 255;
-  if (property.type == ply::Type::uint16) return 65535;
+double color_scale(ply::Type type) {
+  if (type == ply::Type::uint8) return 255;
+  if (type == ply::Type::uint16) return 65535;
   return 1;
 }
 
@@ -54,21 +52,40 @@ void skip(ply::Reader& reader, const ply::Element& element) {
     for (const ply::Property& property : element.properties) skip(reader, property);
 }
 
-void read_vertices(ply::Reader& reader, const ply::Element& element, Vertices& vertices,
-                   VertexAttributes& attributes) {
-  std::vector<std::vector<double>*> columns;
+/// The numbers of all records of an element, by name. Colours go by their channels.
+VertexAttributes read_columns(ply::Reader& reader, const ply::Element& element) {
+  std::vector<std::string> names;
+  for (const ply::Property& property : element.properties)
+    if (!property.is_list) names.push_back(property.name);
+  const auto channels = color_channels(names);
+  VertexAttributes attributes;
+  struct Column {
+    std::vector<double>* values = nullptr;  // none: of a list
+    double scale = 1;
+  };
+  std::vector<Column> columns;
   for (const ply::Property& property : element.properties) {
-    columns.push_back(property.is_list ? nullptr : &attributes[property.name]);
-    if (columns.back()) columns.back()->reserve(element.count);
+    const auto channel = channels.find(property.name);
+    const bool is_color = channel != channels.end();
+    columns.push_back(
+        {property.is_list ? nullptr : &attributes[is_color ? channel->second : property.name],
+         is_color ? color_scale(property.type) : 1});
+    if (columns.back().values) columns.back().values->reserve(element.count);
   }
   for (std::uint64_t i = 0; i < element.count; ++i)
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const ply::Property& property = element.properties[k];
-      if (columns[k])
-        columns[k]->push_back(reader.next(property.type) / color_scale(property));
+      if (columns[k].values)
+        columns[k].values->push_back(reader.next(property.type) / columns[k].scale);
       else
         skip(reader, property);
     }
+  return attributes;
+}
+
+VertexAttributes read_vertices(ply::Reader& reader, const ply::Element& element,
+                               Vertices& vertices) {
+  VertexAttributes attributes = read_columns(reader, element);
   for (const char* axis : {"x", "y", "z"})
     if (!attributes.contains(axis))
       throw InputError(
@@ -77,6 +94,7 @@ void read_vertices(ply::Reader& reader, const ply::Element& element, Vertices& v
   vertices.positions.resize(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i)
     vertices.positions[i] = {x.mapped()[i], y.mapped()[i], z.mapped()[i]};
+  return attributes;
 }
 
 std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face,
@@ -88,17 +106,13 @@ std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face
   return static_cast<std::uint32_t>(index);
 }
 
-/// A polygon becomes a fan of triangles around its first vertex.
 void read_polygon(ply::Reader& reader, const ply::Property& property, std::uint64_t face,
                   TriangleMesh& mesh) {
-  const std::uint64_t corners = list_length(reader, property);
-  std::uint32_t first = 0, previous = 0;
-  for (std::uint64_t k = 0; k < corners; ++k) {
-    const std::uint32_t index = read_index(reader, property.type, face, mesh.positions.size());
-    if (k == 0) first = index;
-    if (k >= 2) mesh.triangles.push_back({first, previous, index});
-    previous = index;
-  }
+  const std::uint64_t count = list_length(reader, property);
+  std::vector<std::uint32_t> corners;
+  for (std::uint64_t k = 0; k < count; ++k)
+    corners.push_back(read_index(reader, property.type, face, mesh.positions.size()));
+  triangulate_polygon(mesh.positions, corners, mesh.triangles);
 }
 
 void read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& mesh) {
@@ -114,23 +128,25 @@ void read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& 
     }
 }
 
-/// Fills the vertices' positions, and the faces of `mesh` unless that is null.
+/// Calls `read(element, reader)` for each element after the vertices, whose positions it fills;
+/// what `read` returns false for is passed over.
+template <class Read>
 VertexAttributes read_elements(const std::filesystem::path& path, Vertices& vertices,
-                               TriangleMesh* mesh) {
+                               const Read& read) {
   const std::string content = read_text(path);
   ply::Reader reader(path.string(), content);
   VertexAttributes attributes;
   for (const ply::Element& element : reader.read_header().elements) {
     check_count(reader, element);
     if (element.name == "vertex")
-      read_vertices(reader, element, vertices, attributes);
-    else if (element.name == "face" && mesh)
-      read_faces(reader, element, *mesh);
-    else
+      attributes = read_vertices(reader, element, vertices);
+    else if (!read(element, reader))
       skip(reader, element);
   }
   return attributes;
 }
+
+constexpr auto nothing_else = [](const ply::Element&, ply::Reader&) { return false; };
 
 template <class T>
 void append(std::string& out, T value) {
@@ -141,25 +157,98 @@ void append(std::string& out, T value) {
 
 TriangleMesh read_ply(const std::filesystem::path& path) {
   TriangleMesh mesh;
-  take_attributes(read_elements(path, mesh, &mesh), mesh);
+  auto attributes =
+      read_elements(path, mesh, [&](const ply::Element& element, ply::Reader& reader) {
+        if (element.name != "face") return false;
+        read_faces(reader, element, mesh);
+        return true;
+      });
+  take_attributes(std::move(attributes), mesh);
   return mesh;
+}
+
+/// Puts the points of `order`, one after another, in the place of the vertices.
+void reorder(const std::vector<std::uint32_t>& order, Vertices& vertices,
+             VertexAttributes& attributes) {
+  const auto pick = [&](auto& values) {
+    std::remove_reference_t<decltype(values)> picked;
+    picked.reserve(order.size());
+    for (const std::uint32_t i : order) picked.push_back(values[i]);
+    values = std::move(picked);
+  };
+  pick(vertices.positions);
+  for (auto& [name, values] : attributes) pick(values);
+}
+
+std::uint32_t end_of_edge(const std::vector<double>& ends, std::size_t edge, std::size_t vertices,
+                          const std::string& file) {
+  const double end = ends[edge];
+  if (!(end >= 0 && end < double(vertices)) || end != std::uint32_t(end))
+    throw InputError(fmt::format("{}: edge {}: vertex index {}, but the file has {} vertices", file,
+                                 edge, end, vertices));
+  return std::uint32_t(end);
+}
+
+/// Edges become lines of two points; one that starts where the one before ended goes on with its
+/// line, unless the edges have numbers of their own. Those, such as colours, go to both points, in
+/// the place of the vertices' of that name.
+void join_by_edges(VertexAttributes edges, const std::string& file, LineSet& lines,
+                   VertexAttributes& attributes) {
+  const auto first = edges.extract("vertex1"), second = edges.extract("vertex2");
+  if (!first || !second)
+    throw InputError(file + ": element 'edge': expected properties vertex1 and vertex2");
+  std::vector<std::uint32_t> order;
+  for (std::size_t i = 0; i < first.mapped().size(); ++i) {
+    const std::size_t count = lines.positions.size();
+    const std::uint32_t from = end_of_edge(first.mapped(), i, count, file);
+    const std::uint32_t to = end_of_edge(second.mapped(), i, count, file);
+    if (order.empty() || order.back() != from || !edges.empty()) {
+      if (!order.empty()) lines.offsets.push_back(order.size());
+      order.push_back(from);
+    }
+    order.push_back(to);
+  }
+  if (!order.empty()) lines.offsets.push_back(order.size());
+  reorder(order, lines, attributes);
+  for (const auto& [name, values] : edges) {
+    std::vector<double>& column = attributes[name];
+    column.clear();
+    for (const double value : values) column.insert(column.end(), 2, value);
+  }
+}
+
+/// Joins consecutive vertices of equal `line`.
+void join_by_number(const std::vector<double>& line, LineSet& lines) {
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (line[i] != line[i - 1]) lines.offsets.push_back(i);
+  lines.offsets.push_back(line.size());
 }
 
 LineSet read_ply_lines(const std::filesystem::path& path) {
   LineSet lines;
-  VertexAttributes attributes = read_elements(path, lines, nullptr);
-  const std::size_t count = lines.positions.size();
-  if (const auto line = attributes.extract("line"))
-    for (std::size_t i = 1; i < count; ++i)
-      if (line.mapped()[i] != line.mapped()[i - 1]) lines.offsets.push_back(i);
-  lines.offsets.push_back(count);
+  std::optional<VertexAttributes> edges;
+  VertexAttributes attributes =
+      read_elements(path, lines, [&](const ply::Element& element, ply::Reader& reader) {
+        if (element.name != "edge") return false;
+        edges = read_columns(reader, element);
+        return true;
+      });
+  const auto line = attributes.extract("line");
+  if (line)
+    join_by_number(line.mapped(), lines);
+  else if (edges)
+    join_by_edges(std::move(*edges), path.string(), lines, attributes);
+  else
+    throw InputError(path.string() +
+                     ": the file holds no lines; expected an element 'edge' with vertex1 and "
+                     "vertex2, or a property 'line' of its vertices, which numbers their lines");
   take_attributes(std::move(attributes), lines);
   return lines;
 }
 
 PointSet read_ply_points(const std::filesystem::path& path) {
   PointSet points;
-  take_attributes(read_elements(path, points, nullptr), points);
+  take_attributes(read_elements(path, points, nothing_else), points);
   return points;
 }
 

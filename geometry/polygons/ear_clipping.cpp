@@ -61,7 +61,7 @@ class Ring {
   Triangle triangle(std::uint32_t i) const { return {previous_[i], i, next_[i]}; }
 
   bool is_ear(std::uint32_t i) const {
-    if (turn_at(i) <= 0) return false;
+    if (turn_at(i) <= 0 || is_spike(previous_[i]) || is_spike(next_[i])) return false;
     const Vec2 a = places_[previous_[i]], b = places_[i], c = places_[next_[i]];
     return !grid_.any_in(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)),
                          [&](std::uint32_t k) {
@@ -128,7 +128,7 @@ std::vector<Triangle> clip_ears(std::span<const Vec2> polygon, double rounding) 
     triangles.push_back({before, cut, after});
     const std::uint32_t beyond = ring.next(after);
     ring.remove(cut);
-    return ring.is_spike(before) ? before : ring.is_spike(after) ? after : beyond;
+    return beyond;
   };
   std::uint32_t at = 0;
   for (std::uint32_t tried = 0; ring.size() > 3;) {

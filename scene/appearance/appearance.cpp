@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/options/names.h"
+#include "geometry/vertex_normals.h"
 #include "scene/appearance/colormap.h"
 
 namespace pellucid::scene {
@@ -32,20 +33,25 @@ void color_by_scalar(const ScalarColor& by, geometry::Vertices& vertices) {
     set_rgb(vertices.colors[i], map(fraction_of(values[i], range)));
 }
 
+/// The fraction of the range within [0, 1]; 0 for NaN, which fmax passes over.
+double share_of(double value, const Vec2& range) {
+  return std::fmin(std::fmax(fraction_of(value, range), 0.0), 1.0);
+}
+
 void fade_by_scalar(const ScalarOpacity& by, geometry::Vertices& vertices) {
   const std::vector<double>& values = find_scalar(vertices, by.scalar);
   const Vec2 range = by.range.value_or(finite_range(values));
   for (std::size_t i = 0; i < values.size(); ++i) {
-    // fmax takes NaN for 0.
-    const double share = std::fmin(std::fmax(fraction_of(values[i], range), 0.0), 1.0);
-    vertices.colors[i].a = float(std::lerp(by.opacities.x, by.opacities.y, share));
+    vertices.colors[i].a =
+        float(std::lerp(by.opacities.x, by.opacities.y, share_of(values[i], range)));
   }
 }
 
 }  // namespace
 
 double fraction_of(double value, const Vec2& range) {
-  return range.y > range.x ? (value - range.x) / (range.y - range.x) : 0;
+  if (std::isnan(value)) return value;
+  return range.x != range.y ? (value - range.x) / (range.y - range.x) : 0;
 }
 
 Vec2 finite_range(const std::vector<double>& values) {
@@ -70,23 +76,12 @@ void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices
     const Vec2 range = finite_range(values);
     vertices.importance.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
-      vertices.importance[i] =
-          static_cast<float>(std::clamp(fraction_of(values[i], range), 0.0, 1.0));
+      vertices.importance[i] = static_cast<float>(share_of(values[i], range));
   }
 }
 
 void ensure_normals(geometry::TriangleMesh& mesh) {
-  if (!mesh.normals.empty()) return;
-  mesh.normals.assign(mesh.positions.size(), Vec3(0));
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 area =
-        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
-    for (const std::uint32_t v : {a, b, c}) mesh.normals[v] += area;
-  }
-  for (Vec3& n : mesh.normals) {
-    const double length = glm::length(n);
-    n = length > 0 ? n / length : Vec3(0, 0, 1);
-  }
+  if (mesh.normals.empty()) mesh.normals = geometry::facet_normals(mesh);
 }
 
 }  // namespace pellucid::scene

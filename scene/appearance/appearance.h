@@ -11,7 +11,8 @@
 namespace pellucid::scene {
 
 /// A ScalarColor colours by a scalar of the vertices through a named map. `range` maps to the ends
-/// of the map; without it the scalar's own finite range does.
+/// of the map, and may descend, which turns the map round; without it the scalar's own finite range
+/// does. NaN gets nan_color.
 struct ScalarColor {
   std::string scalar;
   std::string map = "viridis";
@@ -19,7 +20,8 @@ struct ScalarColor {
 };
 
 /// A ScalarOpacity gives the opacity by a scalar of the vertices: linear between the opacities at
-/// the ends of `range`, constant beyond. Without a `range` it is the scalar's own finite one.
+/// the ends of `range`, which may descend, constant beyond; NaN gets the first opacity. Without a
+/// `range` it is the scalar's own finite one.
 struct ScalarOpacity {
   std::string scalar;
   Vec2 opacities{0, 1};  // each in [0, 1]
@@ -38,8 +40,8 @@ struct Appearance {
 /// that the vertices do not have, with those they have, and for an unknown colour map.
 void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices);
 
-/// Returns where the value is in the range: 0 at range.x, 1 at range.y. A range of one single value
-/// maps to 0.
+/// Returns where the value is in the range: 0 at range.x, 1 at range.y, which may be the smaller
+/// one. A range of one single value maps to 0, NaN to NaN.
 double fraction_of(double value, const Vec2& range);
 
 /// Returns the smallest and the largest finite value; (inf, -inf) when there is none.

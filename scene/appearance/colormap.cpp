@@ -36,7 +36,8 @@ Vec3 entry(const ColormapRow& map, int i) {
 }  // namespace
 
 Vec3 ColormapRow::operator()(double x) const {
-  const double position = std::isfinite(x) ? std::clamp(x, 0.0, 1.0) * (count - 1) : 0;
+  if (std::isnan(x)) return nan_color;
+  const double position = std::clamp(x, 0.0, 1.0) * (count - 1);
   const int below = std::min(static_cast<int>(position), count - 2);
   const double fraction = position - below;
   return entry(*this, below) * (1 - fraction) + entry(*this, below + 1) * fraction;

@@ -9,6 +9,9 @@
 
 namespace pellucid::scene {
 
+/// This is the colour of NaN in every map: VTK's, a dark red that no map has.
+inline const Vec3 nan_color(0.5, 0, 0);
+
 /// A ColormapRow is a named colour map: colours at even distances, interpolated linearly.
 struct ColormapRow {
   std::string_view name;
@@ -17,8 +20,7 @@ struct ColormapRow {
   int count = 256;    // of colours
   double unit = 255;  // a channel's 1 in the table
 
-  /// Returns the colour at x, which is clamped to [0, 1]; x that is not finite gives the first
-  /// colour.
+  /// Returns the colour at x, which is clamped to [0, 1]; nan_color for NaN.
   Vec3 operator()(double x) const;
 };
 

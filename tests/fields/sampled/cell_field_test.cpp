@@ -86,5 +86,45 @@ TEST(UnitCells, HexagonalPrism) {
   EXPECT_NEAR_VEC(velocity_of(*field, {0, 0, 0.5}), affine({0, 0, 0.5}), 1e-6);
 }
 
+/// Four unit cubes in a row along x, the third of which is marked, under uniform flow.
+std::string marked_row(const std::string& kind, int mark) {
+  std::string text = "# vtk DataFile Version 3.0\nrow\nASCII\n" + kind;
+  text += fmt::format("CELL_DATA 4\nFIELD f 1\nvtkGhostType 1 4 unsigned_char\n0 0 {} 0\n", mark);
+  text += "POINT_DATA 20\nVECTORS v double\n";
+  for (int i = 0; i < 20; ++i) text += "1 0 0\n";
+  return text;
+}
+
+std::string row_of_points() {
+  std::string text = "POINTS 20 double\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("{} {} {}\n", i % 5, i / 5 % 2, i / 10);
+  return text;
+}
+
+TEST(UnitCells, HiddenOnesAreOutsideInEveryKindOfGrid) {
+  std::string cells = "CELLS 4 36\n";
+  for (int i = 0; i < 4; ++i)
+    cells += fmt::format("8 {} {} {} {} {} {} {} {}\n", i, i + 1, i + 6, i + 5, i + 10, i + 11,
+                         i + 16, i + 15);
+  const std::string kinds[] = {
+      "DATASET STRUCTURED_POINTS\nDIMENSIONS 5 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n",
+      "DATASET RECTILINEAR_GRID\nDIMENSIONS 5 2 2\nX_COORDINATES 5 double\n0 1 2 3 4\n"
+      "Y_COORDINATES 2 double\n0 1\nZ_COORDINATES 2 double\n0 1\n",
+      "DATASET STRUCTURED_GRID\nDIMENSIONS 5 2 2\n" + row_of_points(),
+      "DATASET UNSTRUCTURED_GRID\n" + row_of_points() + cells + "CELL_TYPES 4\n12 12 12 12\n"};
+  const TemporaryFolder folder;
+  for (const std::string& kind : kinds)
+    for (const int mark : {0, 1, 32}) {  // none, DUPLICATECELL, HIDDENCELL
+      write_bytes(folder / "row.vtk", marked_row(kind, mark));
+      const auto field = make_field((folder / "row.vtk").string());
+      for (const double x : {0.5, 1.5, 2.5, 3.5}) {
+        const bool inside = mark == 0 || x != 2.5;
+        EXPECT_EQ(status_at(*field, {x, 0.5, 0.5}),
+                  inside ? SampleStatus::ok : SampleStatus::outside)
+            << kind.substr(0, 30) << " mark " << mark << " at " << x;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace pellucid::fields

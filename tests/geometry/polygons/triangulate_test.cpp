@@ -193,10 +193,10 @@ TEST(UnitPolygons, WithoutAPlaneItIsTheFan) {
   EXPECT_TRUE(triangles_of({{0, 0, 0}, {1, 0, 0}}).empty());
 }
 
-// 200 000 corners, each of which every ear would be held against: 4e10 tests, a minute and more.
+// 50 000 corners, half of which every ear would be held against: 1e9 tests and more, many seconds.
 TEST(UnitPolygons, ManyCornersTakeNoSquareOfTheirTime) {
   std::mt19937 random(10);
-  EXPECT_EQ(triangles_of(placed(random, star(random, 200000), 1)).size(), 199998u);
+  EXPECT_EQ(triangles_of(placed(random, star(random, 50000), 1)).size(), 49998u);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "scene/appearance/colormap.h"
 #include "tests/support/scenes.h"
 
@@ -27,6 +29,47 @@ TEST(UnitColormap, EndsAndMiddleAreMatplotlibs) {
   EXPECT_EQ(viridis(1) * 255.0, Vec3(253, 231, 37));
   EXPECT_EQ(viridis(-5), viridis(0));
   EXPECT_EQ(viridis(7), viridis(1));
+}
+
+geometry::Vertices with_scalar(const std::vector<double>& values) {
+  geometry::Vertices vertices;
+  vertices.positions.assign(values.size(), Vec3(0));
+  vertices.scalars["s"] = values;
+  return vertices;
+}
+
+Vec3 rgb(const Rgba& color) { return Vec3(Vec3(glm::vec3(color))); }
+
+TEST(UnitAppearance, NanHasAColourOfItsOwn) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const ColormapRow& map : colormaps()) {
+    EXPECT_EQ(map(nan), nan_color) << map.name;
+    for (int i = 0; i <= 255; ++i) EXPECT_NE(map(i / 255.0), nan_color) << map.name;
+    EXPECT_EQ(map(std::numeric_limits<double>::infinity()), map(1)) << map.name;
+    EXPECT_EQ(map(-std::numeric_limits<double>::infinity()), map(0)) << map.name;
+  }
+  geometry::Vertices some = with_scalar({1, nan, 2}), all = with_scalar({nan, nan});
+  apply_appearance({ScalarColor{"s"}, ScalarOpacity{"s", {0.25, 1}, {}}, "s"}, some);
+  EXPECT_EQ(rgb(some.colors[1]), nan_color);
+  EXPECT_EQ(some.colors[1].a, 0.25f);
+  EXPECT_EQ(some.importance, (std::vector<float>{0, 0, 1}));
+  apply_appearance({ScalarColor{"s"}, {}, "s"}, all);
+  EXPECT_EQ(rgb(all.colors[0]), nan_color);
+  EXPECT_EQ(all.importance, (std::vector<float>{0, 0}));
+}
+
+TEST(UnitAppearance, ADescendingRangeTurnsTheMapRound) {
+  const std::vector<double> values{-1, 0, 1, 2.5, 4, 5};
+  geometry::Vertices up = with_scalar(values), down = with_scalar(values);
+  apply_appearance(
+      {ScalarColor{"s", "viridis", Vec2(0, 4)}, ScalarOpacity{"s", {0, 1}, Vec2(0, 4)}, {}}, up);
+  apply_appearance(
+      {ScalarColor{"s", "viridis", Vec2(4, 0)}, ScalarOpacity{"s", {1, 0}, Vec2(4, 0)}, {}}, down);
+  const ColormapRow& map = find_colormap("viridis");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(rgb(down.colors[i]), rgb(Rgba(glm::vec3(map(1 - values[i] / 4)), 1)));
+    EXPECT_EQ(down.colors[i].a, up.colors[i].a);
+  }
 }
 
 TEST(UnitColormap, FourColoursPartTheRangeInThree) {
