@@ -11,6 +11,7 @@
 
 #include "core/options/names.h"
 #include "core/parallel.h"
+#include "fields/levels/level_blocks.h"
 
 namespace pellucid::fields {
 namespace {
@@ -64,11 +65,12 @@ const DerivedScalarRow& find_derived_scalar(std::string_view name) {
 
 std::vector<ScalarLevel> scalars_of(std::span<const VectorLevel> levels, std::string_view name) {
   const DerivedScalarRow& row = find_derived_scalar(name);
-  std::vector<ScalarLevel> scalars;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
+  for (std::size_t i = 0; i < levels.size(); ++i)
     check_level(fmt::format("level {}", i), levels[i]);
-    scalars.push_back(row.compute(levels[i]));
-  }
+  std::vector<ScalarLevel> scalars;
+  for (const VectorLevel& level :
+       joined_blocks(std::vector<VectorLevel>(levels.begin(), levels.end())))
+    scalars.push_back(row.compute(level));
   return scalars;
 }
 

@@ -23,8 +23,9 @@ std::span<const DerivedScalarRow> derived_scalars();
 /// Returns the row of that name. Throws InputError with the nearest names when there is none.
 const DerivedScalarRow& find_derived_scalar(std::string_view name);
 
-/// Computes the scalar of that name on every level. Throws InputError for an unknown name and for a
-/// level that check_level() refuses.
+/// Computes the scalar of that name on every level, once blocks of one lattice are joined (see
+/// joined_blocks()), so that differences go across their faces. Throws InputError for an unknown
+/// name and for a level that check_level() refuses.
 std::vector<ScalarLevel> scalars_of(std::span<const VectorLevel> levels, std::string_view name);
 
 }  // namespace pellucid::fields

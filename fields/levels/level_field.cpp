@@ -8,14 +8,18 @@
 
 #include "core/options/names.h"
 #include "fields/dual.h"
+#include "fields/levels/level_blocks.h"
 
 namespace pellucid::fields {
 namespace {
 
-std::vector<ScalarLevel> checked(std::vector<ScalarLevel> levels) {
+std::vector<ScalarLevel> prepared(std::vector<ScalarLevel> levels, Reconstruction kind) {
   if (levels.empty()) throw InputError("no level; accepted: at least one");
   for (std::size_t i = 0; i < levels.size(); ++i)
     check_level(fmt::format("level {}", i), levels[i]);
+  levels = joined_blocks(std::move(levels));
+  if (kind != Reconstruction::hat)  // hats of neighbouring blocks overlap by themselves
+    for (ScalarLevel& seam : seams(levels)) levels.push_back(std::move(seam));
   std::stable_sort(levels.begin(), levels.end(),
                    [](const auto& a, const auto& b) { return a.width < b.width; });
   return levels;
@@ -55,7 +59,7 @@ const ReconstructionRow& find_reconstruction(std::string_view name) {
 }
 
 LevelField::LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction)
-    : levels_(checked(std::move(levels))),
+    : levels_(prepared(std::move(levels), reconstruction.kind)),
       row_(&reconstruction),
       regions_(regions_of(levels_, row_->kind)),
       tree_(regions_) {
@@ -113,6 +117,7 @@ std::optional<double> LevelField::value(const Vec3& x) const {
   const std::size_t count = cells_at(x, cells);
   if (count == 0) return std::nullopt;
   const auto [sum, weight] = this->sum<double>(std::span(cells).first(count), {x.x, x.y, x.z}, 0);
+  if (weight == 0) return std::nullopt;  // no hat reaches here
   return sum / weight;
 }
 
@@ -122,6 +127,7 @@ std::optional<Vec3> LevelField::gradient(const Vec3& x) const {
   if (count == 0) return std::nullopt;
   const std::array<Dual, 3> at{{{x.x, Vec3(1, 0, 0)}, {x.y, Vec3(0, 1, 0)}, {x.z, Vec3(0, 0, 1)}}};
   const auto [sum, weight] = this->sum<Dual>(std::span(cells).first(count), at, 0);
+  if (weight.value == 0) return std::nullopt;
   return (sum / weight).gradient;
 }
 

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "fields/files/grid_choice.h"
 #include "fields/files/vdb_box.h"
 #include "fields/levels/derived_scalar.h"
 #include "readers/vdb/vdb_file.h"
@@ -18,6 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double affine_rounding = 1e-9;  // of a voxel, in the transform of cubes along the axes
+
+constexpr double most_samples = 0x1p30;  // of a level
 
 [[noreturn]] void fail(const fs::path& path, const std::string& why) {
   throw InputError(fmt::format("{}: {}", path.string(), why));
@@ -46,18 +51,31 @@ void place(const openvdb::GridBase& grid, const openvdb::Coord& first, const std
   level.origin = {origin[0], origin[1], origin[2]};
 }
 
+/// Whether voxels that are not active have values that mean something: beyond its narrow band a
+/// level set has the band's width, with the sign of the side; around a fog there is none.
+bool has_values_beyond(const openvdb::GridBase& grid) {
+  return grid.getGridClass() == openvdb::GRID_LEVEL_SET ||
+         grid.getGridClass() == openvdb::GRID_FOG_VOLUME;
+}
+
 template <class Grid>
 auto level_of(const Grid& grid, const std::string& name) {
   Level<decltype(sample_of(typename Grid::ValueType()))> level;
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   if (box.empty()) throw InputError(fmt::format("{}: it has no active voxels", name));
-  if (!fills_a_box(grid, box))
-    throw InputError(fmt::format(
-        "{}: its active voxels do not fill a box; accepted: a full box per level", name));
+  if (!fills_a_box(grid, box) && !has_values_beyond(grid))
+    throw InputError(
+        fmt::format("{}: its active voxels do not fill a box; accepted: a full box per level, a "
+                    "level set, a fog "
+                    "volume",
+                    name));
+  if (const openvdb::Vec3d size = box.dim().asVec3d(); size.product() > most_samples)
+    throw InputError(
+        fmt::format("{}: its box has {} voxels; accepted: at most 2^30", name, size.product()));
   place(grid, box.min(), name, level);
   const openvdb::Coord size = box.dim();
   level.size = {size.x(), size.y(), size.z()};
-  level.samples.reserve(grid.activeVoxelCount());
+  level.samples.reserve(std::size_t(size.x()) * std::size_t(size.y()) * std::size_t(size.z()));
   const auto accessor = grid.getConstAccessor();
   for (int k = box.min().z(); k <= box.max().z(); ++k)
     for (int j = box.min().y(); j <= box.max().y(); ++j)
@@ -72,29 +90,41 @@ bool is_derived(std::string_view scalar) {
                              [&](const auto& row) { return row.name == scalar; });
 }
 
-/// The level that the grid gives, if it has the scalar.
-std::vector<ScalarLevel> levels_in(const openvdb::GridBase::Ptr& grid, std::string_view scalar,
-                                   const std::string& name) {
-  if (is_derived(scalar)) {
-    const auto& row = find_derived_scalar(scalar);
-    if (const auto floats = openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid))
-      return {row.compute(level_of(*floats, name))};
-    if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
-      return {row.compute(level_of(*doubles, name))};
-  }
-  if (grid->getName() != scalar) return {};
-  if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
-    return {level_of(*floats, name)};
-  if (const auto doubles = openvdb::gridPtrCast<openvdb::DoubleGrid>(grid))
-    return {level_of(*doubles, name)};
-  return {};
+/// The level that a grid gives, or that it gives where it is of this kind of values.
+///@{
+template <class Grid>
+auto level_if(const openvdb::GridBase::Ptr& grid, const std::string& name)
+    -> std::optional<decltype(level_of(std::declval<Grid>(), name))> {
+  if (const auto typed = openvdb::gridPtrCast<Grid>(grid)) return level_of(*typed, name);
+  return std::nullopt;
+}
+std::optional<VectorLevel> vectors_of(const openvdb::GridBase::Ptr& grid, const std::string& name) {
+  if (auto level = level_if<openvdb::Vec3SGrid>(grid, name)) return level;
+  return level_if<openvdb::Vec3DGrid>(grid, name);
+}
+std::optional<ScalarLevel> scalars_of(const openvdb::GridBase::Ptr& grid, const std::string& name) {
+  if (auto level = level_if<openvdb::FloatGrid>(grid, name)) return level;
+  return level_if<openvdb::DoubleGrid>(grid, name);
+}
+///@}
+
+std::vector<GridEntry> entries_of(std::span<const readers::VdbGrid> grids) {
+  std::vector<GridEntry> entries;
+  for (const readers::VdbGrid& grid : grids)
+    entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
+  return entries;
 }
 
-std::string listed(std::span<const readers::VdbGrid> grids) {
-  std::string text;
-  for (const readers::VdbGrid& grid : grids)
-    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", grid.name, grid.value_type);
-  return text.empty() ? "none" : text;
+/// The levels of the grids of a name that `level` makes of them.
+template <class T, class LevelOf>
+void append_levels(std::span<const readers::VdbGrid> grids, std::string_view wanted,
+                   const std::string& place, const LevelOf& level_of_grid,
+                   std::vector<Level<T>>& levels) {
+  for (const readers::VdbGrid& grid : grids) {
+    if (grid.name != wanted || !grid.grid) continue;
+    if (auto level = level_of_grid(grid.grid, fmt::format("{}: grid {}", place, grid.name)))
+      levels.push_back(std::move(*level));
+  }
 }
 
 openvdb::Vec3s voxel_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
@@ -166,14 +196,20 @@ void write_vdb_levels(const fs::path& path, const std::string& name,
   write(path, name, levels);
 }
 
-std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar) {
+std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar,
+                                         std::string_view velocity) {
   const std::vector<readers::VdbGrid> grids = readers::read_vdb_grids(path);
+  const std::vector<GridEntry> entries = entries_of(grids);
+  const std::string place = path.string();
   std::vector<ScalarLevel> levels;
-  for (const readers::VdbGrid& grid : grids) {
-    if (!grid.grid) continue;  // of a type that holds no scalars or vectors
-    const std::string name = fmt::format("{}: grid {}", path.string(), grid.name);
-    for (ScalarLevel& level : levels_in(grid.grid, scalar, name))
-      levels.push_back(std::move(level));
+  append_levels(grids, scalar, place, scalars_of, levels);
+  if (!levels.empty()) return levels;  // stored under that name, it need not be derived
+  if (!is_derived(scalar) || std::ranges::none_of(entries, &GridEntry::vector))
+    fail(path,
+         fmt::format("no grid has the scalar '{}'; grids: {}", scalar, describe_grids(entries)));
+  std::vector<VectorLevel> velocities;
+  append_levels(grids, choose_velocity(entries, velocity, place), place, vectors_of, velocities);
+  return fields::scalars_of(velocities, scalar);
   }
   if (levels.empty())
     fail(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar, listed(grids)));

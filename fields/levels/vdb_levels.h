@@ -11,12 +11,13 @@
 namespace pellucid::fields {
 
 /// Reads every grid of an OpenVDB file that has the scalar, as a level: scalar grids of that name
-/// (float or double), and, for a derived scalar, all velocity grids (whatever their names). Throws
-/// InputError for a file that is missing, damaged or without such a grid, and for a grid whose
-/// active voxels do not fill a box, whose voxels are not cubes along the world's axes, or that
-/// check_level() refuses.
-std::vector<ScalarLevel> read_vdb_levels(const std::filesystem::path& path,
-                                         std::string_view scalar);
+/// (float or double), or else, for a derived scalar, the grids of the `velocity`, which
+/// choose_velocity() finds when it is empty. Of a level set or a fog volume the level is the box
+/// around its active voxels. Throws InputError for a file that is missing, damaged or without such
+/// a grid, and for a grid of another class whose active voxels do not fill a box, whose voxels are
+/// not cubes along the world's axes, or that check_level() refuses.
+std::vector<ScalarLevel> read_vdb_levels(const std::filesystem::path& path, std::string_view scalar,
+                                         std::string_view velocity = {});
 
 /// Writes each level as a grid of that name whose active voxels are its samples, in one file, which
 /// appears whole or not at all: read again, every bit is as it was. Throws InputError for another

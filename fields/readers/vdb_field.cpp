@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "fields/files/grid_choice.h"
 #include "fields/files/vdb_box.h"
 #include "fields/finite.h"
 #include "fields/lazy.h"
@@ -126,32 +127,17 @@ std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
   return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
 }
 
-bool is_vector_grid(const readers::VdbGrid& grid) {
-  return grid.value_type == openvdb::typeNameAsString<openvdb::Vec3s>() ||
-         grid.value_type == openvdb::typeNameAsString<openvdb::Vec3d>();
-}
-
-/// The grid to read; the file's vector grids are listed when there is no such one.
-openvdb::GridBase::Ptr pick_grid(const std::vector<readers::VdbGrid>& grids,
-                                 const std::string& wanted, const Path& path) {
-  std::string names;
-  openvdb::GridBase::Ptr first;
-  int count = 0;
-  for (const readers::VdbGrid& grid : grids) {
-    if (!is_vector_grid(grid)) continue;
-    if (grid.name == wanted) return grid.grid;
-    if (count++ == 0) first = grid.grid;
-    names += (names.empty() ? "" : ", ") + grid.name;
-  }
-  if (wanted.empty() && count == 1) return first;
-  if (names.empty()) names = "none";
-  if (wanted.empty()) fail(path, fmt::format("which grid? array=NAME; vector grids: {}", names));
-  fail(path, fmt::format("array={}: no such grid; vector grids: {}", wanted, names));
+/// The grid that is meant. Of the others only names and types are read where a name is given.
+openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
+  const auto grids = readers::read_vdb_grids(path, wanted);
+  std::vector<GridEntry> entries;
+  for (const readers::VdbGrid& grid : grids)
+    entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
+  return grids.at(choose_vector_grid(entries, wanted, path.string())).grid;
 }
 
 std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
-  const openvdb::GridBase::Ptr grid =
-      pick_grid(readers::read_vdb_grids(path, options.array), options.array, path);
+  const openvdb::GridBase::Ptr grid = read_grid(options.array, path);
   if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
     return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
   return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid), options,

@@ -73,6 +73,7 @@ std::optional<double> LevelMarch::height_at(const Vec3& x,
   if (!owned) return std::nullopt;
   const auto [sum, weight] =
       field_.sum<double>(std::span(cells).first(levels.size()), {x.x, x.y, x.z}, value_);
+  if (weight == 0) return std::nullopt;  // no hat reaches here
   return sum / weight;
 }
 

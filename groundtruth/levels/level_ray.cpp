@@ -127,13 +127,18 @@ class CellRay {
     const std::size_t count = field_.cells_at(ray_.at(0.5 * (part.begin + part.end)), cells);
     if (count == 0) return;  // a part of rounding's length beyond the outermost face
     const Vec3 a = ray_.at(part.begin), b = ray_.at(part.end);
-    RayPolynomial p = field_
-                          .sum<RayPolynomial>(std::span(cells).first(count),
-                                              {{{a.x, b.x}, {a.y, b.y}, {a.z, b.z}}}, value_)
-                          .sum;
+    auto [p, weight] = field_.sum<RayPolynomial>(std::span(cells).first(count),
+                                                 {{{a.x, b.x}, {a.y, b.y}, {a.z, b.z}}}, value_);
+    // Where no hat reaches there is no value. At an end of that the numerator is 0 as well, and the
+    // value's sign is that next to it.
+    const double least_weight = rounding * weight.largest_coefficient();
+    if (weight.largest_coefficient() <= rounding) return;
     const double tolerance = rounding * p.largest_coefficient();
-    const double begin = numerator_at(part.begin).value_or(p.begin());
-    const double end = numerator_at(part.end).value_or(p.end());
+    const bool begins = weight.begin() > least_weight, ends = weight.end() > least_weight;
+    if (!begins) p.set_begin(p.first_beyond(tolerance));
+    if (!ends) p.set_end(p.last_beyond(tolerance));
+    const double begin = begins ? numerator_at(part.begin).value_or(p.begin()) : p.begin();
+    const double end = ends ? numerator_at(part.end).value_or(p.end()) : p.end();
     if (std::abs(begin - p.begin()) <= tolerance) p.set_begin(begin);
     if (std::abs(end - p.end()) <= tolerance) p.set_end(end);
     if ((begin < 0) != (p.begin() < 0)) at_.push_back(part.begin);

@@ -59,6 +59,20 @@ double RayPolynomial::largest_coefficient() const {
   return largest;
 }
 
+double RayPolynomial::first_beyond(double tolerance) const {
+  for (int i = 0; i <= degree_; ++i)
+    if (const double c = c_[std::size_t(i)]; std::abs(c) > tolerance)
+      return std::copysign(tolerance, c);
+  return 0;
+}
+
+double RayPolynomial::last_beyond(double tolerance) const {
+  for (int i = degree_; i >= 0; --i)
+    if (const double c = c_[std::size_t(i)]; std::abs(c) > tolerance)
+      return std::copysign(tolerance, c);
+  return 0;
+}
+
 int RayPolynomial::sign_changes() const {
   int changes = 0;
   for (std::size_t i = 0; i < std::size_t(degree_); ++i) changes += (c_[i] < 0) != (c_[i + 1] < 0);

@@ -30,6 +30,12 @@ class RayPolynomial {
   void set_begin(double value) { c_[0] = value; }
   void set_end(double value) { c_[std::size_t(degree_)] = value; }
   double largest_coefficient() const;
+  /// Returns the first, or the last, coefficient that is beyond ± `tolerance`, cut down to that: it
+  /// has the polynomial's sign next to an end where it is 0. 0 when there is none.
+  ///@{
+  double first_beyond(double tolerance) const;
+  double last_beyond(double tolerance) const;
+  ///@}
   /// Counts where neighbouring coefficients differ in sign; one that is 0 counts as positive.
   int sign_changes() const;
   /// Returns its halves, each over [0, 1] again.

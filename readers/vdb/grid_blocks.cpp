@@ -174,6 +174,11 @@ void place(const std::string& prefix, const Blocks& blocks, openvdb::GridBase& g
 
 }  // namespace
 
+bool holds_vectors(const VdbGrid& grid) {
+  return grid.value_type == openvdb::typeNameAsString<openvdb::Vec3s>() ||
+         grid.value_type == openvdb::typeNameAsString<openvdb::Vec3d>();
+}
+
 void write_grid(int number, const openvdb::GridBase& grid, bool with_tree, BlockWriter& out) {
   const std::string prefix = std::to_string(number);
   out.add_text(prefix + ".name", grid.getName());

@@ -27,6 +27,9 @@ struct VdbGrid {
   openvdb::GridBase::Ptr grid;  // nullptr: only its name and type were read
 };
 
+/// Says whether the grid's values are vectors of three floats or doubles.
+bool holds_vectors(const VdbGrid& grid);
+
 /// Writes grid `number`, its tree too when `with_tree` and its type is one of those above.
 void write_grid(int number, const openvdb::GridBase& grid, bool with_tree, BlockWriter& out);
 

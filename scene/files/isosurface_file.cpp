@@ -36,14 +36,16 @@ std::vector<Levels> generate(const JsonNode& node, std::span<const std::string> 
   return all;
 }
 
-std::vector<Levels> read_files(const JsonNode& file, const std::filesystem::path& folder,
+std::vector<Levels> read_files(const JsonNode& node, const std::filesystem::path& folder,
                                std::span<const std::string> scalars) {
+  const JsonNode file = node["file"];
+  const std::string velocity = node.has("velocity") ? node["velocity"].string() : "";
   std::vector<Levels> all(scalars.size());
   for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file})
     at_place(name, [&] {
       for (std::size_t i = 0; i < scalars.size(); ++i)
         for (fields::ScalarLevel& level :
-             fields::read_vdb_levels(folder / name.string(), scalars[i]))
+             fields::read_vdb_levels(folder / name.string(), scalars[i], velocity))
           all[i].push_back(std::move(level));
     });
   return all;
@@ -122,7 +124,8 @@ class IsosurfaceReader {
         reconstruction_(&reconstruction()) {}
 
   Isosurface read() {
-    node_.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh"});
+    node_.accept_keys(
+        {"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh", "velocity"});
     Isosurface surface;
     surface.value = node_["value"].number(-any, any);
     std::vector<Levels> levels = read_levels();
@@ -151,11 +154,12 @@ class IsosurfaceReader {
   std::vector<Levels> read_levels() const {
     if (node_.has("dataset") == node_.has("file"))
       node_.fail("accepted: one of the keys file, dataset");
+    if (node_.has("velocity") && node_.has("dataset"))
+      node_["velocity"].fail("names a grid of a file; accepted: with the key file");
     std::vector<std::string> scalars{node_["scalar"].string()};
     if (color_) scalars.push_back(color_->scalar);
     if (opacity_) scalars.push_back(opacity_->scalar);
-    return node_.has("dataset") ? generate(node_, scalars)
-                                : read_files(node_["file"], folder_, scalars);
+    return node_.has("dataset") ? generate(node_, scalars) : read_files(node_, folder_, scalars);
   }
 
   std::shared_ptr<const fields::LevelField> field_on(Levels levels) const {

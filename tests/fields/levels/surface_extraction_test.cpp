@@ -68,10 +68,10 @@ TEST(UnitExtraction, IsOpenAtTheFieldsEnd) {
   // The plane x = 1.3 across two boxes side by side of different height: 2 × 2 and 1 × 2.
   const auto x = [](const Vec3& p) { return p.x; };
   const ScalarLevel tall = sampled(Vec3(0), 0.25, {9, 9, 9}, x);
-  const ScalarLevel low = sampled(Vec3(0, 2.25, 0), 0.25, {9, 5, 9}, x);
+  const ScalarLevel low = sampled(Vec3(0, 2.5, 0), 0.25, {9, 5, 9}, x);
   const LevelField field({tall, low}, find_reconstruction("trilinear"));
   const ExtractedSurface surface = extract_surface(field, 1.3);
-  // Between the boxes, from 2 to 2.25, there is no field. A place on the upper face of the taller
+  // Between the boxes, from 2 to 2.5, there is no field. A place on the upper face of the taller
   // one belongs to what lies above: the last of its cells, 0.25 wide, has no corners there.
   EXPECT_NEAR(area(surface), 2 * (2 - 0.25) + 2 * 1, 1e-5);
   for (const auto& t : surface.triangles)

@@ -160,5 +160,85 @@ TEST(UnitVdbLevels, WhatCannotBeWrittenLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty((folder / "p").parent_path()));
 }
 
+/// n³ voxels of a rotation about z with this speed.
+openvdb::Vec3SGrid::Ptr vector_grid(const std::string& name, int n, float speed) {
+  openvdb::initialize();
+  auto grid = openvdb::Vec3SGrid::create();
+  grid->setName(name);
+  auto accessor = grid->getAccessor();
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        accessor.setValueOn({i, j, k}, openvdb::Vec3s(-speed * float(j), speed * float(i), 0));
+  return grid;
+}
+
+std::vector<ScalarLevel> magnitudes(const openvdb::GridPtrVec& grids,
+                                    std::string_view velocity = {}) {
+  const TemporaryFolder folder;
+  openvdb::io::File((folder / "levels.vdb").string()).write(grids);
+  return read_vdb_levels(folder / "levels.vdb", "magnitude", velocity);
+}
+
+TEST(UnitVdbLevels, OneOfSeveralVectorGridsIsTheVelocity) {
+  const auto velocity = vector_grid("vel", 4, 1), color = vector_grid("Cd", 4, 7);
+  for (const auto& grids : {openvdb::GridPtrVec{velocity, color}, {color, velocity}}) {
+    const auto levels = magnitudes(grids);
+    ASSERT_EQ(levels.size(), 1u);
+    EXPECT_EQ(levels.front().at(3, 0, 0), 3);
+    EXPECT_EQ(magnitudes(grids, "Cd").front().at(3, 0, 0), 21);
+  }
+  EXPECT_EQ(magnitudes({color}).front().at(3, 0, 0), 21);  // the only one, whatever its name
+  EXPECT_EQ(magnitudes({velocity, vector_grid("vel", 5, 2)}).size(), 2u);  // levels of one name
+}
+
+TEST(UnitVdbLevels, WhichGridIsTheVelocityIsAsked) {
+  const auto refusal_of = [](const openvdb::GridPtrVec& grids, std::string_view velocity) {
+    try {
+      magnitudes(grids, velocity);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const openvdb::GridPtrVec both{vector_grid("Cd", 4, 1), vector_grid("wind", 4, 1)};
+  EXPECT_THAT(refusal_of(both, ""), HasSubstr("vector grids: Cd, wind"));
+  EXPECT_THAT(refusal_of(both, "vel"), HasSubstr("'vel': no such grid; vector grids: Cd, wind"));
+  EXPECT_EQ(refusal_of(both, "wind"), "");
+}
+
+/// A ball of radius 1 about the origin in a band of three voxels on either side.
+openvdb::FloatGrid::Ptr ball() {
+  constexpr double width = 0.1, band = 0.3;
+  openvdb::initialize();
+  auto grid = openvdb::FloatGrid::create(band);
+  grid->setName("ball");
+  grid->setTransform(Transform::createLinearTransform(width));
+  auto accessor = grid->getAccessor();
+  for (int k = -14; k <= 14; ++k)
+    for (int j = -14; j <= 14; ++j)
+      for (int i = -14; i <= 14; ++i) {
+        const double distance = width * std::sqrt(double(i * i + j * j + k * k)) - 1;
+        if (std::abs(distance) < band) accessor.setValueOn({i, j, k}, float(distance));
+        if (distance <= -band) accessor.setValueOff({i, j, k}, -float(band));
+      }
+  return grid;
+}
+
+TEST(UnitVdbLevels, ALevelSetIsTheBoxAroundItsBand) {
+  const auto grid = ball();
+  EXPECT_THAT(refusal(grid, "ball"), HasSubstr("do not fill a box"));
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  const TemporaryFolder folder;
+  openvdb::io::File((folder / "levels.vdb").string()).write({grid});
+  const auto levels = read_vdb_levels(folder / "levels.vdb", "ball");
+  ASSERT_EQ(levels.size(), 1u);
+  const LevelField field(levels, find_reconstruction("trilinear"));
+  EXPECT_NEAR(*field.value(Vec3(0)), -0.3, 1e-7);
+  // Between samples of a sphere's distance: a width² / 8 over the radius, in three directions.
+  EXPECT_NEAR(*field.value(Vec3(0.64, 0.48, 0.6)), 0, 3 * 0.01 / 8);
+  EXPECT_NEAR(*field.value(Vec3(1.1, 1.1, 1.1)), 0.3, 1e-7);
+}
+
 }  // namespace
 }  // namespace pellucid::fields

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "groundtruth/levels/level_march.h"
 #include "groundtruth/levels/ray_polynomial.h"
 #include "tests/groundtruth/levels.h"
 
@@ -121,6 +122,60 @@ TEST(UnitIsosurface, ASphereIsEnteredAndLeft) {
   // Along the axis through samples the reconstruction is linear: |x - 4| up to float.
   EXPECT_NEAR(at[0], 4, 1e-6);
   EXPECT_NEAR(at[1], 8, 1e-6);
+}
+
+// The sample of a coarse cell at the end lies under a fine level, the end of the cell does not:
+// there no hat reaches, and nothing is inside or outside.
+TEST(UnitIsosurface, WhereNoHatReachesThereIsNoCrossing) {
+  for (const double value : {-1.0, 1.0}) {
+    const auto constant = [&](const Vec3&) { return value; };
+    const fields::LevelField field(
+        {sampled(Vec3(0), 1, 3, constant), sampled(Vec3(1), 0.25, 5, constant)},
+        fields::find_reconstruction("hat"));
+    EXPECT_FALSE(field.value(Vec3(2.45, 1.5, 1.5)));
+    EXPECT_FALSE(field.gradient(Vec3(2.45, 1.5, 1.5)));
+    for (double y = -0.4; y < 2.5; y += 0.1)
+      for (double z = -0.4; z < 2.5; z += 0.1)
+        for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(1, 0.1, -0.2)}) {
+          const WorldRay ray{Vec3(1, y, z) - 8.0 * direction, direction};
+          EXPECT_TRUE(exact_crossings(field, 0, ray).empty()) << value << ' ' << y << ' ' << z;
+          LevelMarch(field, 0, {}).visit_crossings(ray, [&](double) -> bool {
+            ADD_FAILURE() << "a march crosses " << value << " at " << y << ' ' << z;
+            return true;
+          });
+        }
+  }
+}
+
+// Levels anywhere: every crossing is where values of both signs are, or at a jump between them.
+TEST_P(PropertyIsosurface, CrossesWhereValuesOfBothSignsMeet) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::size_t count = 0;
+  for (int n = 0; n < 60; ++n) {
+    std::vector<fields::ScalarLevel> levels;
+    for (const double width : {0.25, 0.5, 0.5, 1.0})
+      levels.push_back(sampled(4.0 * Vec3(unit(random), unit(random), unit(random)), width,
+                               3 + int(4 * unit(random)), wavy));
+    const fields::LevelField field(levels, GetParam());
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 target = 6.0 * Vec3(unit(random), unit(random), unit(random));
+      const Vec3 direction = glm::normalize(Vec3(unit(random), unit(random), unit(random)) - 0.5);
+      const WorldRay ray{target - 20.0 * direction, direction};
+      for (const double t : exact_crossings(field, 0, ray)) {
+        ++count;
+        // A step beside it, where the field goes on: slopes are at most some 100.
+        const auto before = field.value(ray.at(t - 1e-9)), after = field.value(ray.at(t + 1e-9));
+        ASSERT_TRUE(before || after);
+        if (before && after) {
+          EXPECT_NE(*before < 0, *after < 0) << *before << ' ' << *after;
+        } else {
+          EXPECT_NEAR(before ? *before : *after, 0, 1e-6);
+        }
+      }
+    }
+  }
+  EXPECT_GT(count, 500u);
 }
 
 }  // namespace
