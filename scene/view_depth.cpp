@@ -1,85 +1,154 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/view_depth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <span>
 
 #include "core/error.h"
+#include "scene/view/picture_frustum.h"
 #include "scene/view/ribbon.h"
 
 namespace pellucid::scene {
 namespace {
 
-/// Smallest and largest view depth, world units.
-struct DepthBounds {
-  double min = std::numeric_limits<double>::infinity();
-  double max = -std::numeric_limits<double>::infinity();
+// Of the largest coordinate of what is in the picture. A view depth is a sum of three products of
+// coordinates relative to the eye: it errs by up to 5 units of 2^-53 of them, on either side, and
+// vertices may lie somewhat outside of the picture.
+constexpr double rounding = 0x1p-46;
 
-  void extend(double z) {
-    min = std::min(min, z);
-    max = std::max(max, z);
-  }
-};
+/// Corners 2 i and 2 i + 1 of the strip at point i of a line; see ribbon_triangles().
+std::vector<Vec3> ribbon_corners(std::span<const Vec3> line, std::span<const Vec3> half_widths) {
+  std::vector<Vec3> corners;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    for (const Vec3& corner : {line[i] - half_widths[i], line[i] + half_widths[i]})
+      corners.push_back(corner);
+  return corners;
+}
 
-class BoundsOfShape {
+/// Depths of shapes, one after the other.
+class DepthsOfShapes {
  public:
-  BoundsOfShape(const Camera& camera, DepthBounds& bounds)
-      : frame_(camera_frame(camera)), projection_(camera.projection), bounds_(bounds) {}
+  DepthsOfShapes(const PictureFrustum& frustum, Projection projection)
+      : frustum_(frustum), projection_(projection) {}
 
-  void operator()(const geometry::TriangleMesh& mesh) { extend(mesh, 0); }
+  void operator()(const geometry::TriangleMesh& mesh) {
+    add_corners(mesh.positions);
+    for (const auto& triangle : mesh.triangles) add_triangle(triangle);
+  }
   void operator()(const PointObject& points) {
-    extend(points.set, points.profile == PointObject::Profile::sphere ? points.radius : 0);
-  }
-  void operator()(const Isosurface& surface) { extend(surface.corners, 0); }
-  void operator()(const LineObject& lines) {
-    lines.profile == LineObject::Profile::tube ? extend(lines.set, lines.radius)
-                                               : extend_ribbons(lines);
-  }
-
- private:
-  void extend(const geometry::Vertices& vertices, double radius) {
-    for (const Vec3& x : vertices.positions) {
-      const double z = view_depth(frame_, x);
-      bounds_.extend(z - radius);
-      bounds_.extend(z + radius);
+    const bool sphere = points.profile == PointObject::Profile::sphere;
+    const Vec3 reach(points.radius, points.radius, sphere ? points.radius : 0);
+    for (const Vec3& x : points.set.positions) {
+      const Vec3 p = frustum_.from_world(x);
+      add_box({p - reach, p + reach});
     }
   }
-
-  void extend_ribbons(const LineObject& lines) {
+  void operator()(const Isosurface& surface) {
+    Box3 box;
+    for (const Vec3& x : surface.corners.positions) box.extend(frustum_.from_world(x));
+    add_box(box);
+  }
+  void operator()(const LineObject& lines) {
     const std::span<const Vec3> points(lines.set.positions);
     for (std::size_t k = 0; k < lines.set.line_count(); ++k) {
       const auto line =
           points.subspan(lines.set.offsets[k], lines.set.offsets[k + 1] - lines.set.offsets[k]);
-      ribbon_half_widths(line, lines.radius, frame_, projection_, half_widths_);
-      for (std::size_t i = 0; i < line.size(); ++i)
-        for (const Vec3& corner : {line[i] - half_widths_[i], line[i] + half_widths_[i]})
-          bounds_.extend(view_depth(frame_, corner));
+      lines.profile == LineObject::Profile::tube ? add_tube(line, lines.radius)
+                                                 : add_ribbon(line, lines.radius);
     }
   }
 
-  CameraFrame frame_;
+  const DepthInterval& in_picture() const { return in_picture_; }
+  const DepthInterval& everywhere() const { return everywhere_; }
+
+ private:
+  /// Makes the corners of the triangles that follow.
+  void add_corners(std::span<const Vec3> positions) {
+    corners_.clear();
+    outcodes_.clear();
+    for (const Vec3& x : positions) {
+      corners_.push_back(frustum_.from_world(x));
+      outcodes_.push_back(frustum_.outcode(corners_.back()));
+    }
+  }
+
+  void add_triangle(const std::array<std::uint32_t, 3>& triangle) {
+    const auto [a, b, c] = triangle;
+    const std::array<Vec3, 3> corners{corners_[a], corners_[b], corners_[c]};
+    for (const Vec3& p : corners) everywhere_.extend({p.z, p.z});
+    if (outcodes_[a] & outcodes_[b] & outcodes_[c]) return;
+    if (outcodes_[a] | outcodes_[b] | outcodes_[c])
+      return in_picture_.extend(frustum_.depths(corners));
+    for (const Vec3& p : corners) in_picture_.extend({p.z, p.z});
+  }
+
+  void add_ribbon(std::span<const Vec3> line, double radius) {
+    ribbon_half_widths(line, radius, frustum_.frame(), projection_, half_widths_);
+    add_corners(ribbon_corners(line, half_widths_));
+    for (std::uint32_t i = 0; i + 1 < line.size(); ++i)
+      for (const auto& triangle : ribbon_triangles(i)) add_triangle(triangle);
+  }
+
+  void add_tube(std::span<const Vec3> line, double radius) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      Box3 box;
+      box.extend(frustum_.from_world(line[i]));
+      box.extend(frustum_.from_world(line[i + 1]));
+      add_box({box.min - radius, box.max + radius});
+    }
+  }
+
+  void add_box(const Box3& box) {
+    everywhere_.extend({box.min.z, box.max.z});
+    in_picture_.extend(frustum_.depths(box));
+  }
+
+  const PictureFrustum& frustum_;
   Projection projection_;
-  DepthBounds& bounds_;
-  std::vector<Vec3> half_widths_;
+  DepthInterval in_picture_, everywhere_;
+  std::vector<Vec3> corners_, half_widths_;
+  std::vector<unsigned> outcodes_;
 };
+
+/// Sums and differences of coordinates and radii have to be numbers.
+void check_size(const Scene& scene) {
+  constexpr double largest = 1e300;
+  const auto fits = [](const Vec3& x) {
+    return glm::all(glm::lessThan(glm::abs(x), Vec3(largest)));
+  };
+  if (!fits(scene.camera.eye)) throw InputError("camera.eye: accepted: coordinates below 1e300");
+  for (const SceneObject& object : scene.objects)
+    if (const Box3 box = object.bounds(); !box.empty() && !(fits(box.min) && fits(box.max)))
+      throw InputError(fmt::format(
+          "{}: its coordinates, or a radius, reach 1e300 or beyond; accepted: less", object.name));
+}
+
+DepthRange widened(const DepthInterval& bounds, double noise) {
+  const double length = bounds.max - bounds.min;
+  // One single depth: any interval around it will do.
+  const double margin = length > noise ? 1e-5 * length : 0.5 * bounds.max;
+  return {std::max(bounds.min - margin, 0.5 * bounds.min), bounds.max + margin};
+}
 
 }  // namespace
 
 DepthRange depth_range(const Scene& scene) {
-  DepthBounds bounds;
-  BoundsOfShape extend(scene.camera, bounds);
-  for (const SceneObject& object : scene.objects) std::visit(extend, object.shape);
-  if (!(bounds.max > 0))
+  const PictureFrustum frustum(scene.camera, scene.width, scene.height);
+  DepthsOfShapes depths(frustum, scene.camera.projection);
+  for (const SceneObject& object : scene.objects) std::visit(depths, object.shape);
+  check_size(scene);
+  if (!(depths.everywhere().max > 0))
     throw InputError(
         "camera: nothing of the scene is in front of it; accepted: an eye and a target "
         "that see the objects");
+  DepthInterval bounds = depths.in_picture();
+  if (!(bounds.max > 0)) bounds = depths.everywhere();
   // Geometry that reaches behind the eye is seen from the eye on.
   bounds.min = std::max(bounds.min, 0.0);
-  const double length = bounds.max - bounds.min;
-  // One single depth: any interval around it will do; this one survives rounding to float.
-  const double margin = length > 1e-6 * bounds.max ? 1e-5 * length : 0.5 * bounds.max;
-  return {bounds.min - margin, bounds.max + margin};
+  return widened(bounds, rounding * frustum.reach(bounds.max));
 }
 
 }  // namespace pellucid::scene

@@ -16,8 +16,14 @@ struct DepthRange {
 
 /// Returns tight bounds of the scene's geometry in front of the camera, in world units, widened on
 /// either side by a 1e-5th of their length so that no fragment lies on 0 or 1 after rounding to
-/// float (a Fourier series is periodic there). Geometry of one single depth lies at d = 0.5. Throws
-/// InputError when nothing of the scene is in front of the camera.
+/// float (a Fourier series is periodic there), but by no more than half the way to the eye, so that
+/// depths next to the eye keep their digits.
+///
+/// Only what lies in the picture counts: triangles of meshes and ribbons are clipped to it, of
+/// other shapes the boxes. Where nothing does, the bounds are those of all that is in front of the
+/// camera. Geometry of one single depth, up to 2^-46 (1.4e-14) of its distance from the eye, which
+/// is what rounding makes of a plane that faces the camera, lies at d = 0.5. Throws InputError when
+/// nothing of the scene is in front of the camera.
 DepthRange depth_range(const Scene& scene);
 
 }  // namespace pellucid::scene

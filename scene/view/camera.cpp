@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "scene/view/unit_scale.h"
 
 namespace pellucid::scene {
 namespace {
@@ -45,16 +46,17 @@ Camera fitted_camera(const Box3& box) {
 
 CameraFrame camera_frame(const Camera& camera) {
   check(camera);
-  const Vec3 axis = camera.target - camera.eye;
+  const Vec3 axis = with_unit_exponent(camera.target - camera.eye);
   const double distance = glm::length(axis);
   if (!(distance > 0))
     throw InputError(fmt::format("camera.target: {} equals camera.eye; accepted: another point",
                                  text(camera.target)));
   const Vec3 forward = axis / distance;
-  const Vec3 side = glm::cross(forward, camera.up);
+  const Vec3 up = with_unit_exponent(camera.up);
+  const Vec3 side = glm::cross(forward, up);
   const double sine = glm::length(side);
   // Below this the direction of `side` is rounding noise.
-  if (!(sine > 1e-12 * glm::length(camera.up)))
+  if (!(sine > 1e-12 * glm::length(up)))
     throw InputError(
         fmt::format("camera.up: {} is parallel to the viewing axis; accepted: any other direction",
                     text(camera.up)));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/view/unit_scale.h"
+
 namespace pellucid::scene {
 
 Vec3 line_direction(std::span<const Vec3> points, std::size_t i) {
@@ -19,8 +21,9 @@ void ribbon_half_widths(std::span<const Vec3> points, double radius, const Camer
   half_widths.reserve(points.size());
   Vec3 previous = radius * frame.right;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 t = line_direction(points, i);
-    const Vec3 v = projection == Projection::perspective ? points[i] - frame.eye : frame.forward;
+    const Vec3 t = with_unit_exponent(line_direction(points, i));
+    const Vec3 v = with_unit_exponent(projection == Projection::perspective ? points[i] - frame.eye
+                                                                            : frame.forward);
     const Vec3 across = glm::cross(t, v);
     const double length = glm::length(across);
     Vec3 w =

@@ -13,4 +13,18 @@ double unit_scale(const Box3& box) {
   return largest > 0 ? std::exp2(-std::ceil(std::log2(largest))) : 1;
 }
 
+Vec3 with_unit_exponent(const Vec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return v;
+  const int exponent = std::ilogb(largest);
+  const auto scaled = [&](double x) { return std::ldexp(x, -exponent); };
+  return {scaled(v.x), scaled(v.y), scaled(v.z)};
+}
+
+Vec3 normalized_or_zero(const Vec3& v) {
+  const Vec3 scaled = with_unit_exponent(v);
+  const double length = glm::length(scaled);
+  return length > 0 ? scaled / length : v;
+}
+
 }  // namespace pellucid::scene

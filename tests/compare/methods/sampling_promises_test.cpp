@@ -22,10 +22,12 @@ scene::Scene seen_from(scene::Scene scene, const Vec2& pixels) {
   return scene;
 }
 
-// Sampled at its centre, a pixel of a camera moved by s - 1/2 shows what is at s.
+// Sampled at its centre, a pixel of a camera moved by s - 1/2 shows what is at s. All of the scene
+// stays in the picture, so that its depths stay what they are.
 TEST(PropertySampling, APixelIsTheMeanOfItsSamples) {
   scene::Scene scene = with_importance(triangle_cloud(16, 16, 12, 16));
   scene.camera = empty_scene(16, 16).camera;
+  scene.camera.height = 4;  // of triangles from -1.5 to 1.5
   for (const scene::MethodRow& row : methods()) {
     SCOPED_TRACE(row.name);
     Image mean(16, 16, Rgba(0));

@@ -93,6 +93,8 @@ TEST(UnitViewDepth, StartsAtTheEyeWhenTheSceneReachesBehindIt) {
   Scene scene = stack(2, 4, 4, [](int) { return Rgba(1); });
   scene.camera.eye = {0, 0, 0};
   scene.camera.target = {0, 0, -1};
+  // From z = 1 behind the eye, or more, to z = -1 in the picture.
+  for (Vec3& x : scene.objects[0].mesh().positions) x.z = x.x;
   // The margin, a 1e-5th of a depth range of length 1.
   EXPECT_NEAR(depth_range(scene).near, 0, 1.01e-5);
   scene.camera.target = {0, 0, 1};
