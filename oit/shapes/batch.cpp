@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 
 namespace pellucid::oit {
@@ -35,30 +37,56 @@ struct CountPrimitives {
   std::uint64_t operator()(const scene::Isosurface&) { return 0; }  // refused: see check_shape
 };
 
+/// Whether an object at that place can be drawn together with the batch before it.
+bool continues(const Batch& batch, const scene::SceneObject& object, const PrimitiveRange& place) {
+  return batch.kind == kind_of(object) && batch.opaque == object.opaque &&
+         batch.first_primitive + batch.count == place.first;
+}
+
 }  // namespace
 
 std::uint64_t primitive_count(const scene::SceneObject& object) {
   return std::visit(CountPrimitives(), object.shape);
 }
 
-std::vector<Batch> make_batches(const scene::Scene& scene) {
-  std::vector<Batch> batches;
+std::vector<PrimitiveRange> primitive_ranges(const scene::Scene& scene) {
+  std::vector<PrimitiveRange> ranges;
   std::uint64_t total = 0;
-  std::array<std::uint32_t, shape_kinds.size()> of_kind{};
   for (const scene::SceneObject& object : scene.objects) {
-    check_shape(object);
     const std::uint64_t n = primitive_count(object), first = total;
     if ((total += n) >= most_primitives)
       throw InputError(fmt::format("{}: {} primitives in the scene; accepted: fewer than {}",
                                    object.name, total, most_primitives));
+    ranges.push_back(
+        {std::uint32_t(first), std::uint32_t(first + std::max<std::uint64_t>(n, 1)) - 1});
+  }
+  return ranges;
+}
+
+std::vector<Batch> make_batches(const scene::Scene& part, std::span<const PrimitiveRange> places) {
+  std::vector<Batch> batches;
+  std::array<std::uint32_t, shape_kinds.size()> of_kind{};
+  std::int64_t passed = 0;  // triangles, segments and points
+  for (std::size_t i = 0; i < part.objects.size(); ++i) {
+    const scene::SceneObject& object = part.objects[i];
+    check_shape(object);
     const ShapeKind kind = kind_of(object);
-    std::uint32_t& first_of_kind = of_kind[std::size_t(kind)];
-    if (batches.empty() || batches.back().kind != kind || batches.back().opaque != object.opaque)
-      batches.push_back({kind, object.opaque, std::uint32_t(first), first_of_kind, 0});
-    batches.back().count += std::uint32_t(n);
-    first_of_kind += std::uint32_t(n);
+    const auto n = std::uint32_t(primitive_count(object));
+    std::uint32_t& first = of_kind[std::size_t(kind)];
+    if (batches.empty() || !continues(batches.back(), object, places[i]))
+      batches.push_back({kind, object.opaque, places[i].first, places[i].last, first, first, first,
+                         0, passed - first / triangles_of_unit(kind)});
+    batches.back().count += n;
+    batches.back().last_primitive = places[i].last;
+    first += n;
+    batches.back().last_of_kind = std::max(first, 1u) - 1;
+    if (!object.opaque) passed += n / triangles_of_unit(kind);
   }
   return batches;
+}
+
+std::vector<Batch> make_batches(const scene::Scene& scene) {
+  return make_batches(scene, primitive_ranges(scene));
 }
 
 }  // namespace pellucid::oit

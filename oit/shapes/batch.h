@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -20,21 +21,44 @@ inline ShapeKind kind_of(const scene::SceneObject& object) {
   return ShapeKind(object.shape.index());
 }
 
+/// Returns the number of triangles that are thinned out together: two of a segment.
+constexpr std::uint32_t triangles_of_unit(ShapeKind kind) {
+  return kind == ShapeKind::ribbon ? 2 : 1;
+}
+
 /// Returns the number of triangles of a mesh, of triangles of ribbons (two a segment), or of
 /// points.
 std::uint64_t primitive_count(const scene::SceneObject& object);
+
+/// A PrimitiveRange is an object's place in the order of a scene: the numbers of its first and its
+/// last primitive, counted from object to object.
+struct PrimitiveRange {
+  std::uint32_t first, last;
+};
+
+/// Returns the place of every object. Throws InputError for 2^31 / 3 primitives or more.
+std::vector<PrimitiveRange> primitive_ranges(const scene::Scene& scene);
 
 /// A Batch is a run of primitives of one kind that follow each other in the scene.
 struct Batch {
   ShapeKind kind = ShapeKind::mesh;
   bool opaque = false;
-  std::uint32_t first_primitive = 0;  // in the order of the scene, see scene.h
-  std::uint32_t first = 0;            // among those of its kind
+  std::uint32_t first_primitive = 0;                  // in the order of the scene, see scene.h
+  std::uint32_t last_primitive = 0;                   // what would follow it counts as this
+  std::uint32_t first_of_kind = 0, last_of_kind = 0;  // likewise, among those of its kind
+  std::uint32_t first = 0;                            // in the buffer of its kind
   std::uint32_t count = 0;
+  /// What first_of_kind counts, in segments of ribbons, plus this is the number of triangles,
+  /// segments and points before it that are transparent.
+  std::int64_t passed = 0;
 };
 
-/// Returns the batches of a whole scene. Throws InputError for shapes that OpenGL does not draw
-/// here (isosurfaces, tubes, spheres) and for 2^31 / 3 primitives or more.
+/// Returns the batches of a scene whose objects have these places in the order of the scene that
+/// they are a part of, or its own. Throws InputError for shapes that OpenGL does not draw here
+/// (isosurfaces, tubes, spheres) and as primitive_ranges().
+///@{
+std::vector<Batch> make_batches(const scene::Scene& part, std::span<const PrimitiveRange> places);
 std::vector<Batch> make_batches(const scene::Scene& scene);
+///@}
 
 }  // namespace pellucid::oit

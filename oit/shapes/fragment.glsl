@@ -17,7 +17,7 @@ uvec2 opaque_key() {
 }
 #endif
 
-uniform uint first_primitive;  // of what is being drawn, in the order of the scene
+uniform uint first_primitive, last_primitive;  // of what is being drawn, in the order of the scene
 
 struct Fragment {
   vec3 color;   // straight
@@ -26,7 +26,7 @@ struct Fragment {
 };
 
 // The place in the order of the scene: by object, then by primitive.
-uint primitive_order() { return first_primitive + uint(gl_PrimitiveID); }
+uint primitive_order() { return min(first_primitive + uint(gl_PrimitiveID), last_primitive); }
 
 // The order of compositing: by depth, then by primitive. 0 precedes all of them.
 uvec2 key_of(Fragment f) { return uvec2(floatBitsToUint(f.depth), primitive_order() + 1u); }

@@ -2,8 +2,10 @@
 #include "oit/shapes/geometry.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "oit/gl/bindings.h"
+#include "oit/shapes/disc_upload.h"
 
 namespace pellucid::oit {
 
@@ -25,14 +27,15 @@ class Thinning {
     indices->read(triangles_.data());
   }
 
-  /// Keeps the groups of a batch that are multiples of n, counted from `phase`; returns what it
-  /// became.
-  Batch keep(const Batch& batch, std::uint32_t phase, std::uint32_t n) {
+  /// Keeps the groups of a batch whose number of all that is transparent is a multiple of n;
+  /// returns what it became.
+  Batch keep(const Batch& batch, std::uint32_t n) {
     Batch kept = batch;
     kept.first = std::uint32_t(kept_.size());
-    for (std::uint64_t i = phase; i < batch.count / group_; i += n)
-      for (std::uint32_t j = 0; j < group_; ++j)
-        kept_.push_back(triangles_[batch.first + group_ * i + j]);
+    for (std::uint32_t i = 0; i < batch.count; ++i) {
+      const std::uint32_t of_kind = std::min(batch.first_of_kind + i, batch.last_of_kind);
+      if ((batch.passed + of_kind / group_) % n == 0) kept_.push_back(triangles_[batch.first + i]);
+    }
     kept.count = std::uint32_t(kept_.size()) - kept.first;
     return kept;
   }
@@ -46,21 +49,27 @@ class Thinning {
 }  // namespace
 
 Geometry::Geometry(const Gl& gl, const scene::Scene& scene)
-    : Geometry(gl, scene, scene::depth_range(scene)) {}
+    : Geometry(gl, scene, scene::depth_range(scene), primitive_ranges(scene)) {}
 
-Geometry::Geometry(const Gl& gl, const scene::Scene& scene, const scene::DepthRange& range)
+Geometry::Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRange& range,
+                   std::span<const PrimitiveRange> places)
     : gl_(gl),
-      view_(scene, range),
-      lighting_(scene.lighting),
-      batches_(make_batches(scene)),
+      view_(part, range),
+      lighting_(part.lighting),
+      batches_(make_batches(part, places)),
       uniforms_(Buffer::writable(gl, sizeof(ViewSpace::Uniforms))),
       no_attributes_(gl) {
   const auto has = [&](ShapeKind kind) {
     return std::ranges::any_of(batches_, [&](const Batch& b) { return b.kind == kind; });
   };
-  if (has(ShapeKind::mesh)) meshes_ = upload_meshes(gl, scene, view_);
-  if (has(ShapeKind::ribbon)) ribbons_ = upload_ribbons(gl, scene, view_);
-  if (has(ShapeKind::disc)) points_ = upload_discs(gl, scene, view_);
+  primitive_count_ =
+      std::accumulate(batches_.begin(), batches_.end(), std::uint64_t(0),
+                      [](std::uint64_t sum, const Batch& batch) { return sum + batch.count; });
+  if (has(ShapeKind::mesh)) meshes_ = upload_meshes(gl, part, view_);
+  if (has(ShapeKind::ribbon)) ribbons_ = upload_ribbons(gl, part, view_);
+  if (meshes_) draw_parts(ShapeKind::mesh, *meshes_);
+  if (ribbons_) draw_parts(ShapeKind::ribbon, *ribbons_);
+  if (has(ShapeKind::disc)) points_ = upload_discs(gl, part, view_);
   sample_at(Vec2(0.5));
 }
 
@@ -82,8 +91,10 @@ std::vector<ShapeKind> Geometry::kinds(bool opaque) const {
   return kinds;
 }
 
-std::uint64_t Geometry::primitive_count() const {
-  return batches_.empty() ? 0 : batches_.back().first_primitive + batches_.back().count;
+void Geometry::draw_parts(ShapeKind kind, const IndexedVertices& vertices) {
+  const std::uint64_t all = vertices.indices.bytes() / sizeof(IndexTriangle);
+  batches_ = with_parts(batches_, kind, vertices.clipped.cuts,
+                        std::uint32_t(all - vertices.clipped.parts.size()));
 }
 
 void Geometry::upload_importance(const scene::Scene& scene) {
@@ -134,7 +145,9 @@ void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
   const Program& of_kind = program.of(batch.kind);
   of_kind.use();
   of_kind.set_if_used("first_primitive", batch.first_primitive);
-  of_kind.set_if_used("first_of_kind", batch.first);
+  of_kind.set_if_used("last_primitive", batch.last_primitive);
+  of_kind.set_if_used("first_of_kind", batch.first_of_kind);
+  of_kind.set_if_used("last_of_kind", batch.last_of_kind);
   if (elements_) of_kind.set_if_used("first_point_element", elements_->first_point);
   if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
   if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
@@ -158,22 +171,21 @@ void Geometry::draw_discs(const Program& program, const Batch& batch, std::uint3
 
 Subset Geometry::every(std::uint32_t n) const {
   const Source source = everything();
-  Thinning meshes(source.mesh_indices, 1), ribbons(source.ribbon_indices, 2);
+  Thinning meshes(source.mesh_indices, triangles_of_unit(ShapeKind::mesh));
+  Thinning ribbons(source.ribbon_indices, triangles_of_unit(ShapeKind::ribbon));
   Subset subset;
   subset.stride_of_points = n;
-  std::uint32_t passed = 0;  // triangles, segments and points before a batch
   for (const Batch& batch : batches_) {
     if (batch.opaque) continue;
-    const std::uint32_t phase = (n - passed % n) % n;
-    const std::uint32_t units = batch.count / (batch.kind == ShapeKind::ribbon ? 2 : 1);
-    if (batch.kind == ShapeKind::mesh) subset.batches.push_back(meshes.keep(batch, phase, n));
-    if (batch.kind == ShapeKind::ribbon) subset.batches.push_back(ribbons.keep(batch, phase, n));
+    if (batch.kind == ShapeKind::mesh) subset.batches.push_back(meshes.keep(batch, n));
+    if (batch.kind == ShapeKind::ribbon) subset.batches.push_back(ribbons.keep(batch, n));
     if (batch.kind == ShapeKind::disc) {
+      const auto passed = std::uint64_t(batch.passed + batch.first_of_kind);
+      const auto phase = std::uint32_t((n - passed % n) % n);
       subset.batches.push_back(batch);
       subset.batches.back().first += phase;
-      subset.batches.back().count = units > phase ? (units - phase + n - 1) / n : 0;
+      subset.batches.back().count = batch.count > phase ? (batch.count - phase + n - 1) / n : 0;
     }
-    passed += units;
   }
   subset.mesh_indices = meshes.buffer(gl_);
   subset.ribbon_indices = ribbons.buffer(gl_);

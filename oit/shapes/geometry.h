@@ -30,14 +30,16 @@ class Geometry {
  public:
   /// Uploads the scene. Throws as make_batches() does, and as scene::depth_range().
   Geometry(const Gl& gl, const scene::Scene& scene);
-  /// Uploads a `scene` that is a part of a picture, whose depths have the `range`.
-  Geometry(const Gl& gl, const scene::Scene& scene, const scene::DepthRange& range);
+  /// Uploads a `part` of a scene whose depths have the `range`, and whose objects have these
+  /// `places` in the order of the scene.
+  Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRange& range,
+           std::span<const PrimitiveRange> places);
 
   /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC.
   Defines defines() const;
   /// Returns which kinds there are among the opaque objects, or among the others.
   std::vector<ShapeKind> kinds(bool opaque) const;
-  std::uint64_t primitive_count() const;
+  std::uint64_t primitive_count() const { return primitive_count_; }
   /// Uploads the vertices' importance, of the scene that it was made from, for programs with the
   /// define IMPORTANCE.
   void upload_importance(const scene::Scene& scene);
@@ -75,6 +77,8 @@ class Geometry {
     std::uint32_t stride_of_points;
   };
 
+  /// Lets the parts of clipped triangles be drawn in their place.
+  void draw_parts(ShapeKind kind, const IndexedVertices& vertices);
   void draw_all(const GeometryProgram& program, bool opaque) const;
   void draw_batch(const GeometryProgram& program, const Batch& batch, const Source& source) const;
   void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
@@ -86,6 +90,7 @@ class Geometry {
   ViewSpace view_;
   scene::Lighting lighting_;
   std::vector<Batch> batches_;
+  std::uint64_t primitive_count_ = 0;
   Buffer uniforms_;
   std::optional<IndexedVertices> meshes_, ribbons_;
   std::optional<BufferTexture> points_, point_importance_;

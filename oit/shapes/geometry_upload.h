@@ -3,20 +3,21 @@
 // A scene's shapes in buffers of the driver, written there directly: there is never a second copy.
 
 #include "oit/gl/gl_objects.h"
+#include "oit/shapes/clipped_triangles.h"
 #include "oit/shapes/view_space.h"
 
 namespace pellucid::oit {
 
-/// An IndexTriangle holds three indices of vertices, from 0.
-using IndexTriangle = std::array<std::uint32_t, 3>;
-
 /// IndexedVertices are the triangles of all meshes, or of all ribbons. They take 28 bytes a vertex,
-/// 12 a triangle, and 12 more a vertex where the scene is lit. A point of a line has two vertices.
+/// 12 a triangle, and 12 more a vertex (16 of a ribbon) where the scene is lit. A point of a line
+/// has two vertices. Of what was clipped the parts' vertices and triangles come last, and the
+/// triangles themselves have no area.
 struct IndexedVertices {
   explicit IndexedVertices(const Gl& gl) : array(gl) {}
 
   VertexArray array;
   Buffer vertices, directions, importance, opacity, indices;
+  ClippedTriangles clipped;
 };
 
 /// Uploads positions, colours and triangles of all meshes, or of all ribbons, and where the scene
@@ -25,9 +26,6 @@ struct IndexedVertices {
 IndexedVertices upload_meshes(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 ///@}
-
-/// Uploads centres, radii and colours of all points, 32 bytes a point: see disc.vert.glsl.
-BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSpace& view);
 
 /// Uploads the importance of the scene's vertices, in [0, 1]: 4 bytes a vertex; 0 where an object
 /// has none.

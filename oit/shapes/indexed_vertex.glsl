@@ -8,7 +8,11 @@
 layout(location = position_attribute) in vec3 position;  // see view.glsl
 layout(location = color_attribute) in vec4 color;        // straight colour, opacity
 #ifdef LIT
+#ifdef RIBBON
+layout(location = direction_attribute) in vec4 direction;  // and from -1 to 1 across
+#else
 layout(location = direction_attribute) in vec3 direction;  // as vertex_direction; unit length
+#endif
 #endif
 #ifdef IMPORTANCE
 layout(location = importance_attribute) in float importance;
@@ -22,7 +26,7 @@ void hand_on_vertex() {
   vertex_color = color;
   vertex_depth = position.z;
 #ifdef LIT
-  vertex_direction = direction;
+  vertex_direction = direction.xyz;
   vertex_position = vec3(position.xy, view_w(position.z));
 #endif
 #ifdef IMPORTANCE

@@ -19,17 +19,28 @@ class ViewSpace {
 
   const scene::CameraFrame& frame() const { return frame_; }
   scene::Projection projection() const { return projection_; }
-  glm::vec3 position(const Vec3& world) const {
+  /// Returns a position of the world in this frame, as it is, and as it is uploaded.
+  ///@{
+  Vec3 exact_position(const Vec3& world) const {
     const Vec3 x = world - frame_.eye;
-    return {float(glm::dot(frame_.right, x) / unit_), float(glm::dot(frame_.up, x) / unit_),
-            float(range_.normalized(glm::dot(frame_.forward, x)))};
+    return {glm::dot(frame_.right, x) / unit_, glm::dot(frame_.up, x) / unit_,
+            range_.normalized(glm::dot(frame_.forward, x))};
   }
+  glm::vec3 position(const Vec3& world) const { return glm::vec3(exact_position(world)); }
+  ///@}
   glm::vec3 direction(const Vec3& world) const {
     return {glm::dot(frame_.right, world), glm::dot(frame_.up, world),
             glm::dot(frame_.forward, world)};
   }
   /// Returns a length in view units.
-  float length(double world) const { return float(world / unit_); }
+  double exact_length(double world) const { return world / unit_; }
+
+  /// Returns what brings x and y of view units to clip space, y up.
+  Vec2 clip_scale() const { return clip_scale_; }
+  /// Returns the homogeneous coordinate of what has depth d: view units, or 1 (orthographic).
+  double w(double d) const { return w_.x + w_.y * d; }
+  /// Returns the least d that is drawn: it lies at the eye, or next to it.
+  double nearest_drawn() const;
 
   /// Uniforms are the block `View` of view.glsl.
   struct Uniforms {
@@ -45,7 +56,7 @@ class ViewSpace {
   scene::DepthRange range_;
   Vec2 size_;    // of the picture, pixels
   double unit_;  // world units per view unit
-  double half_height_;
+  Vec2 clip_scale_, w_;
 };
 static_assert(sizeof(ViewSpace::Uniforms) == 32);
 

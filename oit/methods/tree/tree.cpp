@@ -39,21 +39,27 @@ class Tree final : public OitMethod {
         budget_(options.budget),
         range_(scene::depth_range(stage.scene())),
         trees_(stage, options.rule) {
+    const std::vector<PrimitiveRange> places = primitive_ranges(stage.scene());
     std::vector<scene::SceneObject> meshes;
+    std::vector<PrimitiveRange> mesh_places;
     std::vector<const scene::FlowSource*> sources;
-    for (const scene::SceneObject& object : stage.scene().objects)
-      if (object.opaque)
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (const scene::SceneObject& object = stage.scene().objects[i]; object.opaque) {
         continue;  // the stage draws it
-      else if (object.source)
+      } else if (object.source) {
         sources.push_back(&*object.source);
-      else
+        strip_places_.push_back(places[i]);
+      } else {
         meshes.push_back(object);
+        mesh_places.push_back(places[i]);
+      }
     for (const scene::FlowSource* source : sources)
       strips_.push_back(std::make_unique<SurfaceStrips>(
           *source, stage.scene(), range_,
           std::max<std::uint64_t>(budget_.lines / sources.size(), 1), options.strips));
     if (!meshes.empty())
-      meshes_.emplace(stage.gl(), with_objects(stage.scene(), std::move(meshes)), range_);
+      meshes_.emplace(stage.gl(), with_objects(stage.scene(), std::move(meshes)), range_,
+                      mesh_places);
   }
 
   void draw(Frame& frame) override {
@@ -133,7 +139,9 @@ class Tree final : public OitMethod {
         batch.objects.push_back(std::move(object));
       }
     });
-    frame.step("rasterize", [&] { trees_.rasterize(Geometry(stage_.gl(), batch, range_), false); });
+    frame.step("rasterize", [&] {
+      trees_.rasterize(Geometry(stage_.gl(), batch, range_, strip_places_), false);
+    });
     frame.step("insert", [&] { trees_.insert(); });
     composite(frame);
   }
@@ -149,6 +157,7 @@ class Tree final : public OitMethod {
   std::optional<LayerTrees::Counts> counts_;
   std::optional<Geometry> meshes_;
   std::vector<std::unique_ptr<SurfaceStrips>> strips_;
+  std::vector<PrimitiveRange> strip_places_;  // of the surfaces, in the order of the scene
 };
 
 const OptionTable<TreeBudget>& budget_options() {
