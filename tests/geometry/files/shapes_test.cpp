@@ -84,9 +84,9 @@ TEST_F(UnitShapes, EveryObjFaceKeepsItsOwnNormals) {
   // Normal 3 is normal 1 again, so that the third face has the first's vertices.
   EXPECT_EQ(mesh.positions.size(), 6u);
   const Vec3 normals[] = {{0, 0, -1}, {0, -2, 0}, {0, 0, -1}};
-  for (int face = 0; face < 3; ++face)
-    for (const std::uint32_t v : mesh.triangles[std::size_t(face)])
-      EXPECT_EQ(mesh.normals[v], normals[face]) << face;
+  for (int row = 0; row < 3; ++row)
+    for (const std::uint32_t v : mesh.triangles[std::size_t(row)])
+      EXPECT_EQ(mesh.normals[v], normals[row]) << row;
 }
 
 TEST_F(UnitShapes, ObjFacesWithoutNormalsGetThoseOfTheirFacets) {
@@ -208,7 +208,9 @@ TEST_F(UnitShapes, EveryCellHasItsColour) {
     for (const std::uint32_t v : mesh.triangles[i])
       EXPECT_EQ(mesh.colors[v], i < 2 ? Rgba(1, 0, 0, 1) : Rgba(0, 0, 1, 1)) << i;
   for (std::size_t v = 0; v < 8; ++v)
-    if (mesh.positions[v] == Vec3(2, 1, 0)) EXPECT_EQ(mesh.scalars.at("h")[v], 5);
+    if (mesh.positions[v] == Vec3(2, 1, 0)) {
+      EXPECT_EQ(mesh.scalars.at("h")[v], 5);
+    }
 }
 
 TEST_F(UnitShapes, HiddenCellsAreNotDrawn) {
