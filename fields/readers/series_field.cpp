@@ -103,6 +103,12 @@ class SeriesField final : public VectorField {
     return common;
   }
   bool steady() const override { return false; }
+  std::optional<double> time_spacing() const override {
+    double shortest = frames_.back().time - frames_.front().time;
+    for (std::size_t i = 1; i < frames_.size(); ++i)
+      shortest = std::min(shortest, frames_[i].time - frames_[i - 1].time);
+    return shortest;
+  }
   std::optional<double> cell_size() const override {
     std::optional<double> smallest;
     for (const Frame& frame : frames_)

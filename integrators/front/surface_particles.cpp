@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "integrators/paths/seed_place.h"
 #include "integrators/paths/trajectory_options.h"
 
 namespace pellucid::integrators {
@@ -54,12 +55,14 @@ SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& 
 
 ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup& setup)
     : seed_(request.seed),
+      domain_(request.field->domain()),
       options_(setup.trajectory),
       samplers_([field = request.field] { return CountingSampler(*field); }) {}
 
 Trajectory ParticleSource::start(double s) {
   const double wrapped = seed_.closed ? s - std::floor(s) : s;
-  return Trajectory(options_, seed_.point_at(wrapped), seed_.tangent_at(wrapped), sampler());
+  const Vec3 seed = onto_edge(domain_, seed_.point_at(wrapped));
+  return Trajectory(options_, seed, seed_.tangent_at(wrapped), sampler());
 }
 
 std::uint64_t ParticleSource::evaluations() const {

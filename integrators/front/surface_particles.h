@@ -34,6 +34,7 @@ class ParticleSource {
 
  private:
   const SeedCurve& seed_;
+  Box3 domain_;  // of the field
   const TrajectoryOptions& options_;
   tbb::enumerable_thread_specific<CountingSampler> samplers_;
 };

@@ -13,7 +13,9 @@
 #include "core/options/names.h"
 #include "core/parallel.h"
 #include "integrators/lines/line_options.h"
+#include "integrators/lines/seeds_extent.h"
 #include "integrators/paths/counting_sampler.h"
+#include "integrators/paths/seed_place.h"
 #include "integrators/paths/trajectory_options.h"
 
 namespace pellucid::integrators {
@@ -36,9 +38,29 @@ struct Spacing {
   double longest;   // time units
 };
 
-double next_time(const Trajectory& path, double t, const Spacing& spacing) {
+/// From rest nothing tells how fast it will go: halved until the way there and the turn on its
+/// second half are as short as they should be.
+double next_time_from_rest(Trajectory& path, double t, const Spacing& spacing,
+                           fields::FieldSampler& sampler) {
+  constexpr int halvings = 20;
+  double dt = spacing.longest;
+  for (int i = 0; i < halvings; ++i, dt *= 0.5) {
+    path.reach(t + dt, sampler);
+    dt = std::min(dt, path.time() - t);
+    const FlowPoint middle = path.at(t + 0.5 * dt), end = path.at(t + dt);
+    const double way = glm::distance(path.position_at(t), end.x);
+    const double turn = std::atan2(glm::length(glm::cross(middle.v, end.v)),
+                                   glm::dot(middle.v, end.v));
+    if (spacing.step > 0 ? way <= spacing.step : turn <= spacing.turn) break;
+  }
+  return t + dt;
+}
+
+double next_time(Trajectory& path, double t, const Spacing& spacing,
+                 fields::FieldSampler& sampler) {
   const FlowPoint here = path.at(t);
   const double speed = glm::length(here.v);
+  if (speed == 0) return next_time_from_rest(path, t, spacing, sampler);
   if (spacing.step > 0) return t + std::min(spacing.step / speed, spacing.longest);
   const double turning = glm::length(glm::cross(here.v, path.acceleration(t))) / (speed * speed);
   return t + std::min(spacing.turn / turning, spacing.longest);
@@ -60,7 +82,7 @@ Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& s
     path.release(t);
     // The first step's own acceleration is not known before it is made.
     path.reach(std::nextafter(t, options.duration), sampler);
-    const double wanted = next_time(path, t, spacing);
+    const double wanted = next_time(path, t, spacing, sampler);
     path.reach(wanted, sampler);
     const double next = std::min(wanted, path.time());
     if (!(next > t)) break;
@@ -109,19 +131,6 @@ geometry::LineSet joined(std::span<const Line> lines, LineStats& stats) {
   return set;
 }
 
-/// The seeds' extent, or how far the first particle would go at its first speed.
-double extent_of(const LineRequest& request) {
-  Box3 box;
-  for (const Vec3& seed : request.seeds) box.extend(seed);
-  if (box.diagonal() > 0) return box.diagonal();
-  Vec3 v(0);
-  const auto sampler = request.field->sampler();
-  const bool known =
-      sampler->velocity(request.seeds[0], request.start_time, v) == fields::SampleStatus::ok;
-  const double extent = glm::length(v) * request.duration;
-  return known && extent > 0 && std::isfinite(extent) ? extent : 1;
-}
-
 void check(const LineRequest& request) {
   if (!request.field || request.seeds.empty())
     throw InputError("integrate: a field and at least one seed are needed");
@@ -130,22 +139,44 @@ void check(const LineRequest& request) {
       throw InputError(fmt::format("seed ({}, {}, {}) is not finite", x.x, x.y, x.z));
 }
 
+/// A line goes somewhere when it has two vertices. When none does because the field ends where they
+/// begin, there is nothing to write.
+void refuse_if_nowhere(const LineRequest& request, const IntegratedLines& result) {
+  const auto field_lacks = [](const EndCounts::value_type& end) {
+    return is_for_want_of_field(end.first);
+  };
+  const auto& offsets = result.lines.offsets;
+  const EndCounts& ends = result.stats.ends;
+  for (std::size_t i = 1; i < offsets.size(); ++i)
+    if (offsets[i] > offsets[i - 1] + 1) return;
+  if (!std::all_of(ends.begin(), ends.end(), field_lacks)) return;
+  throw InputError(fmt::format("seeds: no line comes of {}, the first at {}; they ended: {}; {}",
+                               request.seeds.size(), in_words(request.seeds.front()),
+                               in_words(ends), accepted_seeds(*request.field)));
+}
+
 /// Runs `one(options, seed, sampler)` for all seeds in parallel.
 template <class One>
 IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepping, bool path,
                         const One& one) {
   check(request);
   const Stopwatch watch;
-  const TrajectoryOptions options = trajectory_options(
-      *request.field, {request.duration, request.start_time, path}, extent_of(request), stepping);
+  const Journey journey{request.duration, request.start_time, path};
+  const TrajectoryOptions options =
+      trajectory_options(*request.field, journey, seeds_extent(request, path), stepping);
+  const Box3 domain = request.field->domain();
   tbb::enumerable_thread_specific<CountingSampler> samplers(
       [&] { return CountingSampler(*request.field); });
   std::vector<Line> lines(request.seeds.size());
   parallel_for(std::size_t(0), lines.size(),
-               [&](std::size_t i) { lines[i] = one(options, request.seeds[i], samplers.local()); });
+               [&](std::size_t i) {
+                 const Vec3 seed = onto_edge(domain, request.seeds[i]);
+                 lines[i] = one(options, seed, samplers.local());
+               });
   IntegratedLines result;
   result.lines = joined(lines, result.stats);
   for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;
+  refuse_if_nowhere(request, result);
   for (const CountingSampler& sampler : samplers) result.stats.evaluations += sampler.evaluations();
   // Position and three scalars, once in the single lines and once in the set.
   result.stats.bytes = result.lines.positions.size() * 2 * sizeof(Line::Point);

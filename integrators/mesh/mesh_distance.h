@@ -20,7 +20,8 @@ struct MeshDistance {
   OneSidedDistance from_second;  // the other way round
 };
 
-/// At about `samples` points of each mesh (sample_mesh). The maximum is that of the samples: a
+/// At `samples` points spread over the area of each mesh, and at up to as many where triangles err
+/// most for the maximum alone (sample_mesh). The maximum is that of the samples: a
 /// lower bound of the Hausdorff distance. A mesh without a triangle of some area throws InputError.
 MeshDistance mesh_distance(const geometry::TriangleMesh& first,
                            const geometry::TriangleMesh& second, std::uint64_t samples);

@@ -9,16 +9,19 @@
 
 namespace pellucid::integrators {
 
-/// A point of a mesh, and the part of the mesh's area that it stands for: the parts add up to 1.
+/// A point of a mesh, and the part of the mesh's area that it stands for: the parts add up to 1. One
+/// that stands for none counts for the maximum alone.
 struct MeshSample {
   std::size_t triangle;
   std::array<double, 3> barycentric;
   double weight;
 };
 
-/// Samples evenly over the area, or every triangle at four places where that takes no more samples:
-/// its middle and those of its sides, where linear interpolation of a curved surface errs most.
-/// Ascending in the triangle.
+/// Samples `samples` places evenly over the area, so that sums by their parts come to the integral
+/// over the mesh; and, standing for no area, the middles of triangles and of their sides, where
+/// linear interpolation of a curved surface errs most: all four of every triangle where that takes
+/// no more than `samples`, else one beside each sample. Ascending in the triangle; the same for the
+/// same mesh.
 std::vector<MeshSample> sample_mesh(const geometry::TriangleMesh& mesh, std::uint64_t samples);
 
 /// Returns where a sample lies, in world units.

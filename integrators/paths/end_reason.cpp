@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrators/paths/end_reason.h"
 
+#include <fmt/format.h>
+
 namespace pellucid::integrators {
 
 std::string_view name_of(EndReason reason) {
@@ -9,6 +11,8 @@ std::string_view name_of(EndReason reason) {
       return "duration";
     case EndReason::left_domain:
       return "left-domain";
+    case EndReason::outside:
+      return "outside";
     case EndReason::stagnated:
       return "stagnated";
     case EndReason::not_finite:
@@ -29,6 +33,18 @@ std::string_view name_of(EndReason reason) {
       return "triangles";
   }
   return "";
+}
+
+bool is_for_want_of_field(EndReason reason) {
+  return reason == EndReason::outside || reason == EndReason::left_domain ||
+         reason == EndReason::not_finite;
+}
+
+std::string in_words(const EndCounts& ends) {
+  std::string text;
+  for (const auto& [reason, count] : ends)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(reason));
+  return text;
 }
 
 }  // namespace pellucid::integrators

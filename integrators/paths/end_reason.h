@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <string_view>
 
 namespace pellucid::integrators {
@@ -11,6 +12,7 @@ namespace pellucid::integrators {
 enum class EndReason {
   duration,     // it ran its whole time
   left_domain,  // the field gives no sample beyond this point
+  outside,      // the field gives no sample at its seed
   stagnated,    // in its whole duration it would not move a visible distance
   not_finite,   // the field's sample is NaN or infinite
   length,       // it ran its whole length
@@ -25,7 +27,13 @@ enum class EndReason {
 /// "duration", "left-domain", …; as `trace --json` prints them.
 std::string_view name_of(EndReason reason);
 
+/// Returns true when a particle ended since the field has no velocity where it is.
+bool is_for_want_of_field(EndReason reason);
+
 /// EndCounts are how many particles ended for which reason.
 using EndCounts = std::map<EndReason, std::uint64_t>;
+
+/// Returns the counts for messages: "3 outside, 1 left-domain".
+std::string in_words(const EndCounts& ends);
 
 }  // namespace pellucid::integrators

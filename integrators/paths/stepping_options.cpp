@@ -10,11 +10,14 @@ const OptionTable<SteppingOptions>& stepping_options() {
       number("accuracy", &Options::accuracy,
              {.min = 0,
               .unit = "world units",
-              .help = "largest error of one step; default 1e-9 of the seeds' extent"}),
+              .help = "largest error of one step; default 1e-9 of the seeds' extent, for a single "
+                      "seed of the field's domain or, without one, of the length over which its "
+                      "velocity changes; in samples no less than a tenth of their error"}),
       number("dt", &Options::dt,
              {.min = 0,
               .unit = "time",
-              .help = "largest time step; euler and rk4 take it, default a 500th of the duration"}),
+              .help = "largest time step; euler and rk4 take it, default a 500th of the duration; "
+                      "dopri5 where the field's time runs along: a 50th, or from frame to frame"}),
       number("cells", &Options::cells,
              {.min = 0,
               .unit = "cells",

@@ -35,6 +35,59 @@ bool is_ghost(Companion companion) {
 
 // Where a step that leaves the domain stops being halved, in tolerances.
 constexpr double edge_tolerances = 1000;
+// The same in durations, for who rests: no tolerance tells how far that is. A tolerance is 1e-9 of
+// an extent unless it is given.
+constexpr double edge_durations = edge_tolerances * 1e-9;
+
+/// Of a step's stages, world units per time.
+double fastest(const std::array<std::array<double, 6>, 7>& k) {
+  double speed = 0;
+  for (const auto& stage : k) speed = std::max(speed, glm::length(first(stage)));
+  return speed;
+}
+
+using Coefficients = std::array<std::array<double, 6>, 5>;
+
+Vec3 position(const Coefficients& c, double theta) {
+  Vec3 x = first(c[4]);
+  for (int n = 3; n >= 0; --n) x = x * theta + first(c[n]);
+  return x;
+}
+
+/// dx/dθ.
+Vec3 derivative(const Coefficients& c, double theta) {
+  Vec3 slope = first(c[4]) * 4.0;
+  for (int n = 3; n > 0; --n) slope = slope * theta + first(c[n]) * double(n);
+  return slope;
+}
+
+/// The length of a step's way up to θ. Gauss-Legendre with three nodes on each of 16 pieces: of
+/// degree 5, while the polynomial's speed is smooth but where it comes to rest within a piece, and
+/// then it is slow there.
+double arc_length(const Coefficients& c, double theta) {
+  constexpr int pieces = 16;
+  const double half = 0.5 * theta / pieces, node = std::sqrt(0.6) * half;
+  double length = 0;
+  for (int i = 0; i < pieces; ++i) {
+    const double middle = (2 * i + 1) * half;
+    length += half / 9 *
+              (8 * glm::length(derivative(c, middle)) +
+               5 * (glm::length(derivative(c, middle - node)) +
+                    glm::length(derivative(c, middle + node))));
+  }
+  return length;
+}
+
+/// θ up to which a step's way has this length, which is at most the whole step's: by bisection, to
+/// the last bit.
+double theta_of_length(const Coefficients& c, double length) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 53; ++i) {
+    const double middle = 0.5 * (low + high);
+    (arc_length(c, middle) < length ? low : high) = middle;
+  }
+  return high;
+}
 
 }  // namespace
 
@@ -49,16 +102,15 @@ Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const
   y_ = joined(seed, companion);
   const fields::SampleStatus status = slope(0, y_, f_, sampler);
   if (status != fields::SampleStatus::ok) {
-    end_ = reason_of(status);
+    end_ = status == fields::SampleStatus::outside ? EndReason::outside : EndReason::not_finite;
     return;
   }
+  rest_.center = seed;
   exists_ = true;
   // A step of no length, so that at(0) is known.
   steps_.push_back({0, 0, {y_, f_, {}, {}, {}}});
-  if (speed() * options.duration <= options.still)
-    end_ = EndReason::stagnated;
-  else
-    h_ = first_step(sampler);
+  end_at_rest();
+  if (!end_) h_ = first_step(sampler);
 }
 
 /// II.4, "starting step size", with the acceleration from one Euler step: over h the error of order
@@ -71,7 +123,9 @@ double Trajectory::first_step(fields::FieldSampler& sampler) {
   if (slope(probe, y, f, sampler) != fields::SampleStatus::ok) return probe;
   const double turn = glm::length(first(f) - first(f_)) / probe;
   if (turn <= 1e-9 * speed() / options_->duration) return largest_step();
-  const double tau = speed() / turn;
+  // From rest the velocity of the Euler step's end stands for what is not yet there.
+  const double tau = std::max(speed(), glm::length(first(f))) / turn;
+  if (speed() == 0) return std::min(tau, std::sqrt(options_->tolerance / turn));
   return tau * std::pow(options_->tolerance / (speed() * tau), 1. / options_->stepper->order);
 }
 
@@ -80,6 +134,11 @@ double Trajectory::speed() const { return glm::length(first(f_)); }
 double Trajectory::largest_step() const {
   const double move = std::max(options_->max_move / speed(), kinkless_step());
   return std::min({options_->max_step, options_->duration, move});
+}
+
+/// A particle that rests, or nearly so, may be moved farther than largest_step() foresaw.
+bool Trajectory::jumps_cells(double h, double speed) const {
+  return options_->changing && h * speed > 2 * options_->max_move && h > kinkless_step();
 }
 
 /// Samples and the smooth field that they stand for differ by at most the sampling error ε, so that
@@ -132,7 +191,7 @@ void Trajectory::step(fields::FieldSampler& sampler) {
   const double wanted = std::min(h_, largest_step());
   // The last two steps share what is left rather than leave a sliver to the last one.
   const double h = wanted >= left ? left : wanted > 0.5 * left ? 0.5 * left : wanted;
-  std::array<State, 7> k;
+  std::array<State, 7> k{};
   State y1;
   const fields::SampleStatus status = try_step(h, k, y1, sampler);
   if (++step_count_ >= options_->max_steps) end_ = EndReason::steps;
@@ -141,14 +200,16 @@ void Trajectory::step(fields::FieldSampler& sampler) {
   const double error = options_->stepper->adaptive ? error_of(h, k, y1) : 0;
   const double order = options_->stepper->order;
   // Below the tolerance's own length an error cannot matter: so discontinuities are stepped over.
-  const bool accepted = !(error > 1) || h * speed() <= options_->tolerance;
-  if (accepted) accept(h, k, y1, sampler);
+  // The fastest stage counts: from rest the first one says nothing.
+  const bool small = !(error > 1) || h * fastest(k) <= options_->tolerance;
+  const bool jumps = jumps_cells(h, fastest(k)), accepted = small && !jumps;
+  if (accepted || !options_->stepper->adaptive) accept(h, k, y1, sampler);
   if (!options_->stepper->adaptive) return;
   // PI control: Eq. 2.43c with β = 0.2 / p = 0.04 for p = 5, as DOPRI5 has it.
   const double beta = 0.2 / order;
   double factor = 0.92 * std::pow(std::max(error, 1e-10), 0.75 * beta - 1 / order);
   if (accepted) factor *= std::pow(last_error_, beta);
-  factor = std::clamp(factor, 0.2, accepted && !near_edge_ ? 5. : 1.);
+  factor = std::clamp(factor, 0.2, jumps ? 0.5 : accepted && !near_edge_ ? 5. : 1.);
   if (accepted) last_error_ = std::max(error, 1e-4), near_edge_ = false;
   h_ = std::max(h * factor, std::numeric_limits<double>::min());
 }
@@ -170,17 +231,22 @@ fields::SampleStatus Trajectory::try_step(double h, std::array<State, 7>& k, Sta
   return slope(t_ + h, y1, k[rk.stages], sampler);
 }
 
+double Trajectory::step_tolerance(double h) const {
+  return std::max(options_->tolerance, options_->error_floor * h);
+}
+
+/// What rounding leaves of a position far from the origin, here or at x.
+double Trajectory::rounding_at(const Vec3& x) const {
+  return 16 * std::numeric_limits<double>::epsilon() * std::max(largest(first(y_)), largest(x));
+}
+
 /// The estimated error in tolerances.
 double Trajectory::error_of(double h, const std::array<State, 7>& k, const State& y1) const {
   const ButcherTableau& rk = *options_->stepper;
   State e{};
   for (int i = 0; i <= rk.stages; ++i)
     if (rk.error[i] != 0) add(e, h * rk.error[i], k[i]);
-  // What rounding leaves of a position far from the origin.
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() *
-                          std::max(largest(first(y_)), largest(first(y1)));
-  const double tolerance = std::max(options_->tolerance, 0.1 * options_->velocity_error * h);
-  const double position = glm::length(first(e)) / (tolerance + rounding);
+  const double position = glm::length(first(e)) / (step_tolerance(h) + rounding_at(first(y1)));
   if (options_->companion != Companion::variation) return position;
   return std::max(position, glm::length(second(e)) / (companion_tolerance() *
                                                       std::max(glm::length(second(y_)), 1e-300)));
@@ -191,6 +257,7 @@ double Trajectory::error_of(double h, const std::array<State, 7>& k, const State
 /// tolerance there. But over a cell of width h the Jacobian is itself off by some 4 ε / h, with the
 /// sampling error ε, for a time h / |v|: of that turn, 4 ε / |v|, a hundredth is let pass.
 double Trajectory::companion_tolerance() const {
+  if (options_->velocity_error == 0) return 1e-6;
   return std::clamp(0.04 * options_->velocity_error / speed(), 1e-6, 1e-3);
 }
 
@@ -198,7 +265,9 @@ double Trajectory::companion_tolerance() const {
 void Trajectory::shrink_after(fields::SampleStatus status, double h) {
   near_edge_ = true;
   h_ = 0.5 * h;
-  if (h_ * speed() > edge_tolerances * options_->tolerance && t_ + h_ > t_) return;
+  const bool far = h_ * speed() > edge_tolerances * options_->tolerance ||
+                   (options_->changing && h_ > edge_durations * options_->duration);
+  if (far && t_ + h_ > t_) return;
   end_ = reason_of(status);
 }
 
@@ -219,17 +288,43 @@ void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1
     step.coefficients[4][i] = r5[i];
   }
   steps_.push_back(step);
-  length_ += glm::length(first(y1) - first(y_));
+  const Vec3 before = first(y_);
   t_ = h >= options_->duration - t_ ? options_->duration : t_ + h;
   y_ = y1;
   f_ = k[rk.stages];
   if (is_ghost(options_->companion)) restrain_ghost(sampler);
-  if (t_ >= options_->duration)
-    end_ = EndReason::duration;
-  else if (length_ >= options_->max_length)
+  if (t_ >= options_->duration) end_ = EndReason::duration;
+  if (std::isfinite(options_->max_length)) cut_to_length();
+  rest_.way += glm::distance(first(y_), before);
+  if (!end_) end_at_rest();
+}
+
+/// Ends within the last step, where the way has the length that is asked for.
+void Trajectory::cut_to_length() {
+  const Step& step = steps_.back();
+  const double whole = arc_length(step.coefficients, 1);
+  if (length_ + whole >= options_->max_length) {
+    const double theta =
+        theta_of_length(step.coefficients, std::max(0.0, options_->max_length - length_));
+    t_ = std::min(t_, step.begin + theta * step.length);
     end_ = EndReason::length;
-  else if (speed() * options_->duration <= options_->still)
-    end_ = EndReason::stagnated;
+  }
+  length_ += whole;
+}
+
+/// In a field that does not change: it moves too slowly to be seen in the whole duration, or it has
+/// come to a sink. There a stepper's errors keep it moving: steps grow until each is off by the
+/// tolerance, and v, which is about the tolerance over the time in which it changes, never gets
+/// smaller. So it stands when it has gone a long way, 256 tolerances, without ever being 8 of them
+/// from where it began, some steps' errors together: what moves on at however low a speed, its way
+/// straight at that scale, is away after 8. An orbit so small cannot be told from errors.
+void Trajectory::end_at_rest() {
+  if (options_->changing) return;
+  constexpr double near = 8, long_way = 256;  // tolerances
+  const double error = step_tolerance(steps_.back().length) + rounding_at(first(y_));
+  if (glm::distance(first(y_), rest_.center) > near * error) rest_ = {first(y_), 0};
+  const bool lingers = options_->stepper->adaptive && rest_.way > long_way * error;
+  if (lingers || speed() * options_->duration <= options_->still) end_ = EndReason::stagnated;
 }
 
 void Trajectory::restrain_ghost(fields::FieldSampler& sampler) {
@@ -256,23 +351,17 @@ FlowPoint Trajectory::at(double t) const {
   }
   const double theta = std::min((t - step.begin) / step.length, 1.0);
   State y = c[4];
-  Vec3 slope = first(c[4]) * 4.0;
-  for (int n = 3; n >= 0; --n) {
+  for (int n = 3; n >= 0; --n)
     for (int i = 0; i < 6; ++i) y[i] = y[i] * theta + c[n][i];
-    if (n > 0) slope = slope * theta + first(c[n]) * double(n);
-  }
   const Vec3 w = is_ghost(options_->companion) ? second(y) - first(y) : second(y);
-  return {first(y), slope / step.length, w};
+  return {first(y), derivative(c, theta) / step.length, w};
 }
 
 Vec3 Trajectory::position_at(double t) const {
   const Step& step = step_at(t);
   const auto& c = step.coefficients;
   if (step.length == 0) return first(c[0]);
-  const double theta = std::min((t - step.begin) / step.length, 1.0);
-  Vec3 x = first(c[4]);
-  for (int n = 3; n >= 0; --n) x = x * theta + first(c[n]);
-  return x;
+  return position(c, std::min((t - step.begin) / step.length, 1.0));
 }
 
 Vec3 Trajectory::acceleration(double t) const {

@@ -31,7 +31,9 @@ struct TrajectoryOptions {
   double tolerance = 1e-9;                    // world units: largest estimated error of one step
   double max_step = std::numeric_limits<double>::infinity();  // time units
   double max_move = std::numeric_limits<double>::infinity();  // world units in one step
-  double velocity_error = 0;  // of the field; errors far below it are not worth steps
+  double velocity_error = 0;  // of the field, world units per time: what kinks of samples are worth
+  double error_floor = 0;     // world units per time: errors below it are not worth a shorter step
+  bool changing = false;      // the field changes on the way: who rests now may be moved later
   /// The box that samples fill: in it max_move does not hold for a step that is free of kinks.
   std::optional<Box3> filled;
   double still = 0;  // world units: moving less in the whole duration is standing
@@ -96,11 +98,16 @@ class Trajectory {
               fields::FieldSampler& sampler);
   void restrain_ghost(fields::FieldSampler& sampler);
   double first_step(fields::FieldSampler& sampler);
+  double step_tolerance(double h) const;
+  double rounding_at(const Vec3& x) const;
   double companion_tolerance() const;
+  bool jumps_cells(double h, double speed) const;
   double largest_step() const;
   double kinkless_step() const;
   double speed() const;
   void shrink_after(fields::SampleStatus status, double h);
+  void cut_to_length();
+  void end_at_rest();
   const Step& step_at(double t) const;
 
   const TrajectoryOptions* options_;
@@ -114,6 +121,13 @@ class Trajectory {
   bool exists_ = false;
   bool near_edge_ = false;  // a step failed: the domain's edge is close
   std::uint64_t step_count_ = 0;
+
+  /// A Rest is a stretch of the way on which the particle may be going nowhere.
+  struct Rest {
+    Vec3 center{0};
+    double way = 0;  // world units, since it was near `center`
+  };
+  Rest rest_;
 };
 
 }  // namespace pellucid::integrators

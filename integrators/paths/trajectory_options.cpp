@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -14,6 +15,18 @@ double positive(std::string_view name, const std::optional<double>& given, doubl
   if (!(*given > 0)) throw InputError(fmt::format("{}={}; accepted: number > 0", name, *given));
   return *given;
 }
+
+namespace {
+
+/// While a particle rests, nothing but this bounds its steps: a flow that sets in for less than a
+/// step may be missed between a step's stages. Between the frames of a series nothing is missed.
+double default_step(const fields::VectorField& field, const TrajectoryOptions& options) {
+  if (!options.stepper->adaptive) return options.duration / 500;
+  if (!options.changing) return options.duration;
+  return std::min(options.duration / 50, field.time_spacing().value_or(options.duration));
+}
+
+}  // namespace
 
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping) {
@@ -29,12 +42,14 @@ TrajectoryOptions trajectory_options(const fields::VectorField& field, const Jou
   options.tolerance = positive("accuracy", stepping.accuracy, 1e-9 * extent);
   options.max_length = positive("length", stepping.length, options.max_length);
   options.max_steps = stepping.max_steps;
-  options.max_step = positive(
-      "dt", stepping.dt, options.stepper->adaptive ? journey.duration : journey.duration / 500);
+  options.changing = journey.path && !field.steady();
+  options.max_step = positive("dt", stepping.dt, default_step(field, options));
   // Samples are only piecewise smooth: a step may not jump over a cell.
   const double cells = positive("cells", stepping.cells, 0.5);
   if (const auto cell = field.cell_size()) options.max_move = cells * *cell;
   options.velocity_error = field.sampling_error().value_or(0);
+  // What the interpolant is off by anyway bounds the default alone: who gives an accuracy gets it.
+  if (!stepping.accuracy) options.error_floor = 0.1 * options.velocity_error;
   if (!stepping.cells && field.cell_size() && field.fills_domain()) options.filled = field.domain();
   options.still = 1e-12 * extent;
   return options;

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/options/names.h"
+#include "integrators/paths/seed_place.h"
 #include "integrators/surfaces/adaptive_front.h"
 #include "integrators/surfaces/fixed_front.h"
 #include "integrators/surfaces/hultquist.h"
@@ -12,11 +13,11 @@
 namespace pellucid::integrators {
 namespace {
 
-std::string listed(const EndCounts& ends) {
-  std::string text;
+/// What may help, when the field has no velocity where particles began or ended.
+std::string advice(const SurfaceRequest& request, const EndCounts& ends) {
   for (const auto& [reason, count] : ends)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name_of(reason));
-  return text;
+    if (is_for_want_of_field(reason)) return "; " + accepted_seeds(*request.field);
+  return "";
 }
 
 }  // namespace
@@ -33,8 +34,9 @@ IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRe
   IntegratedSurface surface =
       row.run(request, Parameters(row.name, row.parameters, parsed.options));
   if (surface.mesh.triangles.empty())
-    throw InputError(fmt::format("{}: no triangle came of {} particles; they ended: {}", row.name,
-                                 surface.stats.particles, listed(surface.stats.ends)));
+    throw InputError(fmt::format("{}: no triangle came of {} particles; they ended: {}{}", row.name,
+                                 surface.stats.particles, in_words(surface.stats.ends),
+                                 advice(request, surface.stats.ends)));
   return surface;
 }
 

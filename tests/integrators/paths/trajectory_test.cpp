@@ -186,7 +186,8 @@ TEST(UnitTrajectory, EveryEndHasItsReason) {
   EXPECT_EQ(end_of(uniform, dopri5(1)), EndReason::duration);
   EXPECT_EQ(end_of(still, dopri5(1)), EndReason::stagnated);
   EXPECT_EQ(end_of(hole, dopri5(1)), EndReason::not_finite);
-  EXPECT_EQ(end_of(boxed([](const Vec3&) { return Vec3(1); }, 0.4), dopri5(1)),
+  EXPECT_EQ(end_of(boxed([](const Vec3&) { return Vec3(1); }, 0.4), dopri5(1)), EndReason::outside);
+  EXPECT_EQ(end_of(boxed([](const Vec3&) { return Vec3(1); }, 0.6), dopri5(1)),
             EndReason::left_domain);
   TrajectoryOptions limited = dopri5(1);
   limited.max_step = 0.01;

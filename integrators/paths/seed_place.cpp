@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrators/paths/seed_place.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pellucid::integrators {
+
+Vec3 onto_edge(const Box3& domain, const Vec3& seed) {
+  if (domain.empty() || domain.contains(seed)) return seed;
+  // A rounded bound is off by up to half an ulp of a float, 2^-24 of itself; so is one that was
+  // added up of a rounded origin and as many rounded spacings: by 2^-24 of each, together 2^-23 of
+  // the larger one.
+  constexpr double rounding = 0x1p-23;
+  const Vec3 edge = glm::clamp(seed, domain.min, domain.max);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double bound = std::max(std::abs(domain.min[axis]), std::abs(domain.max[axis]));
+    if (!(std::abs(seed[axis] - edge[axis]) <= rounding * bound)) return seed;
+  }
+  return edge;
+}
+
+std::string in_words(const Vec3& x) { return fmt::format("({}, {}, {})", x.x, x.y, x.z); }
+
+std::string accepted_seeds(const fields::VectorField& field) {
+  const Box3 domain = field.domain();
+  if (domain.empty() || !std::isfinite(domain.diagonal()))
+    return fmt::format("accepted: seeds at which {} has a velocity", field.description());
+  return fmt::format("accepted: seeds from {} to {} at which {} has a velocity",
+                     in_words(domain.min), in_words(domain.max), field.description());
+}
+
+}  // namespace pellucid::integrators

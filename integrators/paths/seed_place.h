@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "fields/field.h"
+
+namespace pellucid::integrators {
+
+/// Returns where a particle starts, in world units: `seed`, or the domain's nearest point when the
+/// seed misses it by no more than a float's rounding of its bounds. Files hold bounds as floats,
+/// and who types 0.1 means the edge at 0.1f, or the other way round.
+Vec3 onto_edge(const Box3& domain, const Vec3& seed);
+
+/// Returns a position for messages: "(0, 0.5, 1)".
+std::string in_words(const Vec3& x);
+
+/// Returns what a message says of the seeds that the field accepts: its bounds.
+std::string accepted_seeds(const fields::VectorField& field);
+
+}  // namespace pellucid::integrators
