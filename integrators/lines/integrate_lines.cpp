@@ -49,8 +49,8 @@ double next_time_from_rest(Trajectory& path, double t, const Spacing& spacing,
     dt = std::min(dt, path.time() - t);
     const FlowPoint middle = path.at(t + 0.5 * dt), end = path.at(t + dt);
     const double way = glm::distance(path.position_at(t), end.x);
-    const double turn = std::atan2(glm::length(glm::cross(middle.v, end.v)),
-                                   glm::dot(middle.v, end.v));
+    const double turn =
+        std::atan2(glm::length(glm::cross(middle.v, end.v)), glm::dot(middle.v, end.v));
     if (spacing.step > 0 ? way <= spacing.step : turn <= spacing.turn) break;
   }
   return t + dt;
@@ -168,11 +168,10 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
   tbb::enumerable_thread_specific<CountingSampler> samplers(
       [&] { return CountingSampler(*request.field); });
   std::vector<Line> lines(request.seeds.size());
-  parallel_for(std::size_t(0), lines.size(),
-               [&](std::size_t i) {
-                 const Vec3 seed = onto_edge(domain, request.seeds[i]);
-                 lines[i] = one(options, seed, samplers.local());
-               });
+  parallel_for(std::size_t(0), lines.size(), [&](std::size_t i) {
+    const Vec3 seed = onto_edge(domain, request.seeds[i]);
+    lines[i] = one(options, seed, samplers.local());
+  });
   IntegratedLines result;
   result.lines = joined(lines, result.stats);
   for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;

@@ -26,7 +26,8 @@ namespace {
 std::array<double, 3> spread_place(std::uint64_t i) {
   constexpr double g = 1.32471795724474602596;
   double whole;
-  double u = std::modf(0.5 + double(i) / g, &whole), v = std::modf(0.5 + double(i) / (g * g), &whole);
+  double u = std::modf(0.5 + double(i) / g, &whole),
+         v = std::modf(0.5 + double(i) / (g * g), &whole);
   if (u + v > 1) u = 1 - u, v = 1 - v;
   return {1 - u - v, u, v};
 }

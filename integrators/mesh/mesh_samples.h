@@ -9,8 +9,8 @@
 
 namespace pellucid::integrators {
 
-/// A point of a mesh, and the part of the mesh's area that it stands for: the parts add up to 1. One
-/// that stands for none counts for the maximum alone.
+/// A point of a mesh, and the part of the mesh's area that it stands for: the parts add up to 1.
+/// One that stands for none counts for the maximum alone.
 struct MeshSample {
   std::size_t triangle;
   std::array<double, 3> barycentric;

@@ -70,10 +70,10 @@ double arc_length(const Coefficients& c, double theta) {
   double length = 0;
   for (int i = 0; i < pieces; ++i) {
     const double middle = (2 * i + 1) * half;
-    length += half / 9 *
-              (8 * glm::length(derivative(c, middle)) +
-               5 * (glm::length(derivative(c, middle - node)) +
-                    glm::length(derivative(c, middle + node))));
+    length +=
+        half / 9 *
+        (8 * glm::length(derivative(c, middle)) + 5 * (glm::length(derivative(c, middle - node)) +
+                                                       glm::length(derivative(c, middle + node))));
   }
   return length;
 }
@@ -288,14 +288,13 @@ void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1
     step.coefficients[4][i] = r5[i];
   }
   steps_.push_back(step);
-  const Vec3 before = first(y_);
+  rest_.way += h * speed();
   t_ = h >= options_->duration - t_ ? options_->duration : t_ + h;
   y_ = y1;
   f_ = k[rk.stages];
   if (is_ghost(options_->companion)) restrain_ghost(sampler);
   if (t_ >= options_->duration) end_ = EndReason::duration;
   if (std::isfinite(options_->max_length)) cut_to_length();
-  rest_.way += glm::distance(first(y_), before);
   if (!end_) end_at_rest();
 }
 
@@ -315,9 +314,10 @@ void Trajectory::cut_to_length() {
 /// In a field that does not change: it moves too slowly to be seen in the whole duration, or it has
 /// come to a sink. There a stepper's errors keep it moving: steps grow until each is off by the
 /// tolerance, and v, which is about the tolerance over the time in which it changes, never gets
-/// smaller. So it stands when it has gone a long way, 256 tolerances, without ever being 8 of them
-/// from where it began, some steps' errors together: what moves on at however low a speed, its way
-/// straight at that scale, is away after 8. An orbit so small cannot be told from errors.
+/// smaller. So it stands when its velocities would have taken it a long way, 256 tolerances, and it
+/// was never 8 of them from where it began, some steps' errors together: what moves on at however
+/// low a speed, its way straight at that scale, is away after 8. An orbit so small cannot be told
+/// from errors. (Between the steps' ends nothing is gone at all where the stability function is 1.)
 void Trajectory::end_at_rest() {
   if (options_->changing) return;
   constexpr double near = 8, long_way = 256;  // tolerances

@@ -125,7 +125,7 @@ class Trajectory {
   /// A Rest is a stretch of the way on which the particle may be going nowhere.
   struct Rest {
     Vec3 center{0};
-    double way = 0;  // world units, since it was near `center`
+    double way = 0;  // world units: ∫ |v| dt since it was at `center`
   };
   Rest rest_;
 };

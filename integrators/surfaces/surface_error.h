@@ -9,7 +9,7 @@ namespace pellucid::integrators {
 
 /// How far a mesh is from the surface it stands for.
 struct SurfaceError {
-  std::uint64_t samples = 0;  // those of mean and maximum together
+  std::uint64_t samples = 0;                               // those of mean and maximum together
   double mean = 0, rms = 0, max = 0;                       // distance, world units; over the area
   double normal_mean_degrees = 0, normal_max_degrees = 0;  // facet normal against the surface's
   /// By vertex, for pictures: the largest distance that was found on a triangle around it. Where
@@ -19,10 +19,11 @@ struct SurfaceError {
 };
 
 /// Samples the mesh evenly over its area for mean and rms, and where triangles err most for the
-/// maximum (sample_mesh), and finds each sample's nearest point of the exact surface: a particle is sent from the seed curve again at the tightest tolerance, and s and t are
-/// corrected by Gauss-Newton with ∂x/∂s and ∂x/∂t until the distance is smallest. So the field
-/// itself is the truth, be it a formula or interpolated samples. The nearest point is the one
-/// reached from the mesh's own (s, t): an upper bound where another sheet is closer.
+/// maximum (sample_mesh), and finds each sample's nearest point of the exact surface: a particle is
+/// sent from the seed curve again at the tightest tolerance, and s and t are corrected by
+/// Gauss-Newton with ∂x/∂s and ∂x/∂t until the distance is smallest. So the field itself is the
+/// truth, be it a formula or interpolated samples. The nearest point is the one reached from the
+/// mesh's own (s, t): an upper bound where another sheet is closer.
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples = 2000);
 

@@ -20,7 +20,8 @@ geometry::TriangleMesh prism(std::uint32_t n) {
   geometry::TriangleMesh mesh;
   for (std::uint32_t i = 0; i < n; ++i) {
     const double angle = 2 * std::numbers::pi * i / n;
-    for (const double z : {0., 1.}) mesh.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+    for (const double z : {0., 1.})
+      mesh.positions.emplace_back(std::cos(angle), std::sin(angle), z);
     const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % n);
     mesh.triangles.push_back({a, b, a + 1});
     mesh.triangles.push_back({a + 1, b, b + 1});
@@ -61,8 +62,9 @@ TEST(PropertyMeshSamples, MeansOfAPrismAreItsIntegrals) {
       }
       found.rms = std::sqrt(found.rms);
       EXPECT_NEAR(weights, 1, 1e-12);
-      // Evenly covered: errors fall about as one over the number; at 100 some percent.
-      expect_exact(found, n, 6. / double(samples));
+      // Evenly covered: errors fall as one over the number. Measured up to 9 / samples, where a
+      // triangle has two; the four places alone would be off by 13 to 40 %.
+      expect_exact(found, n, 12. / double(samples));
     }
 }
 
