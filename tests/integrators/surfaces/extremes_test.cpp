@@ -60,7 +60,7 @@ TEST(UnitExtremes, SeedsOutsideTheDomainAreCounted) {
   for (const char* integrator : adaptive) {
     const auto surface = sweep(field, integrator, half_outside);
     expect_sound(surface, integrator);
-    EXPECT_GT(surface.stats.ends.at(EndReason::left_domain), 0u) << integrator;
+    EXPECT_GT(surface.stats.ends.at(EndReason::outside), 0u) << integrator;
     EXPECT_LE(surface.mesh.bounds().max.x, 1) << integrator;
     // The curve is followed to the edge, but for the tearing distance or a fixed particle's place.
     EXPECT_GE(surface.mesh.bounds().max.x, 0.9) << integrator;
