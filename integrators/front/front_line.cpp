@@ -12,6 +12,23 @@ constexpr double closest_seeds = 1e-12;
 
 }  // namespace
 
+Abreast FrontLine::abreast(int p, int q) {
+  const FrontPoint &a = at(p).head, &b = at(q).head;
+  if (a.t == b.t || !run_.is_unsteady()) return {a, b};
+  const double t = std::max(a.t, b.t);
+  const auto comes_to = [&](int particle) {
+    Trajectory& path = at(particle).path;
+    return path.reach(t, run_.sampler()) || path.end() == EndReason::stagnated;
+  };
+  const bool both = comes_to(p) && comes_to(q);
+  if (!both) return {a, b, false};
+  const auto then = [&](int particle) {
+    const Trajectory& path = at(particle).path;
+    return front_point(path, std::min(t, path.time()));
+  };
+  return {then(p), then(q)};
+}
+
 void FrontLine::start(std::span<const double> seeds, bool ring) {
   std::vector<Place> places;
   for (const double s : seeds) places.push_back(place(s, 0, {}));
@@ -65,7 +82,9 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   } else if (refinement_.by_tolerance()) {
     return false;
   }
-  return !asks_for_more(refinement_, at(a.particle).head, at(b.particle).head, middle);
+  return !asks_for_more(refinement_, abreast(a.particle, b.particle),
+                        distance_to_segment(middle, at(a.particle).head.flow.x,
+                                            at(b.particle).head.flow.x));
 }
 
 /// Seeds that all but coincide have led to places that do not: the surface stretches, and a ribbon
@@ -96,7 +115,7 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   if (both) shadow = shadow_between(a, b, std::move(shadow));
   const bool narrow = b.s - a.s <= run_.options().rip;
   // Neighbours that part, or of which one is missing, lie on either side of an edge of the surface.
-  const bool at_edge = !both || are_parting(at(a.particle).head, at(b.particle).head);
+  const bool at_edge = !both || are_parting(abreast(a.particle, b.particle));
   const bool fine =
       both && (is_fine(a, b, shadow.get()) || (narrow && !at_edge && !is_stretched(a, b)));
   if (fine && (!split || narrow)) {

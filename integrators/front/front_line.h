@@ -42,6 +42,9 @@ class FrontLine {
   /// Does it stand halfway between the seeds of its neighbours? By tolerance only such a particle
   /// can be taken out: it becomes the shadow of the ribbon that closes over it.
   bool is_halfway(int middle) const;
+  /// Two particles as they are compared: at their heads, but in an unsteady flow, whose velocities
+  /// mean nothing beside those of another time, at the later one's time.
+  Abreast abreast(int p, int q);
   /// The surface halfway between two neighbours; nothing without a shadow.
   std::optional<Vec3> surface_between(int left, double t);
 

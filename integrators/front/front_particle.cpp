@@ -44,4 +44,6 @@ bool are_parting(const FrontPoint& a, const FrontPoint& b) {
   return along > 0 && along > 0.5 * (a.speed + b.speed) * glm::length(joining);
 }
 
+bool are_parting(const Abreast& two) { return two.comparable && are_parting(two.a, two.b); }
+
 }  // namespace pellucid::integrators

@@ -52,8 +52,16 @@ struct Separation {
 /// Returns how far a and b are apart, in world units.
 Separation separation(const FrontPoint& a, const FrontPoint& b);
 
+/// Two neighbours of the front, as they are compared: in an unsteady flow both at the same time.
+struct Abreast {
+  FrontPoint a, b;
+  bool comparable = true;  // false: one of them ended before the other one's time
+};
+
 /// Do the two move away from each other within 60° of the line that joins them? So they do on
 /// either side of a separatrix.
 bool are_parting(const FrontPoint& a, const FrontPoint& b);
+/// The same of two that can be compared; two that cannot are told apart by their edge alone.
+bool are_parting(const Abreast& two);
 
 }  // namespace pellucid::integrators

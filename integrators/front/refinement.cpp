@@ -154,27 +154,37 @@ Refinement refinement_of(const RefinementOptions& options, double default_thresh
   return refinement;
 }
 
-bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
-                   const Vec3& middle) {
+namespace {
+
+/// Of two that have no time in common: what their edge alone tells.
+bool asks_for_more_by_edge(const Refinement& refinement, double length, double sagitta) {
+  if (!refinement.by_tolerance()) return length > 2 * refinement.threshold;
+  return sagitta > refinement.largest_sagitta();
+}
+
+}  // namespace
+
+bool asks_for_more(const Refinement& refinement, const Abreast& two, double sagitta) {
+  const auto& [a, b, comparable] = two;
   const auto [distance, width] = separation(a, b);
   const double shortest = shortest_edge(refinement);
+  if (!comparable) return asks_for_more_by_edge(refinement, distance, sagitta);
   if (are_parting(a, b) && distance > shortest) return true;
   if (cosine(a, b) < coarse_cosine && distance > shortest) return true;
   if (!refinement.by_tolerance())
     return width > refinement.threshold || distance > 2 * refinement.threshold;
   if (twist_sagitta(a, b) > refinement.largest_sagitta() && distance > shortest) return true;
-  return distance_to_segment(middle, a.flow.x, b.flow.x) > refinement.largest_sagitta();
+  return sagitta > refinement.largest_sagitta();
 }
 
-bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
-                    const Vec3& middle) {
-  if (are_parting(a, b) || cosine(a, b) < fine_cosine) return false;
+bool can_do_without(const Refinement& refinement, const Abreast& two, double sagitta) {
+  const auto& [a, b, comparable] = two;
+  if (!comparable || are_parting(a, b) || cosine(a, b) < fine_cosine) return false;
   const auto [distance, width] = separation(a, b);
   if (!refinement.by_tolerance())
     return width <= 0.5 * refinement.threshold && distance <= refinement.threshold;
   // Twice as long an edge has four times the sagitta.
-  return std::max(distance_to_segment(middle, a.flow.x, b.flow.x), twist_sagitta(a, b)) <
-         refinement.largest_sagitta() / 4;
+  return std::max(sagitta, twist_sagitta(a, b)) < refinement.largest_sagitta() / 4;
 }
 
 namespace {

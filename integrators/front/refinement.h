@@ -46,15 +46,13 @@ Refinement refinement_of(const RefinementOptions& options, double default_thresh
 /// surface has no normal that would not end.
 double shortest_edge(const Refinement& refinement);
 
-/// Does the front need a particle between a and b? `middle` is the surface between them; it is only
-/// asked for by tolerance.
-bool asks_for_more(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
-                   const Vec3& middle);
+/// Does the front need a particle between the two? `sagitta`, in world units, is how far the surface
+/// between them is from the edge between their heads; it is only asked for by tolerance.
+bool asks_for_more(const Refinement& refinement, const Abreast& two, double sagitta);
 
-/// May the front do without a particle that stands at `middle` between a and b? Far from the limits
-/// of asks_for_more, so that particles do not come and go.
-bool can_do_without(const Refinement& refinement, const FrontPoint& a, const FrontPoint& b,
-                    const Vec3& middle);
+/// May the front do without a particle between the two that stands `sagitta` from the edge between
+/// their heads? Far from the limits of asks_for_more, so that particles do not come and go.
+bool can_do_without(const Refinement& refinement, const Abreast& two, double sagitta);
 
 /// Is the triangle neither a sliver nor turned over against the surface?
 bool is_well_shaped(const FrontPoint& a, const FrontPoint& b, const FrontPoint& c);

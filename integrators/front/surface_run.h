@@ -38,6 +38,8 @@ class SurfaceRun {
   void drop(std::unique_ptr<Trajectory> path, EndReason reason);
 
   const SurfaceSetup& options() const { return options_; }
+  /// A path surface of an unsteady field: places have a time, and velocities compare only at one.
+  bool is_unsteady() const { return request_.path && !request_.field->steady(); }
   const std::vector<std::pair<double, double>>& tears() const { return tears_; }
   /// Once the fronts are through: no facet stands off the surface farther than the options say.
   void mend();

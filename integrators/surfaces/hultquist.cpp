@@ -92,10 +92,13 @@ void RibbonFront::wake(int p) {
 
 double distance2(const Vec3& a, const Vec3& b) { return glm::dot(b - a, b - a); }
 
-/// The shorter diagonal of the ribbon between p and q starts where p goes next.
+/// The shorter diagonal of the ribbon between p and q starts where p goes next. In an unsteady flow
+/// places mean nothing without their time, particles may well come back to where they were, and the
+/// one goes first that is there earlier.
 bool RibbonFront::goes_first(int p, int q) const {
   if (q < 0 || !front_.at(q).next) return true;
   const FrontParticle &a = front_.at(p), &b = front_.at(q);
+  if (run_.is_unsteady() && a.next->t != b.next->t) return a.next->t < b.next->t;
   const double mine = distance2(a.next->flow.x, b.head.flow.x);
   const double other = distance2(b.next->flow.x, a.head.flow.x);
   return mine < other || (mine == other && a.s < b.s);
@@ -162,7 +165,8 @@ void RibbonFront::merge(int p, int middle) {
   if (beyond == p || after(beyond) == p) return;  // a ring keeps three particles
   if (refinement_.by_tolerance() && !front_.is_halfway(middle)) return;
   const FrontPoint &m = front_.at(middle).head, &b = front_.at(beyond).head, &n = front_.at(p).head;
-  if (!can_do_without(refinement_, n, b, m.flow.x)) return;
+  const double sagitta = distance_to_segment(m.flow.x, n.flow.x, b.flow.x);
+  if (!can_do_without(refinement_, front_.abreast(p, beyond), sagitta)) return;
   const FrontPoint &first = to_right ? m : b, &second = to_right ? b : m;
   if (!is_well_shaped(first, second, n)) return;
   run_.add_triangle(first.vertex, second.vertex, n.vertex);

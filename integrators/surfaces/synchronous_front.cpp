@@ -145,7 +145,8 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
     if (head_of(p).t != t_) return false;
   if (refinement_.by_tolerance() && !front_.is_halfway(middle)) return false;
   const FrontPoint &l = head_of(left), &m = before_[std::size_t(middle)], &r = head_of(right);
-  if (!can_do_without(refinement_, l, r, head_of(middle).flow.x)) return false;
+  const double sagitta = distance_to_segment(head_of(middle).flow.x, l.flow.x, r.flow.x);
+  if (!can_do_without(refinement_, front_.abreast(left, right), sagitta)) return false;
   if (!is_well_shaped(m, r, l)) return false;
   const Vec3 between = front_.at(middle).path.position_at(0.5 * (m.t + t_));
   if (refinement_.by_tolerance() &&
