@@ -78,6 +78,7 @@ nlohmann::ordered_json to_json(const integrators::IntegratedSurface& surface,
           {"duplicate_vertices", quality.duplicate_vertices},
           {"degenerate_triangles", quality.degenerate_triangles},
           {"sheets", quality.sheets},
+          {"sheets_by_vertices", quality.sheets_by_vertices},
           {"min_angle", to_json(quality.min_angle)},
           {"aspect", to_json(quality.aspect)},
           {"ends", to_json(surface.stats.ends)}};

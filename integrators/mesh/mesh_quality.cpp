@@ -42,6 +42,18 @@ std::uint64_t count_sheets(const geometry::HalfEdges& half_edges) {
   return count;
 }
 
+/// Triangles that share a vertex are of one sheet: fewer than by edges where bow-ties join them.
+std::uint64_t count_sheets_by_vertices(const geometry::TriangleMesh& mesh) {
+  DisjointSets sheets(mesh.positions.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sheets.join(a, b);
+    sheets.join(a, c);
+  }
+  std::vector<bool> has_triangles(mesh.positions.size());
+  for (const auto& corners : mesh.triangles) has_triangles[sheets.find(corners[0])] = true;
+  return std::uint64_t(std::count(has_triangles.begin(), has_triangles.end(), true));
+}
+
 void measure_connectivity(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
   const geometry::HalfEdges half_edges = geometry::half_edges(mesh);
   quality.boundary_edges = half_edges.boundary_edges;
@@ -50,6 +62,7 @@ void measure_connectivity(const geometry::TriangleMesh& mesh, MeshQuality& quali
   quality.non_manifold_vertices = half_edges.non_manifold_vertices;
   quality.manifold = half_edges.is_manifold();
   quality.sheets = count_sheets(half_edges);
+  quality.sheets_by_vertices = count_sheets_by_vertices(mesh);
   for (const auto vertex : half_edges.mesh.vertices())
     quality.unused_vertices += half_edges.mesh.is_isolated(vertex);
 }

@@ -23,6 +23,7 @@ struct MeshQuality {
   std::uint64_t unused_vertices = 0;
   std::uint64_t degenerate_triangles = 0;  // of no area, to rounding
   std::uint64_t sheets = 0;                // connected by edges
+  std::uint64_t sheets_by_vertices = 0;    // connected by edges or by a vertex alone
   bool manifold = false;                   // as a half-edge mesh: no edge or vertex is singular
   Percentiles min_angle;                   // degrees, of each triangle's smallest angle
   Percentiles aspect;          // longest side over the height on it, × √3/2: 1 is best

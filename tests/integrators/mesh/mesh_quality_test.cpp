@@ -52,6 +52,7 @@ TEST(UnitMeshQuality, TwoTrianglesInOneVertexAreTwoSheetsAndNoManifold) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
   EXPECT_EQ(measure_quality(mesh).sheets, 2u);
+  EXPECT_EQ(measure_quality(mesh).sheets_by_vertices, 1u);
   EXPECT_EQ(measure_quality(mesh).non_manifold_vertices, 1u);
   EXPECT_EQ(measure_quality(mesh).boundary_edges, 6u);
   EXPECT_FALSE(measure_quality(mesh).manifold);
