@@ -82,9 +82,9 @@ bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   } else if (refinement_.by_tolerance()) {
     return false;
   }
-  return !asks_for_more(refinement_, abreast(a.particle, b.particle),
-                        distance_to_segment(middle, at(a.particle).head.flow.x,
-                                            at(b.particle).head.flow.x));
+  return !asks_for_more(
+      refinement_, abreast(a.particle, b.particle),
+      distance_to_segment(middle, at(a.particle).head.flow.x, at(b.particle).head.flow.x));
 }
 
 /// Seeds that all but coincide have led to places that do not: the surface stretches, and a ribbon

@@ -46,8 +46,8 @@ Refinement refinement_of(const RefinementOptions& options, double default_thresh
 /// surface has no normal that would not end.
 double shortest_edge(const Refinement& refinement);
 
-/// Does the front need a particle between the two? `sagitta`, in world units, is how far the surface
-/// between them is from the edge between their heads; it is only asked for by tolerance.
+/// Does the front need a particle between the two? `sagitta`, in world units, is how far the
+/// surface between them is from the edge between their heads; it is only asked for by tolerance.
 bool asks_for_more(const Refinement& refinement, const Abreast& two, double sagitta);
 
 /// May the front do without a particle between the two that stands `sagitta` from the edge between

@@ -51,8 +51,7 @@ double closed_form_area(const PathSurface& form, const Segment& seed) {
   double twice = 0;
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j)
-      twice +=
-          glm::length(glm::cross(at(i + 1, j + 1) - at(i, j), at(i, j + 1) - at(i + 1, j)));
+      twice += glm::length(glm::cross(at(i + 1, j + 1) - at(i, j), at(i, j + 1) - at(i + 1, j)));
   return 0.5 * twice;
 }
 
