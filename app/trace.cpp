@@ -16,6 +16,7 @@
 #include "fields/make_field.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/files/mesh_formats.h"
+#include "integrators/front/seed_features.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_quality.h"
@@ -70,6 +71,7 @@ nlohmann::ordered_json to_json(const integrators::IntegratedSurface& surface,
           {"evaluations", surface.stats.evaluations},
           {"seconds", surface.stats.seconds},
           {"bytes", surface.stats.bytes},
+          {"seed_looks", integrators::seed_looks},
           {"trimmed", surface.stats.trimmed},
           {"boundary_edges", quality.boundary_edges},
           {"non_manifold_edges", quality.non_manifold_edges},
@@ -85,7 +87,10 @@ nlohmann::ordered_json to_json(const integrators::IntegratedSurface& surface,
 }
 
 void add_error(nlohmann::ordered_json& json, const integrators::SurfaceError& error) {
-  json["distance"] = {{"mean", error.mean}, {"rms", error.rms}, {"max", error.max}};
+  json["distance"] = {{"mean", error.mean},
+                      {"rms", error.rms},
+                      {"max", error.max},
+                      {"max_from_surface", error.max_from_surface}};
   json["normal_degrees"] = {{"mean", error.normal_mean_degrees}, {"max", error.normal_max_degrees}};
   json["samples"] = error.samples;
 }

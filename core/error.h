@@ -12,7 +12,7 @@ namespace pellucid {
 inline constexpr std::size_t longest_message = 400;
 
 /// Returns the text as one line of valid UTF-8, whatever a file or a library has put into it:
-/// control characters become escapes (\n, \x1b), bytes that are no UTF-8 the replacement character;
+/// control characters become C's escapes, bytes that are no UTF-8 the replacement character;
 /// what is longer than `most` characters ends with an ellipsis, between characters.
 std::string one_line(std::string_view text, std::size_t most = longest_message);
 

@@ -9,11 +9,11 @@
 namespace pellucid::compare {
 
 /// Reads a picture of any format that OpenImageIO knows as float RGBA, values as they are stored
-/// (n/255 for 8 bits, alpha not multiplied in, no transfer curve). Its channels are R, G, B by their
-/// names, others beside them unseen; Y, or one channel of any name, becomes grey; without A, A = 1.
-/// The result has the size of the picture's window; where its data leave pixels out, they are 0.
-/// Throws InputError when it is missing, damaged, deep, of other channels, without pixels, of more
-/// than 2^28 or of more than its bytes can hold.
+/// (n/255 for 8 bits, alpha not multiplied in, no transfer curve). Its channels are R, G, B by
+/// their names, others beside them unseen; Y, or one channel of any name, becomes grey; without A,
+/// A = 1. The result has the size of the picture's window; where its data leave pixels out, they
+/// are 0. Throws InputError when it is missing, damaged, deep, of other channels, without pixels,
+/// of more than 2^28 or of more than its bytes can hold.
 Image read_image(const std::filesystem::path& path);
 
 /// Writes by the file's ending: .exr holds the four channels in 32-bit float; .png holds red, green

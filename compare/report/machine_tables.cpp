@@ -34,8 +34,11 @@ constexpr TextColumn identity_columns[] = {
     {"method", [](const ResultRow& r) { return r.method; }},
     {"parameters", [](const ResultRow& r) { return r.parameters; }}};
 
-/// Quoted when it has to be.
-std::string csv_field(const std::string& text) {
+/// Quoted when it has to be. What a spreadsheet would take for a formula gets an apostrophe, which
+/// it takes for the mark of a text.
+std::string csv_field(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos)
+    text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);

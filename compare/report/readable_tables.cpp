@@ -9,6 +9,7 @@
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
 #include "compare/results/provenance.h"
+#include "core/error.h"
 
 namespace pellucid::compare {
 namespace {
@@ -48,9 +49,18 @@ std::optional<double> best_of(const Column& column, std::span<const ResultRow> r
   return best;
 }
 
+/// Text of a file in a table or a heading: one line, no cell of its own, no HTML.
+std::string markdown_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : one_line(text, text.size() + 1))
+    escaped += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
+  return escaped;
+}
+
 std::string markdown_line(const ResultRow& row) {
-  std::string line = fmt::format("| {}{} |", row.call(), row.reference ? " (reference)" : "");
-  if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", row.error);
+  std::string line =
+      fmt::format("| {}{} |", markdown_escaped(row.call()), row.reference ? " (reference)" : "");
+  if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", markdown_escaped(row.error));
   for (const Column& column : table_columns()) line += fmt::format(" {} |", cell_text(column, row));
   return line + '\n';
 }
@@ -61,7 +71,7 @@ std::string markdown_block(std::string_view scene, std::span<const ResultRow> ro
     header += fmt::format(" {} |", heading(column));
     rule += "---:|";
   }
-  std::string text = fmt::format("\n## {}\n\n{}\n{}\n", scene, header, rule);
+  std::string text = fmt::format("\n## {}\n\n{}\n{}\n", markdown_escaped(scene), header, rule);
   for (const ResultRow& row : rows) text += markdown_line(row);
   return text;
 }
@@ -102,7 +112,8 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
 /// "fourier:bands=5 2.1e-02, …: the same here", a line for each scene.
 std::string markdown_claim(const Claim& claim, const Study& study,
                            std::span<const ResultRow> rows) {
-  std::string text = fmt::format("\n{} ({}):\n\n", claim.text, heading(*claim.by));
+  std::string text =
+      fmt::format("\n{} ({}):\n\n", markdown_escaped(claim.text), heading(*claim.by));
   for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows)) {
     text += fmt::format("- {}:", check.scene);
     for (const auto& [call, value] : check.values)
@@ -165,7 +176,7 @@ std::string latex_measures(std::string_view scene, std::span<const ResultRow> ro
 
 std::string latex_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : one_line(text, text.size() + 1)) {
     if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
     escaped += c == '\\'  ? "\\textbackslash{}"
                : c == '~' ? "\\textasciitilde{}"
@@ -176,8 +187,8 @@ std::string latex_escaped(std::string_view text) {
 }
 
 std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
-  std::string text = fmt::format("# {}\n", study.title);
-  if (!study.source.empty()) text += fmt::format("\n{}\n", study.source);
+  std::string text = fmt::format("# {}\n", markdown_escaped(study.title));
+  if (!study.source.empty()) text += fmt::format("\n{}\n", markdown_escaped(study.source));
   for (const std::string& warning : provenance_warnings(rows))
     text += fmt::format("\n**{}**\n", warning);
   for (const auto& scene : study.scenes) {
@@ -190,7 +201,8 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
-  std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n", study.title);
+  std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n",
+                                 one_line(study.title, study.title.size() + 1));
   text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
                       std::string(table_columns().size(), 'r'));
   for (const Column& column : table_columns()) text += fmt::format(" & {}", heading(column));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "compare/report/report_data.h"
@@ -15,11 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// JSON inside a <script> element: no "</script>" may end it early.
+/// JSON inside a <script> element: no "</script>" may end it early, no "<!--" change how it is
+/// read.
 std::string inline_json(const nlohmann::json& j) {
-  std::string text = json_text(j);
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
-    text.replace(at, 2, "<\\/");
+  std::string text;
+  for (const char c : json_text(j)) {
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  }
   return text;
 }
 
@@ -57,11 +63,17 @@ std::string page_script() {
   return script + std::string(report_files::report_js());
 }
 
-/// Puts `text` where the page says {{name}}.
-void insert(std::string& page, std::string_view name, std::string_view text) {
-  const std::string mark = fmt::format("{{{{{}}}}}", name);
-  const std::size_t at = page.find(mark);
-  page.replace(at, mark.size(), text);
+/// Returns the page with each {{name}} replaced by the text of that name, none of which is searched
+/// for marks of its own.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string>& texts) {
+  std::string result;
+  for (std::size_t begin; (begin = page.find("{{")) != std::string_view::npos;) {
+    const std::size_t end = page.find("}}", begin);
+    result += page.substr(0, begin);
+    result += texts.at(page.substr(begin + 2, end - begin - 2));
+    page.remove_prefix(end + 2);
+  }
+  return result.append(page);
 }
 
 std::string html_escaped(std::string_view text) {
@@ -74,13 +86,12 @@ std::string html_escaped(std::string_view text) {
 }  // namespace
 
 void write_report(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
-  // The data comes last: nothing that it holds is taken for a mark.
-  std::string page(report_files::report_html());
-  insert(page, "title", html_escaped(study.title));
-  insert(page, "css", report_files::report_css());
-  insert(page, "vega", vega_bundle());
-  insert(page, "script", page_script());
-  insert(page, "data", inline_json(report_data(folder, study, rows)));
+  const std::string page = filled(report_files::report_html(),
+                                  {{"title", html_escaped(study.title)},
+                                   {"css", std::string(report_files::report_css())},
+                                   {"vega", vega_bundle()},
+                                   {"script", page_script()},
+                                   {"data", inline_json(report_data(folder, study, rows))}});
   write_text(folder / "report.html", page);
 }
 

@@ -52,7 +52,7 @@ struct ResultRow {
 
   std::string fingerprint;  // of the cell: scene's text, methods, parameters, repeats, driver
   std::map<std::string, std::string> files_read;  // path → hash of the content
-  RawOptions parameter_values;  // defaults included
+  RawOptions parameter_values;                    // defaults included
   int repeats = 0;
   Comparison metrics;
   Spread seconds;

@@ -98,11 +98,13 @@ auto level_if(const openvdb::GridBase::Ptr& grid, const std::string& name)
   if (const auto typed = openvdb::gridPtrCast<Grid>(grid)) return level_of(*typed, name);
   return std::nullopt;
 }
-std::optional<VectorLevel> vectors_of(const openvdb::GridBase::Ptr& grid, const std::string& name) {
+std::optional<VectorLevel> vector_level_of(const openvdb::GridBase::Ptr& grid,
+                                           const std::string& name) {
   if (auto level = level_if<openvdb::Vec3SGrid>(grid, name)) return level;
   return level_if<openvdb::Vec3DGrid>(grid, name);
 }
-std::optional<ScalarLevel> scalars_of(const openvdb::GridBase::Ptr& grid, const std::string& name) {
+std::optional<ScalarLevel> scalar_level_of(const openvdb::GridBase::Ptr& grid,
+                                           const std::string& name) {
   if (auto level = level_if<openvdb::FloatGrid>(grid, name)) return level;
   return level_if<openvdb::DoubleGrid>(grid, name);
 }
@@ -202,18 +204,15 @@ std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view 
   const std::vector<GridEntry> entries = entries_of(grids);
   const std::string place = path.string();
   std::vector<ScalarLevel> levels;
-  append_levels(grids, scalar, place, scalars_of, levels);
+  append_levels(grids, scalar, place, scalar_level_of, levels);
   if (!levels.empty()) return levels;  // stored under that name, it need not be derived
   if (!is_derived(scalar) || std::ranges::none_of(entries, &GridEntry::vector))
     fail(path,
          fmt::format("no grid has the scalar '{}'; grids: {}", scalar, describe_grids(entries)));
   std::vector<VectorLevel> velocities;
-  append_levels(grids, choose_velocity(entries, velocity, place), place, vectors_of, velocities);
-  return fields::scalars_of(velocities, scalar);
-  }
-  if (levels.empty())
-    fail(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar, listed(grids)));
-  return levels;
+  append_levels(grids, choose_velocity(entries, velocity, place), place, vector_level_of,
+                velocities);
+  return scalars_of(velocities, scalar);
 }
 
 }  // namespace pellucid::fields

@@ -141,7 +141,9 @@ std::unique_ptr<VectorField> from_rectilinear(vtkRectilinearGrid* grid, const Fi
 }
 
 /// Hidden points alone can be had in a dense array: they are NaN there.
-bool hides_some_cells(vtkDataSet* data) { return data->GetCellGhostArray() && readers::hides_cells(data); }
+bool hides_some_cells(vtkDataSet* data) {
+  return data->GetCellGhostArray() && readers::hides_cells(data);
+}
 
 std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
   const vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);

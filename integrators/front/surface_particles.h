@@ -15,6 +15,7 @@ namespace pellucid::integrators {
 struct SurfaceSetup : SurfaceOptions {
   TrajectoryOptions trajectory = {};
   double extent = 1;         // world units, of the seed curve: the unit of what is relative
+  bool refines = false;      // the front adds particles: the seed curve is searched for features
   double facet_angle = 180;  // degrees: facets farther from their corners' normals are mended
   double shortest_edge = 0;  // world units: so far edges are split to that end
 };

@@ -5,6 +5,7 @@
 
 #include "core/machine/stopwatch.h"
 #include "integrators/front/facet_mending.h"
+#include "integrators/front/seed_features.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -35,14 +36,27 @@ std::vector<Piece> pieces_between(std::vector<std::pair<double, double>> tears, 
   return pieces;
 }
 
-/// Where the piece's first particles start: evenly over the whole curve, and at its corners.
-std::vector<double> seeds_of(const Piece& piece, const SeedCurve& curve, int particles) {
+/// Where the first particles start: evenly over the whole curve, at its corners, and, of a front
+/// that refines, at the features of the field along it.
+std::vector<double> first_seeds(const SurfaceRequest& request, const SurfaceSetup& setup,
+                                int particles) {
+  const int intervals = request.seed.closed ? particles : particles - 1;
+  std::vector<double> seeds{1};
+  for (int i = 0; i < intervals; ++i) seeds.push_back(double(i) / intervals);
+  seeds.insert(seeds.end(), request.seed.corners.begin(), request.seed.corners.end());
+  std::sort(seeds.begin(), seeds.end());
+  if (!setup.refines) return seeds;
+  const std::vector<double> features = seed_features(request, setup, seeds);
+  seeds.insert(seeds.end(), features.begin(), features.end());
+  std::sort(seeds.begin(), seeds.end());
+  return seeds;
+}
+
+/// Those of the piece, which may run past s = 1, and its ends.
+std::vector<double> seeds_of(const Piece& piece, std::span<const double> first) {
   std::vector<double> seeds{piece.begin, piece.end};
-  const int intervals = curve.closed ? particles : particles - 1;
-  for (const double turn : {0., 1.}) {
-    for (int i = 0; i < intervals; ++i) seeds.push_back(turn + double(i) / intervals);
-    for (const double s : curve.corners) seeds.push_back(turn + s);
-  }
+  for (const double turn : {0., 1.})
+    for (const double s : first) seeds.push_back(turn + s);
   std::sort(seeds.begin(), seeds.end());
   const auto begin = std::lower_bound(seeds.begin(), seeds.end(), piece.begin);
   const auto end = std::upper_bound(seeds.begin(), seeds.end(), piece.end);
@@ -114,6 +128,7 @@ void SurfaceRun::drop(std::unique_ptr<Trajectory> path, EndReason reason) {
 }
 
 void SurfaceRun::mend() {
+  if (budget_) return;  // it ended before it was whole
   const auto point_at = [&](double s, double t) -> std::optional<FrontPoint> {
     auto path = may_spawn() ? spawn(s, t) : nullptr;
     if (!path) return std::nullopt;
@@ -135,6 +150,7 @@ IntegratedSurface SurfaceRun::finish() {
 }
 
 void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement) {
+  setup.refines = true;
   setup.facet_angle = facet_angle;
   setup.shortest_edge = shortest_edge(refinement);
 }
@@ -143,10 +159,11 @@ IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup&
                               int particles, const Sweep& sweep) {
   const Stopwatch watch;
   std::vector<std::pair<double, double>> tears;
+  const std::vector<double> first = first_seeds(request, options, particles);
   const auto sweep_all = [&](bool again) {
     SurfaceRun run(request, options);
     for (const Piece& piece : pieces_between(tears, request.seed.closed, options.rip))
-      sweep(run, seeds_of(piece, request.seed, particles), piece.ring);
+      sweep(run, seeds_of(piece, first), piece.ring);
     tears = run.tears();
     if (again || tears.empty()) run.mend();
     return run.finish();

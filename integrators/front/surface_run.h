@@ -56,16 +56,17 @@ class SurfaceRun {
 };
 
 /// For rows that refine: no facet is to be farther from its corners' normals than `facet_angle`
-/// degrees.
+/// degrees, and features of the field along the seed curve get particles of their own.
 void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement);
 
 /// Sweeps a stretch of the seed curve from these seeds, ascending in s; a ring closes from the last
 /// to the first.
 using Sweep = std::function<void(SurfaceRun& run, std::span<const double> seeds, bool ring)>;
 
-/// Sweeps the seed curve from `particles` evenly spaced seeds and its corners. Where the front had
-/// to be torn, the surface is swept a second time without the stretches between those seeds, so
-/// that no triangle before the tear spans it.
+/// Sweeps the seed curve from `particles` evenly spaced seeds, its corners and, where
+/// setup.refines, the features of the field along it. Where the front had to be torn, the surface
+/// is swept a second time without the stretches between those seeds, so that no triangle before the
+/// tear spans it.
 IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup& options,
                               int particles, const Sweep& sweep);
 

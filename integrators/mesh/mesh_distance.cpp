@@ -63,4 +63,12 @@ MeshDistance mesh_distance(const geometry::TriangleMesh& first,
   return {distance_from(second_tree, first, samples), distance_from(first_tree, second, samples)};
 }
 
+double largest_distance(std::span<const Vec3> points, const geometry::TriangleMesh& mesh) {
+  const Triangles triangles = triangles_of(mesh);
+  const Tree tree(triangles.begin(), triangles.end());
+  double largest = 0;
+  for (const Vec3& x : points) largest = std::max(largest, tree.squared_distance(cgal(x)));
+  return std::sqrt(largest);
+}
+
 }  // namespace pellucid::integrators

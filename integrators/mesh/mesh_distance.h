@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "geometry/triangle_mesh.h"
 
@@ -25,5 +26,9 @@ struct MeshDistance {
 /// lower bound of the Hausdorff distance. A mesh without a triangle of some area throws InputError.
 MeshDistance mesh_distance(const geometry::TriangleMesh& first,
                            const geometry::TriangleMesh& second, std::uint64_t samples);
+
+/// Returns how far the farthest of the points is from the mesh, in world units; 0 of none. Throws
+/// as mesh_distance().
+double largest_distance(std::span<const Vec3> points, const geometry::TriangleMesh& mesh);
 
 }  // namespace pellucid::integrators

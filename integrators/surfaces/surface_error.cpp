@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "integrators/front/surface_particles.h"
+#include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
 
 namespace pellucid::integrators {
@@ -48,6 +49,8 @@ class ExactSurface {
       : request_(request), source_(request, setup) {}
 
   Deviation deviation(Sample sample);
+  /// Points of the surface at seed s, spread over the particle's time.
+  std::vector<Vec3> points_at(double s);
 
  private:
   FlowPoint point(double s, double& t);
@@ -63,6 +66,16 @@ FlowPoint ExactSurface::point(double s, double& t) {
   path.reach(t, source_.sampler());
   t = std::min(t, path.time());
   return path.at(t);
+}
+
+std::vector<Vec3> ExactSurface::points_at(double s) {
+  constexpr int times = 16;
+  std::vector<Vec3> points;
+  Trajectory path = source_.start(s);
+  if (!path.exists()) return points;
+  path.reach(request_.duration, source_.sampler());
+  for (int i = 0; i <= times; ++i) points.push_back(path.position_at(path.time() * i / times));
+  return points;
 }
 
 Deviation ExactSurface::deviation(Sample sample) {
@@ -130,6 +143,21 @@ SurfaceError summary(std::span<const MeshSample> samples,
   return error;
 }
 
+/// Points of the surface whatever the mesh is: seeds are the fractions of multiples of 1/φ, which
+/// no halving or even spacing comes near to again and again.
+std::vector<Vec3> points_of_surface(ExactSurface& surface) {
+  constexpr int seeds = 400;
+  constexpr double inverse_golden_ratio = 0.61803398874989485;
+  std::vector<std::vector<Vec3>> of_seed(seeds);
+  parallel_for(0, seeds, [&](int i) {
+    const double multiple = (i + 1) * inverse_golden_ratio;
+    of_seed[std::size_t(i)] = surface.points_at(multiple - std::floor(multiple));
+  });
+  std::vector<Vec3> points;
+  for (const auto& some : of_seed) points.insert(points.end(), some.begin(), some.end());
+  return points;
+}
+
 }  // namespace
 
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
@@ -145,6 +173,7 @@ SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequ
     deviations[i] = truth.deviation(sample_of(mesh, chosen[i], request.seed.closed));
   });
   SurfaceError error = summary(chosen, deviations);
+  error.max_from_surface = largest_distance(points_of_surface(truth), mesh);
   error.at_vertices = spread_to_vertices(mesh, chosen, deviations);
   return error;
 }

@@ -29,8 +29,27 @@ namespace {
       fmt::format("{}: not a valid {} file: {}", path.string(), path.extension().string(), why));
 }
 
+/// Says whether a legacy file is text and has "nan" among its numbers, which VTK does not read.
+bool has_nan_as_text(const std::filesystem::path& path) {
+  if (path.extension() != ".vtk") return false;
+  std::ifstream file(path);
+  bool is_text = false;
+  for (std::string word; file >> word;) {
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+    is_text = is_text || word == "ascii";
+    if (word == "binary") return false;
+    if (is_text && (word == "nan" || word == "-nan" || word == "+nan")) return true;
+  }
+  return false;
+}
+
 void refuse_messages(const VtkMessages& messages, const std::filesystem::path& path) {
-  if (const std::string line = messages.first_line(); !line.empty()) fail(path, line);
+  const std::string line = messages.first_line();
+  if (line.empty()) return;
+  if (has_nan_as_text(path))
+    fail(path,
+         "VTK reads no 'nan' in legacy files of text; accepted: binary data, or .vti, .vtu, …");
+  fail(path, line);
 }
 
 /// What a file claims must be what it can hold: a compressor makes data at most some thousand times

@@ -51,6 +51,9 @@ std::string VtkMessages::first_line() const {
   // "ERROR: In FILE, line N\nvtkClass (0x…): what happened\n\n"
   if (const std::size_t place = text.find("): "); place != std::string::npos)
     text.erase(0, place + 3);
+  // "Generic Warning: In FILE, line N\nwhat happened\n": of functions that belong to no object.
+  if (const std::size_t end = text.find('\n'); text.starts_with("Generic Warning: "))
+    text.erase(0, end == std::string::npos ? 0 : end + 1);
   text.erase(std::find(text.begin(), text.end(), '\n'), text.end());
   return text;
 }

@@ -163,6 +163,11 @@ class ObjectReader {
     integrators::IntegratedSurface surface =
         at_place(node, [&] { return integrators::integrate_surface(integrator, request); });
     if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
+    if (surface.stats.ends.contains(integrators::EndReason::triangles))
+      node.fail(fmt::format(
+          "it ends unfinished after {} triangles; accepted: a shorter seed or duration, a coarser "
+          "threshold or tolerance, a larger max-triangles",
+          surface.mesh.triangles.size()));
     note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
                      surface.stats.particles, surface.mesh.triangles.size()));
     draw(std::move(surface.mesh));

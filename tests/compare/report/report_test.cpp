@@ -71,6 +71,28 @@ TEST(UnitReport, HoldsTheColumnsOfTheTable) {
   EXPECT_EQ(data["metrics"].size(), metrics().size());
 }
 
+/// Whatever a title says, the page reads it back, and no table runs it.
+TEST(UnitReport, AnyTitleIsATitle) {
+  for (const std::string title :
+       {"{{data}} {{css}}", "<!--<script>", "</script><script>alert(1)</script>", "a\n\\input{x}",
+        "=cmd|' /C calc'!A0", "a | b | c", "\xE2\x80\xA8 \"quoted\" 'it'"}) {
+    const StudyFolder folder;
+    Study study = load_study(folder.study(R"(["shifted:by=0.5", "broken"])"), fake_methods());
+    study.title = title;
+    StudyOptions options;
+    options.folder = folder / "results";
+    run_study(study, options);
+    const std::string page = read_text(folder / "results/report.html");
+    EXPECT_EQ(count(page, "<script"), 2u) << title;
+    EXPECT_EQ(count(page, "<!--"), 1u) << title;  // the page's own
+    const auto data = nlohmann::json::parse(
+        between(page, R"(<script id="data" type="application/json">)", "</script>"));
+    EXPECT_EQ(data["study"]["title"], title);
+    EXPECT_THAT(read_text(folder / "results/table.tex"), Not(HasSubstr("\n\\input"))) << title;
+    EXPECT_THAT(read_text(folder / "results/table.md"), Not(HasSubstr("<script"))) << title;
+  }
+}
+
 TEST(UnitReport, TextCannotBecomeMarkup) {
   const StudyFolder folder;
   const std::string page = make_report(folder);
