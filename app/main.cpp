@@ -31,7 +31,8 @@ int flushed(int code) {
   errno = 0;
   const bool printed = std::fflush(stdout) == 0 && std::cout.flush().good() && !std::ferror(stdout);
   if (printed || errno == EPIPE || code != done) return code;
-  std::cerr << "pellucid: cannot write to the standard output: " << std::strerror(errno) << '\n';
+  std::cerr << "pellucid: cannot write to the standard output: "
+            << (errno ? std::strerror(errno) : "it takes no more") << '\n';
   return work_failed;
 }
 

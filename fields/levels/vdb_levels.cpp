@@ -39,7 +39,7 @@ void place(const openvdb::GridBase& grid, const openvdb::Coord& first, const std
            Level<T>& level) {
   if (!grid.transform().isLinear())
     throw InputError(fmt::format("{}: its transform is not affine; accepted: cubes", name));
-  const openvdb::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
+  const openvdb::Mat4d m = readers::affine_of(grid);
   level.width = m(0, 0);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
@@ -47,7 +47,7 @@ void place(const openvdb::GridBase& grid, const openvdb::Coord& first, const std
           !(std::abs(m(row, column) - wanted) <= affine_rounding * level.width))
         throw InputError(fmt::format(
             "{}: its voxels are not cubes along the axes; accepted: one width, no rotation", name));
-  const openvdb::Vec3d origin = grid.transform().indexToWorld(first);
+  const openvdb::Vec3d origin = m.transform(first.asVec3d());
   level.origin = {origin[0], origin[1], origin[2]};
 }
 

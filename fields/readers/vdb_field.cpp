@@ -78,7 +78,7 @@ class VdbField final : public VectorField {
 
 GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {
   if (!grid.transform().isLinear()) fail(path, "its transform is not affine");
-  const openvdb::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
+  const openvdb::Mat4d m = readers::affine_of(grid);
   Mat3 world_from_index;  // OpenVDB multiplies rows from the left
   for (int j = 0; j < 3; ++j) world_from_index[j] = Vec3(m(j, 0), m(j, 1), m(j, 2));
   const GridFrame frame{glm::inverse(world_from_index), Vec3(m(3, 0), m(3, 1), m(3, 2))};

@@ -191,7 +191,10 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   traversal.dir_x[lane] = float(direction.x);
   traversal.dir_y[lane] = float(direction.y);
   traversal.dir_z[lane] = float(direction.z);
-  traversal.tfar[lane] = float(end - begin);  // negative: the ray has nothing in front of the eye
+  // Negative: nothing is in front of the eye, or the ray passes far beside all of it. Embree
+  // refuses rays whose numbers are as large as those of such a one may be.
+  const bool passes_beside = !(glm::length(start + nearest * direction) <= 2 * reach);
+  traversal.tfar[lane] = passes_beside ? -1 : float(end - begin);
   traversal.mask[lane] = ~0u;
   traversal.id[lane] = unsigned(lane);
 }

@@ -9,6 +9,7 @@
 namespace pellucid::readers {
 namespace {
 
+constexpr const char* affine_name = "pellucid.affine";  // of metadata
 constexpr std::int32_t leaf_width = 8;
 constexpr std::size_t leaf_size = 512, mask_words = 8, tile_words = 5;
 
@@ -161,11 +162,10 @@ void place(const std::string& prefix, const Blocks& blocks, openvdb::GridBase& g
   const auto affine = blocks.at(prefix + ".affine").values<double>();
   if (affine.size() != 16)
     throw BlockError(fmt::format("grid '{}': its transform is not affine", grid.getName()));
+  const openvdb::Mat4d matrix(affine.data());
+  grid.insertMeta(affine_name, openvdb::TypedMetadata<openvdb::Mat4d>(matrix));
   try {
-    // As it is: createLinearTransform() would take the matrix apart and round it.
-    const openvdb::math::MapBase::Ptr map(
-        new openvdb::math::AffineMap(openvdb::Mat4d(affine.data())));
-    grid.setTransform(openvdb::math::Transform::Ptr(new openvdb::math::Transform(map)));
+    grid.setTransform(openvdb::math::Transform::createLinearTransform(matrix));
   } catch (const openvdb::Exception& error) {
     throw BlockError(fmt::format("grid '{}': its transform is not affine, or flat: {}",
                                  grid.getName(), error.what()));
@@ -173,6 +173,11 @@ void place(const std::string& prefix, const Blocks& blocks, openvdb::GridBase& g
 }
 
 }  // namespace
+
+openvdb::Mat4d affine_of(const openvdb::GridBase& grid) {
+  const auto matrix = grid.getMetadata<openvdb::TypedMetadata<openvdb::Mat4d>>(affine_name);
+  return matrix ? matrix->value() : grid.transform().baseMap()->getAffineMap()->getMat4();
+}
 
 bool holds_vectors(const VdbGrid& grid) {
   return grid.value_type == openvdb::typeNameAsString<openvdb::Vec3s>() ||

@@ -113,9 +113,10 @@ class PropertyContract : public ::testing::TestWithParam<std::size_t> {
   }
   /// A scene with the file as a mesh, as points or as lines.
   void write_scene(const std::string& kind, const std::string& file) const {
+    const std::string radius = kind == "mesh" ? "" : R"(, "radius": 0.1)";
     write(folder_ / "of.json", R"({"format": "pellucid-scene", "version": 1, "resolution": [8, 8],
       "objects": [{")" + kind + "\": \"" +
-                                   file + R"(", "radius": 0.1}]})");
+                                   file + "\"" + radius + "}]}");
   }
 
   testing::TemporaryFolder folder_;

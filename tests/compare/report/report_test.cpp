@@ -73,6 +73,7 @@ TEST(UnitReport, HoldsTheColumnsOfTheTable) {
 
 /// Whatever a title says, the page reads it back, and no table runs it.
 TEST(UnitReport, AnyTitleIsATitle) {
+  const std::string ordinary = make_report(StudyFolder());
   for (const std::string title :
        {"{{data}} {{css}}", "<!--<script>", "</script><script>alert(1)</script>", "a\n\\input{x}",
         "=cmd|' /C calc'!A0", "a | b | c", "\xE2\x80\xA8 \"quoted\" 'it'"}) {
@@ -83,8 +84,8 @@ TEST(UnitReport, AnyTitleIsATitle) {
     options.folder = folder / "results";
     run_study(study, options);
     const std::string page = read_text(folder / "results/report.html");
-    EXPECT_EQ(count(page, "<script"), 2u) << title;
-    EXPECT_EQ(count(page, "<!--"), 1u) << title;  // the page's own
+    EXPECT_EQ(count(page, "<script"), count(ordinary, "<script")) << title;
+    EXPECT_EQ(count(page, "<!--"), count(ordinary, "<!--")) << title;
     const auto data = nlohmann::json::parse(
         between(page, R"(<script id="data" type="application/json">)", "</script>"));
     EXPECT_EQ(data["study"]["title"], title);

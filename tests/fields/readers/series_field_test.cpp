@@ -79,7 +79,7 @@ TEST_F(UnitSeries, HandsOptionsToItsFiles) {
 }
 
 TEST_F(UnitSeries, RefusesWhatItCannotRead) {
-  EXPECT_THAT(complaint("{"), HasSubstr("not a valid .series file"));
+  EXPECT_THAT(complaint("{"), HasSubstr("bad.series: parse error"));
   EXPECT_THAT(complaint("[]"), HasSubstr("two or more"));
   EXPECT_THAT(complaint(R"({"files": [{"name": "0.vti", "time": 0}]})"), HasSubstr("two or more"));
   EXPECT_THAT(

@@ -26,6 +26,25 @@ Vec2 picture_point(const scene::Scene& scene, const Vec3& x) {
           scene.height / 2.0 - glm::dot(frame.up, x - frame.eye) / pixel};
 }
 
+/// Rays at ±height/2 are far beyond what Embree takes for a ray.
+TEST(UnitCrossings, APictureOfAnySizeHasItsRays) {
+  for (const double height : {1., 1e10, 1e20, 1e30, 1e290}) {
+    scene::Scene scene = orthographic_scene(8, 8);
+    scene.camera.height = height;
+    geometry::TriangleMesh sheet;
+    for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(0, 1)})
+      sheet.positions.push_back({0.01 * height * corner.x, 0.01 * height * corner.y, 0});
+    sheet.triangles = {{0, 1, 2}};
+    scene.objects.push_back({"small", sheet});
+    const CrossingFinder finder(scene, Precision::exact);
+    std::vector<Crossing> crossings;
+    for (const double x : {0.5, 4., 7.5}) {
+      finder.find(finder.frame().ray(x, 4), crossings);
+      EXPECT_EQ(crossings.size(), x == 4 ? 1u : 0u) << height << ", at " << x;
+    }
+  }
+}
+
 TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
   // Eight sheets of 95 × 95 cells, ten pixels wide, whose grid lines run through pixel centres from
   // 25.5 to 975.5: a top-left rule covers 950² pixels of each.

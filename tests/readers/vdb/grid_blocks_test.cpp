@@ -51,7 +51,7 @@ void expect_same_after_blocks(const typename Grid::ValueType& background,
   const auto copy = openvdb::gridPtrCast<Grid>(copies[0].grid);
   ASSERT_TRUE(copy);
   EXPECT_EQ(copy->getGridClass(), openvdb::GRID_STAGGERED);
-  EXPECT_EQ(copy->transform().baseMap()->getAffineMap()->getMat4(), affine);
+  EXPECT_EQ(affine_of(*copy), affine);
   EXPECT_EQ(copy->background(), background);
   EXPECT_EQ(copy->activeVoxelCount(), grid->activeVoxelCount());
   EXPECT_TRUE(copy->tree().hasSameTopology(grid->tree()));
