@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -71,6 +72,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return complain(error, input_wrong);
   } catch (const InputError& error) {
+    return complain(error, input_wrong);
+  } catch (const std::filesystem::filesystem_error& error) {  // of a path: a circle of links
     return complain(error, input_wrong);
   } catch (const WorkError& error) {
     return complain(error, work_failed);

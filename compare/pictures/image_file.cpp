@@ -88,7 +88,7 @@ struct OpenPicture {
 };
 
 std::unique_ptr<OpenPicture> open_input(const fs::path& path) {
-  if (!fs::is_regular_file(path)) cannot_read(path, "no such file");
+  require_file(path);
   note_read(path);
   auto picture = std::make_unique<OpenPicture>(path);
   if (picture->input->spec().deep) cannot_read(path, "it is deep; accepted: one sample per pixel");

@@ -18,6 +18,7 @@
 
 #include "core/error.h"
 #include "core/files/files_read.h"
+#include "core/files/output_file.h"
 
 namespace pellucid {
 namespace {
@@ -135,9 +136,7 @@ ReadLimits read_limits(std::uint64_t size) {
 
 Blocks read_in_child(std::string_view program, const fs::path& file,
                      const std::vector<std::string>& arguments) {
-  std::error_code code;
-  if (!fs::is_regular_file(file, code) || ::access(file.c_str(), R_OK) != 0)
-    throw InputError(fmt::format("{}: cannot read: no such file, or not permitted", file.string()));
+  require_file(file);
   const fs::path path = folder_of_this_program() / program;
   note_read(file);
   note_read(path);

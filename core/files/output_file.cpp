@@ -116,18 +116,6 @@ void copy_into(const fs::path& from, const fs::path& to, const fs::path& path) {
   throw InputError(fmt::format("{}: cannot read: {}", path.string(), why));
 }
 
-/// Opening a pipe would wait for who writes into it.
-void require_regular(const fs::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) cannot_read(path, std::strerror(errno));
-  if (S_ISDIR(status.st_mode)) cannot_read(path, std::strerror(EISDIR));
-  if (!S_ISREG(status.st_mode)) cannot_read(path, "a pipe or a device; accepted: a file");
-  const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
-  if (double(status.st_size) > memory)
-    cannot_read(path, fmt::format("its {:.3g} bytes are more than this machine's memory holds",
-                                  double(status.st_size)));
-}
-
 }  // namespace
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
@@ -171,8 +159,20 @@ void write_text(const fs::path& path, std::string_view text) {
   out.commit();
 }
 
+void require_file(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) cannot_read(path, std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) cannot_read(path, std::strerror(EISDIR));
+  if (!S_ISREG(status.st_mode)) cannot_read(path, "a pipe or a device; accepted: a file");
+  if (::access(path.c_str(), R_OK) != 0) cannot_read(path, std::strerror(errno));
+  const double memory = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
+  if (double(status.st_size) > memory)
+    cannot_read(path, fmt::format("its {:.3g} bytes are more than this machine's memory holds",
+                                  double(status.st_size)));
+}
+
 std::string read_text(const fs::path& path) {
-  require_regular(path);
+  require_file(path);
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.fd < 0) cannot_read(path, std::strerror(errno));
   std::string text;

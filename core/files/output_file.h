@@ -38,6 +38,10 @@ class OutputFile {
 /// Writes the whole text by an OutputFile, and throws as it does.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
+/// Throws InputError unless `path` is a file that may be read: a pipe or a device is none, and opening
+/// one would wait for who writes into it.
+void require_file(const std::filesystem::path& path);
+
 /// Reads a whole file and notes that it was read (note_read()). Throws InputError when `path`
 /// cannot be read as a file.
 std::string read_text(const std::filesystem::path& path);

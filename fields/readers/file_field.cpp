@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <new>
 #include <stdexcept>
 
 #include "core/error.h"
 #include "core/files/files_read.h"
+#include "core/files/output_file.h"
 
 namespace pellucid::fields {
 namespace {
@@ -38,11 +38,6 @@ FileOptions parse_options(const PathAndOptions& parts) {
   return file_options().read(Parameters(parts.path, file_options().specs(), given.options));
 }
 
-void require_readable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path) || !std::ifstream(path))
-    throw InputError(fmt::format("{}: cannot read: no such file, or not permitted", path.string()));
-}
-
 }  // namespace
 
 const OptionTable<FileOptions>& file_options() {
@@ -70,7 +65,7 @@ const FileFormatRow* file_format(std::string_view path) {
 
 std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
                                        const FileFormatRow& format, const FileOptions& options) {
-  require_readable(path);
+  require_file(path);
   note_read(path);
   try {
     return format.read(path, options);

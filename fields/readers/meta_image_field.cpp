@@ -16,6 +16,7 @@
 
 #include "core/error.h"
 #include "core/files/files_read.h"
+#include "core/files/output_file.h"
 #include "fields/readers/file_field.h"
 #include "fields/sampled/dense_field.h"
 
@@ -147,6 +148,7 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   const Layout layout = parse(header, path);
   const std::string data = header.at("ElementDataFile");
   std::ifstream beside;
+  if (data != "LOCAL") require_file(path.parent_path() / data);
   if (data != "LOCAL") beside.open(path.parent_path() / data, std::ios::binary);
   if (data != "LOCAL" && !beside)
     fail(path, fmt::format("ElementDataFile = {}: cannot read", data));

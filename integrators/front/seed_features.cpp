@@ -63,16 +63,44 @@ void add_stretches(const Kind& kind_of, std::vector<int>& places) {
   std::sort(places.begin(), places.end());
 }
 
-/// Of particles from s = i / followed_looks: whether each lasts for the whole duration.
-std::vector<char> who_lasts(const SurfaceRequest& request, const SurfaceSetup& setup) {
-  ParticleSource source(request, setup);
-  std::vector<char> lasts(followed_looks + 1);
-  parallel_for(0, followed_looks + 1, [&](int i) {
-    Trajectory path = source.start(double(i) / followed_looks);
-    lasts[std::size_t(i)] = path.exists() && path.reach(request.duration, source.sampler());
-  });
-  return lasts;
-}
+/// Follows particles from looks, to tell which of them last for the whole duration.
+class Followed {
+ public:
+  Followed(const SurfaceRequest& request, const SurfaceSetup& setup)
+      : request_(request), source_(request, setup), lasts_(followed_looks + 1) {
+    parallel_for(0, followed_looks + 1, [&](int i) { lasts_[std::size_t(i)] = lasts(i * stride); });
+  }
+
+  /// As the nearest particle that was followed from the beginning.
+  char near(int look) const { return lasts_[std::size_t((look + stride / 2) / stride)]; }
+
+  /// Adds the two neighbouring looks between which a particle that lasts and one that does not lie.
+  void add_edges(std::vector<int>& places) {
+    for (int i = 0; i < followed_looks; ++i) {
+      if (lasts_[std::size_t(i)] == lasts_[std::size_t(i) + 1]) continue;
+      int low = i * stride, high = low + stride;
+      while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (lasts(middle) == lasts_[std::size_t(i)] ? low : high) = middle;
+      }
+      places.insert(places.end(), {low, high});
+    }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+  }
+
+ private:
+  static constexpr int stride = seed_looks / followed_looks;
+
+  char lasts(int look) {
+    Trajectory path = source_.start(double(look) / seed_looks);
+    return path.exists() && path.reach(request_.duration, source_.sampler());
+  }
+
+  const SurfaceRequest& request_;
+  ParticleSource source_;
+  std::vector<char> lasts_;
+};
 
 void add_bends(const Looks& looks, int a, int b, std::vector<int>& places) {
   const std::optional<int> bend = looks.largest_bend_between(a, b);
@@ -87,16 +115,13 @@ void add_bends(const Looks& looks, int a, int b, std::vector<int>& places) {
 std::vector<double> seed_features(const SurfaceRequest& request, const SurfaceSetup& setup,
                                   std::span<const double> seeds) {
   const Looks looks(request);
-  const std::vector<char> lasts = who_lasts(request, setup);
+  Followed followed(request, setup);
   std::vector<int> places;
   for (const double s : seeds) places.push_back(int(std::lround(s * seed_looks)));
   const std::vector<int> known = places;
   add_stretches([&](int i) { return looks.is_there(i); }, places);
-  add_stretches(
-      [&](int i) {
-        return lasts[std::size_t(std::lround(double(i) * followed_looks / seed_looks))];
-      },
-      places);
+  add_stretches([&](int i) { return followed.near(i); }, places);
+  followed.add_edges(places);
   const std::vector<int> between = places;
   for (std::size_t i = 1; i < between.size(); ++i)
     add_bends(looks, between[i - 1], between[i], places);

@@ -98,7 +98,7 @@ class PropertyContract : public ::testing::TestWithParam<std::size_t> {
 
   Outcome run(const std::string& arguments) const {
     const testing::TemporaryFolder beside;
-    const std::string command = "cd " + folder_.path().string() + " && timeout 60 " +
+    const std::string command = "cd " + folder_.path().string() + " && timeout 20 " +
                                 PELLUCID_PROGRAM + " " + arguments + " --quiet > /dev/null 2> " +
                                 (beside / "err").string();
     const int status = std::system(command.c_str());
