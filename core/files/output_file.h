@@ -38,12 +38,12 @@ class OutputFile {
 /// Writes the whole text by an OutputFile, and throws as it does.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// Throws InputError unless `path` is a file that may be read: a pipe or a device is none, and opening
-/// one would wait for who writes into it.
+/// Throws InputError unless `path` is a file that may be read and is no larger than the memory: a
+/// pipe or a device is none, and opening one would wait for who writes into it.
 void require_file(const std::filesystem::path& path);
 
-/// Reads a whole file and notes that it was read (note_read()). Throws InputError when `path`
-/// cannot be read as a file.
+/// Reads a whole file and notes that it was read (note_read()). Throws InputError as require_file()
+/// does, and when the file is larger than this machine's memory.
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace pellucid

@@ -27,8 +27,9 @@ struct VdbGrid {
   openvdb::GridBase::Ptr grid;  // nullptr: only its name and type were read
 };
 
-/// Returns the matrix that takes indices, as a row from the left, to the world: the file's to the last
-/// bit. A Transform made of it may differ, since OpenVDB takes scales from differences of positions.
+/// Returns the matrix that takes indices, as a row from the left, to the world: the file's to the
+/// last bit. A Transform made of it may differ, since OpenVDB takes scales from differences of
+/// positions.
 openvdb::Mat4d affine_of(const openvdb::GridBase& grid);
 
 /// Says whether the grid's values are vectors of three floats or doubles.
