@@ -49,11 +49,11 @@ TEST(UnitAppearance, NanHasAColourOfItsOwn) {
     EXPECT_EQ(map(-std::numeric_limits<double>::infinity()), map(0)) << map.name;
   }
   geometry::Vertices some = with_scalar({1, nan, 2}), all = with_scalar({nan, nan});
-  apply_appearance({ScalarColor{"s"}, ScalarOpacity{"s", {0.25, 1}, {}}, "s"}, some);
+  apply_appearance({ScalarColor{"s", "viridis", {}}, ScalarOpacity{"s", {0.25, 1}, {}}, "s"}, some);
   EXPECT_EQ(rgb(some.colors[1]), nan_color);
   EXPECT_EQ(some.colors[1].a, 0.25f);
   EXPECT_EQ(some.importance, (std::vector<float>{0, 0, 1}));
-  apply_appearance({ScalarColor{"s"}, {}, "s"}, all);
+  apply_appearance({ScalarColor{"s", "viridis", {}}, {}, "s"}, all);
   EXPECT_EQ(rgb(all.colors[0]), nan_color);
   EXPECT_EQ(all.importance, (std::vector<float>{0, 0}));
 }
