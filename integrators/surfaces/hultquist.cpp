@@ -90,17 +90,20 @@ void RibbonFront::wake(int p) {
   if (p >= 0 && front_.at(p).next) awake_.push_back(p);
 }
 
-double distance2(const Vec3& a, const Vec3& b) { return glm::dot(b - a, b - a); }
+/// Squared length of a diagonal, world units². In an unsteady flow particles may come back to where
+/// they were: there the way between two times counts, at the speed of the faster one.
+double diagonal2(const FrontPoint& a, const FrontPoint& b, bool unsteady) {
+  const Vec3 apart = b.flow.x - a.flow.x;
+  const double way = unsteady ? std::max(a.speed, b.speed) * (b.t - a.t) : 0;
+  return glm::dot(apart, apart) + way * way;
+}
 
-/// The shorter diagonal of the ribbon between p and q starts where p goes next. In an unsteady flow
-/// places mean nothing without their time, particles may well come back to where they were, and the
-/// one goes first that is there earlier.
+/// The shorter diagonal of the ribbon between p and q starts where p goes next.
 bool RibbonFront::goes_first(int p, int q) const {
   if (q < 0 || !front_.at(q).next) return true;
   const FrontParticle &a = front_.at(p), &b = front_.at(q);
-  if (run_.is_unsteady() && a.next->t != b.next->t) return a.next->t < b.next->t;
-  const double mine = distance2(a.next->flow.x, b.head.flow.x);
-  const double other = distance2(b.next->flow.x, a.head.flow.x);
+  const double mine = diagonal2(*a.next, b.head, run_.is_unsteady());
+  const double other = diagonal2(*b.next, a.head, run_.is_unsteady());
   return mine < other || (mine == other && a.s < b.s);
 }
 

@@ -69,8 +69,7 @@ TEST_P(PropertySurfaces, FacetsTiltInFirstOrderOfTheirEdges) {
   // A sagitta κ h² / 8 within the tolerance allows edges h that shrink with its square root, to a
   // 32nd for a 1024th of it, and a facet's tilt is of first order in h. Ribbons are halved, so that
   // a mesh uses between half and all of what its tolerance allows, and one mesh may by chance use
-  // half where the other uses all: that leaves half of 32. Where a flow is unsteady, neighbours
-  // advance by time, and an edge leans by up to a step of either: that may take a third more.
+  // half where the other uses all: that leaves half of 32.
   constexpr double coarse = 1.6e-2, shrinkage = 32;
   for (const IntegratorRow& row : integrators()) {
     if (!row.promises.bounds_error) continue;
@@ -79,9 +78,7 @@ TEST_P(PropertySurfaces, FacetsTiltInFirstOrderOfTheirEdges) {
           fmt::format("{}:particles=2,tolerance={},facet-angle=180", row.name, tolerance);
       return worst_facet(GetParam(), sweep(GetParam(), integrator).surface.mesh);
     };
-    EXPECT_GE(worst(coarse) / worst(coarse / (shrinkage * shrinkage)),
-              shrinkage / (GetParam().path ? 3 : 2))
-        << row.name;
+    EXPECT_GE(worst(coarse) / worst(coarse / (shrinkage * shrinkage)), shrinkage / 2) << row.name;
   }
 }
 
