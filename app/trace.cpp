@@ -16,7 +16,6 @@
 #include "fields/make_field.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/files/mesh_formats.h"
-#include "integrators/front/seed_features.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_quality.h"
@@ -71,7 +70,7 @@ nlohmann::ordered_json to_json(const integrators::IntegratedSurface& surface,
           {"evaluations", surface.stats.evaluations},
           {"seconds", surface.stats.seconds},
           {"bytes", surface.stats.bytes},
-          {"seed_looks", integrators::seed_looks},
+          {"seed_looks", surface.stats.seed_looks},
           {"trimmed", surface.stats.trimmed},
           {"boundary_edges", quality.boundary_edges},
           {"non_manifold_edges", quality.non_manifold_edges},

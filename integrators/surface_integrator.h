@@ -20,6 +20,7 @@ struct SurfaceStats {
   std::uint64_t evaluations = 0;  // of the field, with or without its Jacobian, discarded tries too
   double seconds = 0;             // wall clock
   std::uint64_t bytes = 0;        // largest size of the mesh and the trajectories together
+  std::uint64_t seed_looks = 0;   // into how many intervals of the seed curve a feature was sought
   std::uint64_t trimmed = 0;      // facets on the border that stood off the surface
   EndCounts ends;                 // how many particles ended for which reason
 };

@@ -81,32 +81,6 @@ void Block::fail(std::string_view why) const {
   throw BlockError(fmt::format("array '{}' {}", name, why));
 }
 
-double Block::number(std::uint64_t index) const {
-  switch (type) {
-    case NumberType::i8:
-      return double(values<std::int8_t>()[index]);
-    case NumberType::u8:
-      return double(values<std::uint8_t>()[index]);
-    case NumberType::i16:
-      return double(values<std::int16_t>()[index]);
-    case NumberType::u16:
-      return double(values<std::uint16_t>()[index]);
-    case NumberType::i32:
-      return double(values<std::int32_t>()[index]);
-    case NumberType::u32:
-      return double(values<std::uint32_t>()[index]);
-    case NumberType::i64:
-      return double(values<std::int64_t>()[index]);
-    case NumberType::u64:
-      return double(values<std::uint64_t>()[index]);
-    case NumberType::f32:
-      return double(values<float>()[index]);
-    case NumberType::f64:
-      return values<double>()[index];
-  }
-  fail("is of no known type");
-}
-
 BlockWriter::BlockWriter(int file) : file_(file) {
   write(mark.data(), mark.size());
   pad(mark.size());

@@ -48,8 +48,6 @@ struct Block {
     if (type != number_type<T>()) fail("is of another type");
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
   }
-  /// Returns a number as the double nearest to it.
-  double number(std::uint64_t index) const;
   [[noreturn]] void fail(std::string_view why) const;
 };
 

@@ -23,7 +23,8 @@ struct ReadLimits {
 };
 
 /// Returns the limits for a file of `size` bytes: 1 GiB and 64 times its size; 5 s and a second per
-/// MiB; ten times as long by the clock. Compressed and ASCII data of the largest kind stay below.
+/// MiB; ten times as long by the clock. Only files of more than a GiB that were compressed to less
+/// than a 64th of it, a large field of one value, need more.
 ReadLimits read_limits(std::uint64_t size);
 
 /// Runs `program`, which lies beside this one, on the file with further arguments, and returns the

@@ -13,7 +13,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "fields/files/vtk_file.h"
+#include "fields/files/vector_array.h"
 #include "fields/finite.h"
 #include "fields/readers/file_field.h"
 #include "fields/sampled/cell_field.h"

@@ -8,10 +8,9 @@
 
 namespace pellucid::fields {
 
-/// Returns the volume cells of a structured or unstructured grid, without those of lower dimension,
-/// once it is sure that VTK can follow their connectivity. Throws InputError, naming `path`, where
-/// a cell is of another kind, has a wrong number of points or points beyond the file's, and for
-/// fewer than two samples along an axis of a structured grid.
+/// Returns the volume cells of a grid, without those of lower dimension and those that it hides.
+/// Throws InputError, naming `path`, where a cell is of another kind, and for fewer than two
+/// samples along an axis of a structured grid.
 vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const std::filesystem::path& path);
 
 }  // namespace pellucid::fields

@@ -50,12 +50,12 @@ class Looks {
   double largest_speed_ = 0;
 };
 
-/// Adds the middle of each stretch of looks of one kind that has none of the places.
-template <class Kind>
-void add_stretches(const Kind& kind_of, std::vector<int>& places) {
+/// Adds the middle of each stretch of looks where the field is there, or is not, that has none of
+/// the places.
+void add_stretches(const Looks& looks, std::vector<int>& places) {
   std::vector<int> middles;
   for (int begin = 0, end; begin <= seed_looks; begin = end) {
-    for (end = begin + 1; end <= seed_looks && kind_of(end) == kind_of(begin);) ++end;
+    for (end = begin + 1; end <= seed_looks && looks.is_there(end) == looks.is_there(begin);) ++end;
     const auto first = std::lower_bound(places.begin(), places.end(), begin);
     if (first == places.end() || *first >= end) middles.push_back((begin + end - 1) / 2);
   }
@@ -71,8 +71,7 @@ class Followed {
     parallel_for(0, followed_looks + 1, [&](int i) { lasts_[std::size_t(i)] = lasts(i * stride); });
   }
 
-  /// As the nearest particle that was followed from the beginning.
-  char near(int look) const { return lasts_[std::size_t((look + stride / 2) / stride)]; }
+  std::uint64_t evaluations() const { return source_.evaluations(); }
 
   /// Adds the two neighbouring looks between which a particle that lasts and one that does not lie.
   void add_edges(std::vector<int>& places) {
@@ -112,23 +111,23 @@ void add_bends(const Looks& looks, int a, int b, std::vector<int>& places) {
 
 }  // namespace
 
-std::vector<double> seed_features(const SurfaceRequest& request, const SurfaceSetup& setup,
-                                  std::span<const double> seeds) {
+SeedFeatures seed_features(const SurfaceRequest& request, const SurfaceSetup& setup,
+                           std::span<const double> seeds) {
   const Looks looks(request);
   Followed followed(request, setup);
   std::vector<int> places;
   for (const double s : seeds) places.push_back(int(std::lround(s * seed_looks)));
   const std::vector<int> known = places;
-  add_stretches([&](int i) { return looks.is_there(i); }, places);
-  add_stretches([&](int i) { return followed.near(i); }, places);
+  add_stretches(looks, places);
   followed.add_edges(places);
   const std::vector<int> between = places;
   for (std::size_t i = 1; i < between.size(); ++i)
     add_bends(looks, between[i - 1], between[i], places);
-  std::vector<double> features;
+  SeedFeatures features{{}, followed.evaluations() + seed_looks + 1};
   for (const int place : places)
-    if (!std::ranges::binary_search(known, place)) features.push_back(double(place) / seed_looks);
-  std::sort(features.begin(), features.end());
+    if (!std::ranges::binary_search(known, place))
+      features.seeds.push_back(double(place) / seed_looks);
+  std::sort(features.seeds.begin(), features.seeds.end());
   return features;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,13 +16,19 @@ inline constexpr int seed_looks = 1024;
 inline constexpr int followed_looks = 64;
 ///@}
 
-/// Returns places s in (0, 1), ascending, at which a front needs particles beside `seeds`, which
+/// SeedFeatures are places s on a seed curve, and what it took to find them.
+struct SeedFeatures {
+  std::vector<double> seeds;      // ascending, in (0, 1)
+  std::uint64_t evaluations = 0;  // of the field
+};
+
+/// Returns the places at which a front needs particles beside `seeds`, which
 /// ascend from 0 to 1, so as not to step over a feature of the field: where its velocity along the
 /// seed curve at the start time is off the straight line between its neighbours' by more than a
-/// quarter of the largest speed on the curve; and one in each stretch of the curve that has none
-/// and in which the field is there, or is not, or from which particles last for the whole duration,
-/// or do not.
-std::vector<double> seed_features(const SurfaceRequest& request, const SurfaceSetup& setup,
-                                  std::span<const double> seeds);
+/// quarter of the largest speed on the curve; one in each stretch of the curve that has none and in
+/// which the field is there, or is not; and on both sides of where particles begin or cease to last
+/// for the whole duration.
+SeedFeatures seed_features(const SurfaceRequest& request, const SurfaceSetup& setup,
+                           std::span<const double> seeds);
 
 }  // namespace pellucid::integrators

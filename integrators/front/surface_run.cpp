@@ -36,18 +36,12 @@ std::vector<Piece> pieces_between(std::vector<std::pair<double, double>> tears, 
   return pieces;
 }
 
-/// Where the first particles start: evenly over the whole curve, at its corners, and, of a front
-/// that refines, at the features of the field along it.
-std::vector<double> first_seeds(const SurfaceRequest& request, const SurfaceSetup& setup,
-                                int particles) {
-  const int intervals = request.seed.closed ? particles : particles - 1;
+/// Where the first particles start: evenly over the whole curve, and at its corners.
+std::vector<double> even_seeds(const SeedCurve& curve, int particles) {
+  const int intervals = curve.closed ? particles : particles - 1;
   std::vector<double> seeds{1};
   for (int i = 0; i < intervals; ++i) seeds.push_back(double(i) / intervals);
-  seeds.insert(seeds.end(), request.seed.corners.begin(), request.seed.corners.end());
-  std::sort(seeds.begin(), seeds.end());
-  if (!setup.refines) return seeds;
-  const std::vector<double> features = seed_features(request, setup, seeds);
-  seeds.insert(seeds.end(), features.begin(), features.end());
+  seeds.insert(seeds.end(), curve.corners.begin(), curve.corners.end());
   std::sort(seeds.begin(), seeds.end());
   return seeds;
 }
@@ -159,7 +153,10 @@ IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup&
                               int particles, const Sweep& sweep) {
   const Stopwatch watch;
   std::vector<std::pair<double, double>> tears;
-  const std::vector<double> first = first_seeds(request, options, particles);
+  std::vector<double> first = even_seeds(request.seed, particles);
+  SeedFeatures features;
+  if (options.refines) features = seed_features(request, options, first);
+  first.insert(first.end(), features.seeds.begin(), features.seeds.end());
   const auto sweep_all = [&](bool again) {
     SurfaceRun run(request, options);
     for (const Piece& piece : pieces_between(tears, request.seed.closed, options.rip))
@@ -174,6 +171,8 @@ IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup&
     surface = sweep_all(true);
     surface.stats.evaluations += evaluations;
   }
+  surface.stats.evaluations += features.evaluations;
+  surface.stats.seed_looks = options.refines ? seed_looks : 0;
   surface.stats.seconds = watch.seconds();
   return surface;
 }

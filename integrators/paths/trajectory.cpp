@@ -11,12 +11,7 @@
 namespace pellucid::integrators {
 namespace {
 
-Vec3 first(const std::array<double, 6>& y) { return {y[0], y[1], y[2]}; }
-Vec3 second(const std::array<double, 6>& y) { return {y[3], y[4], y[5]}; }
-
-std::array<double, 6> joined(const Vec3& a, const Vec3& b) {
-  return {a.x, a.y, a.z, b.x, b.y, b.z};
-}
+ParticleState joined(const Vec3& a, const Vec3& b) { return {a.x, a.y, a.z, b.x, b.y, b.z}; }
 
 double largest(const Vec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
 
@@ -40,53 +35,10 @@ constexpr double edge_tolerances = 1000;
 constexpr double edge_durations = edge_tolerances * 1e-9;
 
 /// Of a step's stages, world units per time.
-double fastest(const std::array<std::array<double, 6>, 7>& k) {
+double fastest(const std::array<ParticleState, 7>& k) {
   double speed = 0;
   for (const auto& stage : k) speed = std::max(speed, glm::length(first(stage)));
   return speed;
-}
-
-using Coefficients = std::array<std::array<double, 6>, 5>;
-
-Vec3 position(const Coefficients& c, double theta) {
-  Vec3 x = first(c[4]);
-  for (int n = 3; n >= 0; --n) x = x * theta + first(c[n]);
-  return x;
-}
-
-/// dx/dθ.
-Vec3 derivative(const Coefficients& c, double theta) {
-  Vec3 slope = first(c[4]) * 4.0;
-  for (int n = 3; n > 0; --n) slope = slope * theta + first(c[n]) * double(n);
-  return slope;
-}
-
-/// The length of a step's way up to θ. Gauss-Legendre with three nodes on each of 16 pieces: of
-/// degree 5, while the polynomial's speed is smooth but where it comes to rest within a piece, and
-/// then it is slow there.
-double arc_length(const Coefficients& c, double theta) {
-  constexpr int pieces = 16;
-  const double half = 0.5 * theta / pieces, node = std::sqrt(0.6) * half;
-  double length = 0;
-  for (int i = 0; i < pieces; ++i) {
-    const double middle = (2 * i + 1) * half;
-    length +=
-        half / 9 *
-        (8 * glm::length(derivative(c, middle)) + 5 * (glm::length(derivative(c, middle - node)) +
-                                                       glm::length(derivative(c, middle + node))));
-  }
-  return length;
-}
-
-/// θ up to which a step's way has this length, which is at most the whole step's: by bisection, to
-/// the last bit.
-double theta_of_length(const Coefficients& c, double length) {
-  double low = 0, high = 1;
-  for (int i = 0; i < 53; ++i) {
-    const double middle = 0.5 * (low + high);
-    (arc_length(c, middle) < length ? low : high) = middle;
-  }
-  return high;
 }
 
 }  // namespace
@@ -108,7 +60,7 @@ Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const
   rest_.center = seed;
   exists_ = true;
   // A step of no length, so that at(0) is known.
-  steps_.push_back({0, 0, {y_, f_, {}, {}, {}}});
+  steps_.push_back({0, 0, {{y_, f_, {}, {}, {}}}});
   end_at_rest();
   if (!end_) h_ = first_step(sampler);
 }
@@ -281,11 +233,12 @@ void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1
   for (int i = 0; i < 6; ++i) {
     // x(θ) = r₁ + θ (r₂ + (1-θ) (r₃ + θ (r₄ + (1-θ) r₅))), multiplied out.
     const double r2 = y1[i] - y_[i], r3 = h * k[0][i] - r2, r4 = r2 - h * k[rk.stages][i] - r3;
-    step.coefficients[0][i] = y_[i];
-    step.coefficients[1][i] = r2 + r3;
-    step.coefficients[2][i] = r4 - r3 + r5[i];
-    step.coefficients[3][i] = -r4 - 2 * r5[i];
-    step.coefficients[4][i] = r5[i];
+    auto& c = step.way.coefficients;
+    c[0][i] = y_[i];
+    c[1][i] = r2 + r3;
+    c[2][i] = r4 - r3 + r5[i];
+    c[3][i] = -r4 - 2 * r5[i];
+    c[4][i] = r5[i];
   }
   steps_.push_back(step);
   rest_.way += h * speed();
@@ -301,10 +254,9 @@ void Trajectory::accept(double h, const std::array<State, 7>& k, const State& y1
 /// Ends within the last step, where the way has the length that is asked for.
 void Trajectory::cut_to_length() {
   const Step& step = steps_.back();
-  const double whole = arc_length(step.coefficients, 1);
+  const double whole = step.way.arc_length(1);
   if (length_ + whole >= options_->max_length) {
-    const double theta =
-        theta_of_length(step.coefficients, std::max(0.0, options_->max_length - length_));
+    const double theta = step.way.theta_of_length(std::max(0.0, options_->max_length - length_));
     t_ = std::min(t_, step.begin + theta * step.length);
     end_ = EndReason::length;
   }
@@ -344,33 +296,22 @@ const Trajectory::Step& Trajectory::step_at(double t) const {
 
 FlowPoint Trajectory::at(double t) const {
   const Step& step = step_at(t);
-  const auto& c = step.coefficients;
-  if (step.length == 0) {
-    const Vec3 w = is_ghost(options_->companion) ? second(c[0]) - first(c[0]) : second(c[0]);
-    return {first(c[0]), first(c[1]), w};
-  }
-  const double theta = std::min((t - step.begin) / step.length, 1.0);
-  State y = c[4];
-  for (int n = 3; n >= 0; --n)
-    for (int i = 0; i < 6; ++i) y[i] = y[i] * theta + c[n][i];
+  const double theta = step.theta(t);
+  const State y = step.way.state(theta);
   const Vec3 w = is_ghost(options_->companion) ? second(y) - first(y) : second(y);
-  return {first(y), derivative(c, theta) / step.length, w};
+  // The seed's step has no length: its slope is dx/dt itself.
+  return {first(y), step.way.derivative(theta) / (step.length > 0 ? step.length : 1), w};
 }
 
 Vec3 Trajectory::position_at(double t) const {
   const Step& step = step_at(t);
-  const auto& c = step.coefficients;
-  if (step.length == 0) return first(c[0]);
-  return position(c, std::min((t - step.begin) / step.length, 1.0));
+  return step.way.position(step.theta(t));
 }
 
 Vec3 Trajectory::acceleration(double t) const {
   const Step& step = step_at(t);
   if (step.length == 0) return Vec3(0);
-  const auto& c = step.coefficients;
-  const double theta = std::min((t - step.begin) / step.length, 1.0);
-  const Vec3 curve = 2.0 * first(c[2]) + theta * (6.0 * first(c[3]) + theta * 12.0 * first(c[4]));
-  return curve / (step.length * step.length);
+  return step.way.second_derivative(step.theta(t)) / (step.length * step.length);
 }
 
 void Trajectory::release(double t) {

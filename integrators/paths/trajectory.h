@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "core/vec.h"
 #include "fields/field.h"
 #include "integrators/paths/butcher_tableau.h"
+#include "integrators/paths/dense_output.h"
 #include "integrators/paths/end_reason.h"
 
 namespace pellucid::integrators {
@@ -81,12 +83,14 @@ class Trajectory {
   std::uint64_t bytes() const { return steps_.capacity() * sizeof(Step); }  // beside itself
 
  private:
-  using State = std::array<double, 6>;  // position; companion
+  using State = ParticleState;
 
-  /// x(θ) = Σ coefficients[i] θ^i, θ = (t - begin) / length.
+  /// One step; θ = (t - begin) / length.
   struct Step {
     double begin, length;
-    std::array<State, 5> coefficients;
+    DenseOutput way;
+
+    double theta(double t) const { return length > 0 ? std::min((t - begin) / length, 1.0) : 0; }
   };
 
   fields::SampleStatus slope(double t, const State& y, State& f, fields::FieldSampler& sampler);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/vtk/shown_cells.h"
 
-#include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataSet.h>
@@ -11,8 +10,6 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-
-#include "core/error.h"
 
 namespace pellucid::readers {
 namespace {
@@ -29,15 +26,6 @@ bool any_marked(vtkUnsignedCharArray* marks, int flags) {
   for (vtkIdType i = 0; marks && i < marks->GetNumberOfTuples(); ++i)
     if (is_marked(marks, i, flags)) return true;
   return false;
-}
-
-void check_corners(vtkDataSet* data, vtkIdType cell, vtkIdList* corners,
-                   const std::filesystem::path& path) {
-  for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-    if (corners->GetId(k) < 0 || corners->GetId(k) >= data->GetNumberOfPoints())
-      throw InputError(fmt::format("{}: cell {}: point index {}, but the file has {} points",
-                                   path.string(), cell, corners->GetId(k),
-                                   data->GetNumberOfPoints()));
 }
 
 vtkSmartPointer<vtkPoints> points_of(vtkDataSet* data) {
@@ -81,7 +69,7 @@ bool hides_cell(vtkDataSet* data, vtkIdType cell) {
   return false;
 }
 
-vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data, const std::filesystem::path& path) {
+vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data) {
   const auto shown = vtkSmartPointer<vtkUnstructuredGrid>::New();
   shown->SetPoints(points_of(data));
   shown->GetPointData()->ShallowCopy(data->GetPointData());
@@ -91,7 +79,6 @@ vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data, const std::filesystem:
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) {
     data->GetCellPoints(i, corners);
-    check_corners(data, i, corners, path);
     if (hides_cell(data, i) || corners->GetNumberOfIds() == 0) continue;
     insert(data, i, corners, shown);
     shown->GetCellData()->CopyData(data->GetCellData(), i, shown->GetNumberOfCells() - 1);

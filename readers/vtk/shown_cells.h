@@ -6,8 +6,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <filesystem>
-
 class vtkDataSet;
 
 namespace pellucid::readers {
@@ -23,8 +21,8 @@ bool hides_cell(vtkDataSet* data, vtkIdType cell);
 bool hides_point(vtkDataSet* data, vtkIdType point);
 
 /// Returns the cells that are not hidden, as an unstructured grid with all points, under their
-/// numbers, and all arrays but the marks. Throws InputError, naming `path`, for a corner of a cell
-/// that is no point.
-vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data, const std::filesystem::path& path);
+/// numbers, and all arrays but the marks. Indices are those of points: data_set_of() has seen to
+/// it.
+vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data);
 
 }  // namespace pellucid::readers

@@ -11,19 +11,12 @@
 
 #include "core/error.h"
 #include "tests/support/levels.h"
+#include "tests/support/mesh_area.h"
 
 namespace pellucid::fields {
 namespace {
 
 using testing::sampled;
-
-double area(const ExtractedSurface& surface) {
-  double sum = 0;
-  for (const auto& [a, b, c] : surface.triangles)
-    sum += 0.5 * glm::length(glm::cross(surface.positions[b] - surface.positions[a],
-                                        surface.positions[c] - surface.positions[a]));
-  return sum;
-}
 
 class PropertyExtraction : public ::testing::TestWithParam<ReconstructionRow> {};
 INSTANTIATE_TEST_SUITE_P(All, PropertyExtraction, ::testing::ValuesIn(reconstructions),
@@ -54,7 +47,7 @@ TEST(UnitExtraction, ASphereHasItsAreaAndIsClosed) {
     for (const auto& t : surface.triangles)
       for (int k = 0; k < 3; ++k) ++edges[std::minmax(t[k], t[(k + 1) % 3])];
     for (const auto& [edge, count] : edges) ASSERT_EQ(count, 2);
-    const double error = std::abs(area(surface) - 4 * std::numbers::pi * 2.9 * 2.9);
+    const double error = std::abs(testing::area_of(surface) - 4 * std::numbers::pi * 2.9 * 2.9);
     if (before > 0) {
       EXPECT_LT(error, before / 3);  // order 2: a quarter
     }
@@ -73,7 +66,7 @@ TEST(UnitExtraction, IsOpenAtTheFieldsEnd) {
   const ExtractedSurface surface = extract_surface(field, 1.3);
   // Between the boxes, from 2 to 2.5, there is no field. A place on the upper face of the taller
   // one belongs to what lies above: the last of its cells, 0.25 wide, has no corners there.
-  EXPECT_NEAR(area(surface), 2 * (2 - 0.25) + 2 * 1, 1e-5);
+  EXPECT_NEAR(testing::area_of(surface), 2 * (2 - 0.25) + 2 * 1, 1e-5);
   for (const auto& t : surface.triangles)
     for (const std::uint32_t corner : t) EXPECT_NEAR(surface.positions[corner].x, 1.3, 1e-6);
 }

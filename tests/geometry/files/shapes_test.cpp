@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "geometry/files/mesh_file.h"
+#include "tests/support/mesh_area.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid::geometry {
@@ -25,14 +26,6 @@ class UnitShapes : public ::testing::Test {
   }
   TemporaryFolder folder_;
 };
-
-double area(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    sum += 0.5 * glm::length(glm::cross(mesh.positions[b] - mesh.positions[a],
-                                        mesh.positions[c] - mesh.positions[a]));
-  return sum;
-}
 
 std::string ply(const std::string& properties, const std::string& rest) {
   return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
@@ -72,7 +65,7 @@ TEST_F(UnitShapes, AConcavePolygonCoversItsAreaInEveryFormat) {
   for (const fs::path& path : files) {
     const TriangleMesh mesh = read_mesh(path);
     EXPECT_EQ(mesh.triangles.size(), 4u) << path;
-    EXPECT_NEAR(area(mesh), 5, 1e-14) << path;
+    EXPECT_NEAR(testing::area_of(mesh), 5, 1e-14) << path;
   }
 }
 
@@ -203,7 +196,7 @@ TEST_F(UnitShapes, EveryCellHasItsColour) {
                                       "0 1 2 3 4 5\n")));
   ASSERT_EQ(mesh.triangles.size(), 4u);
   EXPECT_EQ(mesh.positions.size(), 8u);  // the two in the middle twice
-  EXPECT_NEAR(area(mesh), 2, 1e-14);
+  EXPECT_NEAR(testing::area_of(mesh), 2, 1e-14);
   for (std::size_t i = 0; i < 4; ++i)
     for (const std::uint32_t v : mesh.triangles[i])
       EXPECT_EQ(mesh.colors[v], i < 2 ? Rgba(1, 0, 0, 1) : Rgba(0, 0, 1, 1)) << i;
@@ -218,18 +211,18 @@ TEST_F(UnitShapes, HiddenCellsAreNotDrawn) {
     return "FIELD f 1\nvtkGhostType 1 " + std::to_string(values.size() / 2) + " unsigned_char\n" +
            values + "\n";
   };
-  EXPECT_NEAR(area(read_mesh(file("all.vtk", cubes("")))), 10, 1e-14);
+  EXPECT_NEAR(testing::area_of(read_mesh(file("all.vtk", cubes("")))), 10, 1e-14);
   for (const char* flag : {"0 32", "0 1 "}) {  // hidden, duplicated
     const std::string marks =
         "CELL_DATA 2\nFIELD f 1\nvtkGhostType 1 2 unsigned_char\n" + std::string(flag) + "\n";
-    EXPECT_NEAR(area(read_mesh(file("cube.vtk", cubes(marks)))), 6, 1e-14) << flag;
+    EXPECT_NEAR(testing::area_of(read_mesh(file("cube.vtk", cubes(marks)))), 6, 1e-14) << flag;
     const TriangleMesh square = read_mesh(file("square.vtk", squares(marks)));
-    EXPECT_NEAR(area(square), 1, 1e-14) << flag;
+    EXPECT_NEAR(testing::area_of(square), 1, 1e-14) << flag;
     EXPECT_FALSE(square.scalars.contains("vtkGhostType"));
   }
   const std::string hidden_point = "POINT_DATA 6\n" + ghosts("0 0 0 0 0 2 ");
   const fs::path path = file("point.vtk", squares(hidden_point));
-  EXPECT_NEAR(area(read_mesh(path)), 1, 1e-14);
+  EXPECT_NEAR(testing::area_of(read_mesh(path)), 1, 1e-14);
   EXPECT_EQ(read_points(path).positions.size(), 5u);
 }
 

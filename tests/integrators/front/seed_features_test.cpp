@@ -11,6 +11,7 @@
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
+#include "tests/support/mesh_area.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -28,7 +29,7 @@ SurfaceRequest request_of(const fields::VectorField& field, double from, double 
 
 std::vector<double> features_of(const fields::VectorField& field, std::span<const double> seeds) {
   const SurfaceRequest request = request_of(field, 0, 1, 1);
-  return seed_features(request, surface_setup(request, SurfaceOptions{}), seeds);
+  return seed_features(request, surface_setup(request, SurfaceOptions{}), seeds).seeds;
 }
 
 TEST(UnitSeedFeatures, ALinearFieldHasNone) {
@@ -78,14 +79,6 @@ std::unique_ptr<fields::VectorField> with_hole(double low, double high, double f
   return fields::make_dense_field(std::move(grid), fields::Interpolation::linear, "hole");
 }
 
-double area_of(const geometry::TriangleMesh& mesh) {
-  double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    area += 0.5 * glm::length(glm::cross(mesh.positions[b] - mesh.positions[a],
-                                         mesh.positions[c] - mesh.positions[a]));
-  return area;
-}
-
 class PropertySeedFeatures : public ::testing::TestWithParam<const char*> {};
 
 /// The sheet z = w(y) t over 0 ≤ x ≤ 1: its highest point is that of the bump, wherever that is.
@@ -113,7 +106,7 @@ TEST_P(PropertySeedFeatures, NoSurfaceSpansAHole) {
     SurfaceRequest request = request_of(*field, 0.5, 7.5, 2);
     request.seed = segment_seed({1, 0.5, 1}, {1, 7.5, 1});
     const auto surface = integrate_surface(GetParam(), request);
-    EXPECT_NEAR(area_of(surface.mesh), 2 * left, 0.02 * 2 * left)
+    EXPECT_NEAR(testing::area_of(surface.mesh), 2 * left, 0.02 * 2 * left)
         << GetParam() << ", hole from " << low;
   }
 }
@@ -126,7 +119,7 @@ TEST_P(PropertySeedFeatures, NoSurfaceSpansAnObstacleDownstream) {
   request.seed = segment_seed({1, 0.5, 1}, {1, 7.5, 1});
   const auto surface = integrate_surface(GetParam(), request);
   const double right = 7 * 2.75 - 1 * (1 + 2.75 - 2.5);
-  EXPECT_NEAR(area_of(surface.mesh), right, 0.02 * right) << GetParam();
+  EXPECT_NEAR(testing::area_of(surface.mesh), right, 0.02 * right) << GetParam();
 }
 
 INSTANTIATE_TEST_SUITE_P(, PropertySeedFeatures,

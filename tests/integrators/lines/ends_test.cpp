@@ -14,6 +14,7 @@
 #include "integrators/paths/butcher_tableau.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "tests/integrators/test_fields.h"
+#include "tests/support/mesh_area.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid::integrators {
@@ -32,14 +33,6 @@ IntegratedLines trace(const fields::VectorField& field, std::string_view integra
 Vec3 end_of(const fields::VectorField& field, std::string_view integrator, const Vec3& seed,
             double duration) {
   return trace(field, integrator, {seed}, duration).lines.positions.back();
-}
-
-double area_of(const geometry::TriangleMesh& mesh) {
-  double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    area += 0.5 * glm::length(glm::cross(mesh.positions[b] - mesh.positions[a],
-                                         mesh.positions[c] - mesh.positions[a]));
-  return area;
 }
 
 /// Velocity (speed(t), 0, 0) everywhere.
@@ -95,7 +88,8 @@ TEST(PropertyEnds, PathSurfacesFromRestHaveTheirArea) {
     for (const double T : {1., 2.}) {
       const SurfaceRequest request{&grows, segment_seed({0, 0, 0}, {0, 1, 0}), T, 0, true, {}};
       // A rectangle, flat: every vertex is off by 1e-9 a step.
-      EXPECT_NEAR(area_of(integrate_surface(row.name, request).mesh), T * T / 2, 1e-6) << row.name;
+      EXPECT_NEAR(testing::area_of(integrate_surface(row.name, request).mesh), T * T / 2, 1e-6)
+          << row.name;
     }
 }
 
@@ -151,7 +145,7 @@ TEST(PropertyEnds, SurfacesOfALengthHaveItsArea) {
   const SurfaceRequest request{&uniform, segment_seed({0, 0, 0}, {0, 1, 0}), 100, 0, false, {}};
   for (const IntegratorRow& row : integrators()) {
     const auto surface = integrate_surface(fmt::format("{}:length=2", row.name), request);
-    EXPECT_NEAR(area_of(surface.mesh), 2, 1e-9) << row.name;
+    EXPECT_NEAR(testing::area_of(surface.mesh), 2, 1e-9) << row.name;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "fields/make_field.h"
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/surfaces/integrate_surface.h"
+#include "tests/support/mesh_area.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -55,15 +56,6 @@ double closed_form_area(const PathSurface& form, const Segment& seed) {
   return 0.5 * twice;
 }
 
-double area(const geometry::TriangleMesh& mesh) {
-  double twice = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3& x = mesh.positions[a];
-    twice += glm::length(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
-  }
-  return 0.5 * twice;
-}
-
 class PropertyPathSurfaces : public ::testing::TestWithParam<PathSurface> {};
 
 INSTANTIATE_TEST_SUITE_P(ClosedForms, PropertyPathSurfaces, ::testing::ValuesIn(path_surfaces()),
@@ -93,7 +85,7 @@ TEST_P(PropertyPathSurfaces, AreOneSheetOfTheClosedFormsArea) {
       const auto surface = integrate_surface(integrator, request);
       const MeshQuality quality = measure_quality(surface.mesh);
       const double right = closed_form_area(GetParam(), seed);
-      EXPECT_NEAR(area(surface.mesh), right, relative * right) << integrator;
+      EXPECT_NEAR(testing::area_of(surface.mesh), right, relative * right) << integrator;
       EXPECT_EQ(quality.sheets, 1u) << integrator;
       EXPECT_EQ(quality.non_manifold_vertices, 0u) << integrator;
       EXPECT_EQ(surface.stats.ends.count(EndReason::torn), 0u) << integrator;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/vdb/grid_blocks.h"
+#include "tests/support/memory_blocks.h"
 
 #include <gmock/gmock.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <functional>
 
@@ -13,13 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::vector<VdbGrid> through_blocks(const std::function<void(BlockWriter&)>& write) {
-  const int file = ::memfd_create("blocks", 0);
-  BlockWriter out(file);
-  write(out);
-  out.finish();
-  const Blocks blocks(file);
-  ::close(file);
-  return grids_of(blocks);
+  return grids_of(testing::blocks_of(write));
 }
 
 class UnitGridBlocks : public ::testing::Test {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/vtk/data_set_blocks.h"
+#include "tests/support/memory_blocks.h"
 
 #include <gmock/gmock.h>
-#include <sys/mman.h>
-#include <unistd.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -30,13 +29,7 @@ using ::testing::HasSubstr;
 
 /// What `write` writes, read back.
 vtkSmartPointer<vtkDataSet> through_blocks(const std::function<void(BlockWriter&)>& write) {
-  const int file = ::memfd_create("blocks", 0);
-  BlockWriter out(file);
-  write(out);
-  out.finish();
-  const Blocks blocks(file);
-  ::close(file);
-  return data_set_of(blocks);
+  return data_set_of(testing::blocks_of(write));
 }
 
 vtkSmartPointer<vtkDataSet> copy_of(vtkDataSet& data) {

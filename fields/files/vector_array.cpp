@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fields/files/vtk_file.h"
+#include "fields/files/vector_array.h"
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/files/vtk_attributes.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+#include "geometry/files/color_names.h"
+
+namespace pellucid::geometry {
+namespace {
+
+void take_column(vtkDataArray& array, const PointIds& points, const std::string& name,
+                 int component, double scale, VertexAttributes& attributes) {
+  std::vector<double>& column = attributes[name];
+  column.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    column[i] = array.GetComponent(points[i], component) / scale;
+}
+
+bool in_unit_interval(vtkDataArray& array) {
+  for (int c = 0; c < array.GetNumberOfComponents(); ++c) {
+    double range[2];
+    array.GetFiniteRange(range, c);
+    if (!(range[0] >= 0 && range[1] <= 1)) return false;
+  }
+  return true;
+}
+
+/// Whether an array of three or four components holds colours: it is called RGB, RGBA, Colors or
+/// color; or it is called like one, or is what VTK draws by (COLOR_SCALARS of a legacy file), and
+/// consists of bytes or of numbers in [0, 1].
+bool is_color(vtkDataArray& array, const vtkDataArray* active) {
+  const int components = array.GetNumberOfComponents();
+  if (components < 3 || components > 4) return false;
+  const std::string_view name = array.GetName() ? array.GetName() : "";
+  if (name == "RGB" || name == "RGBA" || name == "Colors" || name == "color") return true;
+  return (&array == active || is_color_name(name)) &&
+         (array.GetDataType() == VTK_UNSIGNED_CHAR || in_unit_interval(array));
+}
+
+/// The colours among the arrays: what VTK draws by before others; null when there are none.
+vtkDataArray* find_colors(vtkDataSetAttributes& arrays) {
+  vtkDataArray* active = arrays.GetScalars();
+  if (active && is_color(*active, active)) return active;
+  for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
+    if (vtkDataArray* array = arrays.GetArray(k); array && is_color(*array, active)) return array;
+  return nullptr;
+}
+
+/// Scalars keep their name, vectors give NAME_x, NAME_y, NAME_z; of bytes, the scalars red, green,
+/// blue and alpha count in 255ths.
+void take_array(vtkDataArray& array, const PointIds& points, VertexAttributes& attributes) {
+  const std::string name = array.GetName() ? array.GetName() : "unnamed";
+  const int components = array.GetNumberOfComponents();
+  static const char* const axes[] = {"_x", "_y", "_z", "_w"};
+  const bool is_channel = name == "red" || name == "green" || name == "blue" || name == "alpha";
+  if (components == 1)
+    return take_column(array, points, name, 0, is_channel ? vtk_color_unit(array) : 1, attributes);
+  for (int c = 0; c < std::min(components, 4); ++c)
+    take_column(array, points, name + axes[c], c, 1, attributes);
+}
+
+}  // namespace
+
+double vtk_color_unit(vtkDataArray& array) {
+  return array.GetDataType() == VTK_UNSIGNED_CHAR ? 255 : 1;
+}
+
+void take_vtk_colors(vtkDataArray& array, const PointIds& tuples, VertexAttributes& attributes) {
+  static const char* const rgba[] = {"red", "green", "blue", "alpha"};
+  for (int c = 0; c < array.GetNumberOfComponents(); ++c)
+    take_column(array, tuples, rgba[c], c, vtk_color_unit(array), attributes);
+}
+
+VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points) {
+  VertexAttributes attributes;
+  vtkPointData& arrays = *data.GetPointData();
+  vtkDataArray* const colors = find_colors(arrays);
+  for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
+    if (vtkDataArray* array = arrays.GetArray(k); array && array != arrays.GetNormals() &&
+                                                  array != colors &&
+                                                  array != data.GetPointGhostArray())
+      take_array(*array, points, attributes);
+  if (colors) take_vtk_colors(*colors, points, attributes);
+  if (vtkDataArray* normals = arrays.GetNormals())
+    for (int c = 0; c < 3; ++c)
+      take_column(*normals, points, std::string("n") + "xyz"[c], c, 1, attributes);
+  return attributes;
+}
+
+vtkDataArray* vtk_cell_colors(vtkPolyData& data, const VertexAttributes& of_points) {
+  vtkDataArray* colors = find_colors(*data.GetCellData());
+  const bool usable = colors && colors->GetNumberOfTuples() == data.GetNumberOfCells();
+  return usable && !of_points.contains("red") ? colors : nullptr;
+}
+
+}  // namespace pellucid::geometry

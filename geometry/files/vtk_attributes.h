@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vtkType.h>
+
+#include <vector>
+
+#include "geometry/files/mesh_formats.h"
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkPolyData;
+
+namespace pellucid::geometry {
+
+/// PointIds are numbers of VTK's points, or of its cells.
+using PointIds = std::vector<vtkIdType>;
+
+/// Returns the points' attributes, in the order of `points`: scalars by their name, vectors as
+/// NAME_x, NAME_y, NAME_z, colours as red, green, blue, alpha, the active normals as nx, ny, nz.
+/// VTK's own flags are none.
+VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points);
+
+/// Returns the colours of cells, unless the points have some or the file has not one of each cell:
+/// then nullptr.
+vtkDataArray* vtk_cell_colors(vtkPolyData& data, const VertexAttributes& of_points);
+
+/// Sets the columns red, green, blue and, of four components, alpha to the array's tuples.
+void take_vtk_colors(vtkDataArray& array, const PointIds& tuples, VertexAttributes& attributes);
+
+/// Returns what stands for 1 in an array of colours: 255 in bytes, else 1.
+double vtk_color_unit(vtkDataArray& array);
+
+}  // namespace pellucid::geometry
