@@ -124,6 +124,18 @@ std::string read_bytes(std::istream& file, const Path& path, std::size_t length)
   return bytes;
 }
 
+/// Opens the file of raw data that the header names.
+std::ifstream open_beside(const Path& header, const std::string& name) {
+  const Path path = header.parent_path() / name;
+  try {
+    require_file(path);
+  } catch (const InputError& error) {
+    fail(header, fmt::format("ElementDataFile = {}: {}", name, error.what()));
+  }
+  note_read(path);
+  return std::ifstream(path, std::ios::binary);
+}
+
 template <class Number>
 std::unique_ptr<VectorField> make_field(const Layout& layout, std::string bytes,
                                         Interpolation interpolation, std::string description) {
@@ -148,11 +160,7 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   const Layout layout = parse(header, path);
   const std::string data = header.at("ElementDataFile");
   std::ifstream beside;
-  if (data != "LOCAL") require_file(path.parent_path() / data);
-  if (data != "LOCAL") beside.open(path.parent_path() / data, std::ios::binary);
-  if (data != "LOCAL" && !beside)
-    fail(path, fmt::format("ElementDataFile = {}: cannot read", data));
-  if (data != "LOCAL") note_read(path.parent_path() / data);
+  if (data != "LOCAL") beside = open_beside(path, data);
   std::string bytes = read_bytes(data == "LOCAL" ? file : beside, path, layout.bytes());
   const std::string description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
                                               layout.size[0], layout.size[1], layout.size[2]);
