@@ -10,7 +10,9 @@ namespace pellucid::integrators {
 /// A ParticleState is a particle's position, then that of its companion or ∂x/∂s; world units.
 using ParticleState = std::array<double, 6>;
 
+/// Returns the particle's position, world units.
 inline Vec3 first(const ParticleState& y) { return {y[0], y[1], y[2]}; }
+/// Returns the position of its companion, world units, or ∂x/∂s.
 inline Vec3 second(const ParticleState& y) { return {y[3], y[4], y[5]}; }
 
 /// A DenseOutput is the state along one step, Σ coefficients[i] θ^i for 0 ≤ θ ≤ 1: Hairer, Nørsett,
