@@ -7,6 +7,8 @@ target_include_directories(pellucid_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(pellucid_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
 # No contraction and no fast-math: the exact paths count on IEEE double as written.
 target_compile_options(pellucid_options INTERFACE -ffp-contract=off)
+# A program starts as fast as its libraries are found: only those whose functions it calls.
+target_link_options(pellucid_options INTERFACE -Wl,--as-needed)
 # A study's rows name the build that made them.
 target_link_options(pellucid_options INTERFACE -Wl,--build-id=sha1)
 if(PELLUCID_SANITIZE)

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/pictures/sums_file.h"
 
-#include <OpenImageIO/deepdata.h>
-#include <OpenImageIO/imageio.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDeepFrameBuffer.h>
+#include <OpenEXR/ImfDeepScanLineOutputFile.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfPartType.h>
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <bit>
+#include <fstream>
 
+#include "compare/pictures/exr_file.h"
 #include "core/error.h"
 #include "core/files/output_file.h"
 
@@ -14,75 +20,90 @@ namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
-using OIIO::ImageSpec;
-using OIIO::TypeDesc;
+using groundtruth::RayLayer;
+using groundtruth::RaySums;
 
-/// An OpenEXR file that appears whole or not at all.
-class ExrFile {
+const fs::path& checked(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending != ".exr")
+    throw InputError(fmt::format("{}: ending '{}'; accepted: .exr", path.string(), ending));
+  return path;
+}
+
+std::uint32_t bits(double value) { return std::bit_cast<std::uint32_t>(float(value)); }
+
+/// A DeepChannel is one of a crossing's numbers, as the 32 bits of a float or an integer.
+struct DeepChannel {
+  const char* name;
+  Imf::PixelType type;
+  std::uint32_t (*value)(const RayLayer& layer);
+};
+
+constexpr DeepChannel deep_channels[] = {
+    {"R", Imf::FLOAT, [](const RayLayer& l) { return bits(l.opacity * l.color[0]); }},
+    {"G", Imf::FLOAT, [](const RayLayer& l) { return bits(l.opacity * l.color[1]); }},
+    {"B", Imf::FLOAT, [](const RayLayer& l) { return bits(l.opacity * l.color[2]); }},
+    {"A", Imf::FLOAT, [](const RayLayer& l) { return bits(l.opacity); }},
+    {"Z", Imf::FLOAT, [](const RayLayer& l) { return bits(l.depth); }},
+    {"importance", Imf::FLOAT, [](const RayLayer& l) { return bits(l.importance); }},
+    {"object", Imf::UINT, [](const RayLayer& l) { return std::uint32_t(l.object); }},
+    {"primitive", Imf::UINT, [](const RayLayer& l) { return std::uint32_t(l.primitive); }},
+};
+
+Imf::Header deep_header(int width, int height) {
+  Imf::Header header(width, height);
+  header.setType(Imf::DEEPSCANLINE);
+  header.compression() = Imf::ZIPS_COMPRESSION;
+  for (const DeepChannel& channel : deep_channels)
+    header.channels().insert(channel.name, Imf::Channel(channel.type));
+  return header;
+}
+
+/// A DeepRow is one row's samples as OpenEXR takes them: for each channel, a pointer per pixel.
+class DeepRow {
  public:
-  ExrFile(const fs::path& path, ImageSpec spec) : path_(checked(path)), file_(path) {
-    // Otherwise the file holds the time of writing, and equal pictures give unequal files.
-    spec.attribute("DateTime", "1970:01:01 00:00:00");
-    output_ = OIIO::ImageOutput::create(file_.temporary().string());
-    if (!output_) fail(OIIO::geterror());
-    check(output_->open(file_.temporary().string(), spec));
+  explicit DeepRow(const std::vector<RaySums>& rays) : counts_(rays.size()) {
+    for (std::size_t x = 0; x < rays.size(); ++x) counts_[x] = unsigned(rays[x].layers.size());
+    for (std::size_t c = 0; c < std::size(deep_channels); ++c) fill(c, rays);
   }
 
-  OIIO::ImageOutput& output() { return *output_; }
-
-  /// What a call of the library returned.
-  void check(bool done) {
-    if (!done) fail(output_->geterror());
-  }
-
-  void commit() {
-    check(output_->close());
-    file_.commit();
+  /// The row is number `y` of the file: OpenEXR multiplies it by a stride, which is 0.
+  Imf::DeepFrameBuffer frame() {
+    Imf::DeepFrameBuffer frame;
+    frame.insertSampleCountSlice(
+        Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts_.data()), sizeof counts_[0], 0));
+    for (std::size_t c = 0; c < std::size(deep_channels); ++c)
+      frame.insert(
+          deep_channels[c].name,
+          Imf::DeepSlice(deep_channels[c].type, reinterpret_cast<char*>(pointers_[c].data()),
+                         sizeof pointers_[c][0], 0, sizeof(std::uint32_t)));
+    return frame;
   }
 
  private:
-  static const fs::path& checked(const fs::path& path) {
-    const std::string ending = path.extension().string();
-    if (ending != ".exr")
-      throw InputError(fmt::format("{}: ending '{}'; accepted: .exr", path.string(), ending));
-    return path;
+  void fill(std::size_t c, const std::vector<RaySums>& rays) {
+    for (const RaySums& ray : rays)
+      for (const RayLayer& layer : ray.layers) values_[c].push_back(deep_channels[c].value(layer));
+    std::uint32_t* next = values_[c].data();
+    for (const unsigned count : counts_) {
+      pointers_[c].push_back(next);
+      next += count;
+    }
   }
 
-  [[noreturn]] void fail(std::string why) const {
-    std::ranges::replace(why, '\n', ' ');
-    throw WorkError(fmt::format("{}: cannot write the picture: {}", path_.string(), why));
-  }
-
-  fs::path path_;
-  OutputFile file_;
-  std::unique_ptr<OIIO::ImageOutput> output_;
+  std::vector<unsigned> counts_;
+  std::array<std::vector<std::uint32_t>, std::size(deep_channels)> values_;
+  std::array<std::vector<std::uint32_t*>, std::size(deep_channels)> pointers_;
 };
 
-// In the order of ImageSpec::channelnames.
-enum DeepChannel { red, green, blue, alpha, depth, importance, object, primitive };
-
-ImageSpec deep_spec(int width, int height) {
-  ImageSpec spec(width, height, 8, TypeDesc::FLOAT);
-  spec.channelnames = {"R", "G", "B", "A", "Z", "importance", "object", "primitive"};
-  spec.channelformats.assign(8, TypeDesc::FLOAT);
-  spec.channelformats[object] = spec.channelformats[primitive] = TypeDesc::UINT32;
-  spec.alpha_channel = alpha;
-  spec.z_channel = depth;
-  spec.deep = true;
-  spec.attribute("compression", "zips");
-  return spec;
-}
-
-void set_samples(OIIO::DeepData& data, int x, const groundtruth::RaySums& ray) {
-  for (int k = 0; k < int(ray.layers.size()); ++k) {
-    const groundtruth::RayLayer& layer = ray.layers[k];
-    for (int c = 0; c < 3; ++c)
-      data.set_deep_value(x, red + c, k, float(layer.opacity * layer.color[c]));
-    data.set_deep_value(x, alpha, k, float(layer.opacity));
-    data.set_deep_value(x, depth, k, float(layer.depth));
-    data.set_deep_value(x, importance, k, float(layer.importance));
-    data.set_deep_value(x, object, k, layer.object);
-    data.set_deep_value(x, primitive, k, layer.primitive);
+void write_rows(const fs::path& path, std::ostream& out, const Imf::Header& header, int height,
+                const std::function<std::vector<RaySums>(int y)>& row) {
+  ExrStream stream(out, path);
+  Imf::DeepScanLineOutputFile file(stream, header, exr_threads());
+  for (int y = 0; y < height; ++y) {
+    DeepRow samples(row(y));
+    file.setFrameBuffer(samples.frame());
+    file.writePixels(1);
   }
 }
 
@@ -90,27 +111,19 @@ void set_samples(OIIO::DeepData& data, int x, const groundtruth::RaySums& ray) {
 
 void write_sums(const fs::path& path, const Raster<groundtruth::PixelSums>& sums) {
   static_assert(sizeof(groundtruth::PixelSums) == 7 * sizeof(float));
-  ImageSpec spec(sums.width, sums.height, 7, TypeDesc::FLOAT);
-  spec.channelnames = {"layers", "coverage", "transmittance", "importance_sum", "optical_depth",
-                       "near",   "far"};
-  spec.attribute("compression", "zip");
-  ExrFile file(path, spec);
-  file.check(file.output().write_image(TypeDesc::FLOAT, sums.pixels.data()));
-  file.commit();
+  write_text(checked(path), encode_exr(path, sums.width, sums.height,
+                                       {"layers", "coverage", "transmittance", "importance_sum",
+                                        "optical_depth", "near", "far"},
+                                       Imf::FLOAT, sums.pixels.data()));
 }
 
 void write_deep(const fs::path& path, int width, int height,
-                const std::function<std::vector<groundtruth::RaySums>(int y)>& row) {
-  const ImageSpec spec = deep_spec(width, height);
-  ExrFile file(path, spec);
-  for (int y = 0; y < height; ++y) {
-    const std::vector<groundtruth::RaySums> rays = row(y);
-    OIIO::DeepData data;
-    data.init(width, spec.nchannels, spec.channelformats, spec.channelnames);
-    for (int x = 0; x < width; ++x) data.set_samples(x, int(rays[x].layers.size()));
-    for (int x = 0; x < width; ++x) set_samples(data, x, rays[x]);
-    file.check(file.output().write_deep_scanlines(y, y + 1, 0, data));
-  }
+                const std::function<std::vector<RaySums>(int y)>& row) {
+  OutputFile file(checked(path));
+  std::ofstream out(file.temporary(), std::ios::binary);
+  write_rows(path, out, deep_header(width, height), height, row);
+  out.close();
+  if (!out) throw WorkError(fmt::format("{}: cannot write the picture", path.string()));
   file.commit();
 }
 

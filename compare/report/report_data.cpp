@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/report/report_data.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "compare/cells/cell.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
+#include "compare/report/base64.h"
 #include "compare/report/crop.h"
 #include "compare/report/source_json.h"
 #include "compare/results/columns.h"
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 std::string data_uri(const fs::path& png) {
-  return "data:image/png;base64," + OIIO::Strutil::base64_encode(read_text(png));
+  return "data:image/png;base64," + base64(read_text(png));
 }
 
 std::string hex(const Vec3& color) {

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -127,41 +128,11 @@ void set_limits(const ReadLimits& limits) {
   ::alarm(limits.wall_seconds);
 }
 
-}  // namespace
+using ReadFunction =
+    std::function<void(const fs::path&, std::span<const std::string>, BlockWriter&)>;
 
-ReadLimits read_limits(std::uint64_t size) {
-  const auto seconds = unsigned(5 + (size >> 20));
-  return {(std::uint64_t(1) << 30) + 64 * size, seconds, 10 * seconds};
-}
-
-Blocks read_in_child(std::string_view program, const fs::path& file,
-                     const std::vector<std::string>& arguments) {
-  require_file(file);
-  const fs::path path = folder_of_this_program() / program;
-  note_read(file);
-  note_read(path);
-  const ReadLimits limits = read_limits(fs::file_size(file));
-  std::vector<std::string> words{path.string(), file.string(), std::to_string(limits.bytes),
-                                 std::to_string(limits.cpu_seconds),
-                                 std::to_string(limits.wall_seconds)};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const MemoryFile result;
-  const int status = wait_for(start(path, std::move(words), result.descriptor()));
-  const bool answered =
-      WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == complaint_code);
-  if (!answered) throw InputError(not_valid(file, reason(status, limits)));
-  try {
-    Blocks blocks(result.descriptor());
-    if (WEXITSTATUS(status) == complaint_code) throw InputError(blocks.text(complaint));
-    return blocks;
-  } catch (const BlockError& error) {
-    throw InputError(not_valid(file, error.what()));
-  }
-}
-
-int run_child_reader(
-    int argc, char** argv,
-    const std::function<void(const fs::path&, std::span<const std::string>, BlockWriter&)>& read) {
+/// Returns the exit code.
+int answer(int argc, char** argv, const ReadFunction& read) {
   if (argc < 5 || ::fcntl(result_file, F_GETFD) < 0) return 1;  // pellucid starts this, nobody else
   const fs::path file = argv[1];
   const ReadLimits limits{std::strtoull(argv[2], nullptr, 10), unsigned(std::atoi(argv[3])),
@@ -187,6 +158,43 @@ int run_child_reader(
   out.add_text(complaint, why);
   out.finish();
   return complaint_code;
+}
+
+}  // namespace
+
+ReadLimits read_limits(std::uint64_t size) {
+  const auto seconds = unsigned(5 + (size >> 20));
+  return {(std::uint64_t(1) << 30) + 64 * size, seconds, 10 * seconds};
+}
+
+Blocks read_in_child(std::string_view program, const fs::path& file,
+                     const std::vector<std::string>& arguments, std::uint64_t at_least) {
+  require_file(file);
+  const fs::path path = folder_of_this_program() / program;
+  note_read(file);
+  note_read(path);
+  ReadLimits limits = read_limits(fs::file_size(file));
+  limits.bytes = std::max(limits.bytes, at_least);
+  std::vector<std::string> words{path.string(), file.string(), std::to_string(limits.bytes),
+                                 std::to_string(limits.cpu_seconds),
+                                 std::to_string(limits.wall_seconds)};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const MemoryFile result;
+  const int status = wait_for(start(path, std::move(words), result.descriptor()));
+  const bool answered =
+      WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == complaint_code);
+  if (!answered) throw InputError(not_valid(file, reason(status, limits)));
+  try {
+    Blocks blocks(result.descriptor());
+    if (WEXITSTATUS(status) == complaint_code) throw InputError(blocks.text(complaint));
+    return blocks;
+  } catch (const BlockError& error) {
+    throw InputError(not_valid(file, error.what()));
+  }
+}
+
+void run_child_reader(int argc, char** argv, const ReadFunction& read) {
+  std::_Exit(answer(argc, argv, read));
 }
 
 }  // namespace pellucid

@@ -28,17 +28,19 @@ struct ReadLimits {
 ReadLimits read_limits(std::uint64_t size);
 
 /// Runs `program`, which lies beside this one, on the file with further arguments, and returns the
-/// blocks that it leaves. Notes that file and program were read. Throws InputError that names the
-/// file when it is no regular file, when the program complains of it, dies over it or exceeds the
-/// limits; WorkError when the program cannot be started.
+/// blocks that it leaves. Its limits are read_limits(), and no less than `at_least` bytes. Notes
+/// that file and program were read. Throws InputError that names the file when it is no regular
+/// file, when the program complains of it, dies over it or exceeds the limits; WorkError when the
+/// program cannot be started.
 Blocks read_in_child(std::string_view program, const std::filesystem::path& file,
-                     const std::vector<std::string>& arguments = {});
+                     const std::vector<std::string>& arguments = {}, std::uint64_t at_least = 0);
 
-/// The main function of such a program: sets the limits that its parent gave, calls
-/// read(file, further arguments, out), and leaves what it throws as the complaint. Returns the exit
-/// code.
-int run_child_reader(int argc, char** argv,
-                     const std::function<void(const std::filesystem::path&,
-                                              std::span<const std::string>, BlockWriter&)>& read);
+/// Is all that such a program does: sets the limits that its parent gave, calls
+/// read(file, further arguments, out), leaves what it throws as the complaint, and ends the
+/// process. No library is asked to clean up, which one that a file has damaged may not survive.
+[[noreturn]] void run_child_reader(
+    int argc, char** argv,
+    const std::function<void(const std::filesystem::path&, std::span<const std::string>,
+                             BlockWriter&)>& read);
 
 }  // namespace pellucid

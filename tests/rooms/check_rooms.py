@@ -145,7 +145,7 @@ def declarations(tree):
     """ROOMS of a room's CMakeLists.txt against what it includes."""
     errors = []
     for room in tree.rooms:
-        said = declared_rooms(tree.cmake[room])
+        said = declared_rooms(tree.cmake[room]) & set(tree.rooms)
         used = {t.split("/")[0] for f, t in tree.arrows if f.startswith(room + "/")}
         used = (used & set(tree.rooms)) - {room}
         up = [r for r in said if tree.rooms.index(r) >= tree.rooms.index(room)]

@@ -4,15 +4,18 @@
 
 #include "compare/pictures/sums_file.h"
 
-#include <OpenImageIO/deepdata.h>
-#include <OpenImageIO/imageio.h>
+#include <OpenEXR/ImfDeepFrameBuffer.h>
+#include <OpenEXR/ImfDeepScanLineInputFile.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
 
 #include "core/error.h"
 #include "groundtruth/methods/raytrace.h"
+#include "readers/pictures/picture_file.h"
 #include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
@@ -20,7 +23,6 @@
 namespace pellucid::compare {
 namespace {
 
-using ::testing::UnorderedElementsAre;
 using namespace testing;
 
 Image raytraced(const scene::Scene& scene) {
@@ -80,21 +82,48 @@ TEST_F(UnitSumsFile, HoldsAChannelForEachSum) {
   const scene::Scene scene = half_a_stack(1);
   const auto path = folder_ / "sums.exr";
   write_sums(path, groundtruth::picture_sums(scene, groundtruth::RayProbe(scene), {}));
-  const auto file = OIIO::ImageInput::open(path.string());
-  ASSERT_TRUE(file) << OIIO::geterror();
-  EXPECT_THAT(file->spec().channelnames,
-              UnorderedElementsAre("layers", "coverage", "transmittance", "importance_sum",
-                                   "optical_depth", "near", "far"));
-  std::vector<float> values(4 * 2 * 7);
-  ASSERT_TRUE(file->read_image(0, 0, 0, 7, OIIO::TypeDesc::FLOAT, values.data()));
-  const auto& names = file->spec().channelnames;
-  const auto channel = [&](const char* name) {
-    return std::size_t(std::ranges::find(names, name) - names.begin());
-  };
-  EXPECT_EQ(values[channel("layers")], 8);
-  EXPECT_EQ(values[channel("far")], 5.75);
-  EXPECT_EQ(values[7 * 3 + channel("transmittance")], 1);
+  const readers::PictureFile file = readers::read_picture_file(path);
+  std::map<std::string, std::span<const float>> values;
+  for (const Block& channel : file.channels) values[channel.name] = channel.values<float>();
+  EXPECT_EQ(values.size(), 7);
+  EXPECT_EQ(values["layers"][0], 8);
+  EXPECT_EQ(values["coverage"][0], 1);
+  EXPECT_EQ(values["far"][0], 5.75);
+  EXPECT_EQ(values["near"][3], std::numeric_limits<float>::infinity());
+  EXPECT_EQ(values["optical_depth"][3], 0);
+  EXPECT_EQ(values["importance_sum"][0], 2);
+  EXPECT_EQ(values["transmittance"][3], 1);
 }
+
+/// A DeepFile is one channel of a deep picture: the samples of each pixel, 32 bits each.
+class DeepFile {
+ public:
+  explicit DeepFile(const std::filesystem::path& path) : file_(path.c_str()) {}
+
+  template <class T>
+  std::vector<std::vector<T>> channel(const char* name) {
+    constexpr Imf::PixelType type = std::is_integral_v<T> ? Imf::UINT : Imf::FLOAT;
+    const Imath::Box2i box = file_.header().dataWindow();
+    const int width = box.max.x + 1, height = box.max.y + 1;
+    std::vector<unsigned> counts(std::size_t(width) * height);
+    std::vector<T*> pointers(counts.size());
+    Imf::DeepFrameBuffer frame;
+    frame.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data()),
+                                            sizeof(unsigned), sizeof(unsigned) * width));
+    frame.insert(name, Imf::DeepSlice(type, reinterpret_cast<char*>(pointers.data()), sizeof(T*),
+                                      sizeof(T*) * width, sizeof(T)));
+    file_.setFrameBuffer(frame);
+    file_.readPixelSampleCounts(0, height - 1);
+    std::vector<std::vector<T>> samples;
+    for (const unsigned count : counts) samples.emplace_back(count);
+    for (std::size_t i = 0; i < samples.size(); ++i) pointers[i] = samples[i].data();
+    file_.readPixels(0, height - 1);
+    return samples;
+  }
+
+ private:
+  Imf::DeepScanLineInputFile file_;
+};
 
 TEST_F(UnitSumsFile, DeepSamplesCompositeToThePicture) {
   scene::Scene scene;
@@ -105,32 +134,26 @@ TEST_F(UnitSumsFile, DeepSamplesCompositeToThePicture) {
   const auto path = folder_ / "deep.exr";
   write_deep(path, scene.width, scene.height,
              [&](int y) { return groundtruth::row_sums(scene, probe, y); });
-  const auto file = OIIO::ImageInput::open(path.string());
-  ASSERT_TRUE(file) << OIIO::geterror();
-  ASSERT_TRUE(file->spec().deep);
-  OIIO::DeepData data;
-  ASSERT_TRUE(file->read_native_deep_image(0, 0, data));
-  const auto& names = file->spec().channelnames;
-  const auto channel = [&](const char* name) {
-    return int(std::ranges::find(names, name) - names.begin());
-  };
-  const int red = channel("R"), alpha = channel("A"), depth = channel("Z");
-  const int primitive = channel("primitive");
+  DeepFile file(path);
+  const auto red = file.channel<float>("R"), alpha = file.channel<float>("A"),
+             depth = file.channel<float>("Z");
+  const auto primitive = file.channel<std::uint32_t>("primitive");
   const Image picture = raytraced(scene);
   int samples = 0;
-  for (int pixel = 0; pixel < data.pixels(); ++pixel) {
-    const groundtruth::RaySums ray = probe.at(pixel % scene.width + 0.5, pixel / scene.width + 0.5);
-    ASSERT_EQ(data.samples(pixel), int(ray.layers.size()));
+  for (std::size_t pixel = 0; pixel < picture.pixels.size(); ++pixel) {
+    const auto x = int(pixel) % scene.width, y = int(pixel) / scene.width;
+    const groundtruth::RaySums ray = probe.at(x + 0.5, y + 0.5);
+    ASSERT_EQ(red[pixel].size(), ray.layers.size());
     double color = 0, shows = 1;
-    for (int k = 0; k < data.samples(pixel); ++k, ++samples) {
-      EXPECT_EQ(data.deep_value(pixel, depth, k), float(ray.layers[k].depth));
-      EXPECT_EQ(data.deep_value_uint(pixel, primitive, k), ray.layers[k].primitive);
-      color += shows * data.deep_value(pixel, red, k);
-      shows *= 1 - data.deep_value(pixel, alpha, k);
+    for (std::size_t k = 0; k < ray.layers.size(); ++k, ++samples) {
+      EXPECT_EQ(depth[pixel][k], float(ray.layers[k].depth));
+      EXPECT_EQ(primitive[pixel][k], ray.layers[k].primitive);
+      color += shows * red[pixel][k];
+      shows *= 1 - alpha[pixel][k];
     }
     color += shows * scene.background.r;
     // Each layer's α C and α are rounded to float, and so is the picture.
-    const double tolerance = 1e-7 * (2 * data.samples(pixel) + 1);
+    const double tolerance = 1e-7 * (2 * double(ray.layers.size()) + 1);
     EXPECT_NEAR(color, picture.pixels[pixel].r, tolerance);
   }
   EXPECT_GT(samples, 300);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/pictures/exr_file.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfThreading.h>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <sstream>
+
+#include "core/error.h"
+
+namespace pellucid::compare {
+namespace {
+
+constexpr std::size_t value_size = 4;  // of float and of unsigned integers
+
+/// The rows of interleaved values; OpenEXR writes from what it takes as not constant.
+Imf::FrameBuffer frame_of(int width, const std::vector<std::string>& channels, Imf::PixelType type,
+                          const void* pixels) {
+  char* values = const_cast<char*>(static_cast<const char*>(pixels));
+  const std::size_t pixel = channels.size() * value_size;
+  Imf::FrameBuffer frame;
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    frame.insert(channels[i],
+                 Imf::Slice(type, values + i * value_size, pixel, pixel * std::size_t(width)));
+  return frame;
+}
+
+}  // namespace
+
+void ExrStream::write(const char bytes[], int count) {
+  stream_.write(bytes, count);
+  check();
+}
+
+std::uint64_t ExrStream::tellp() {
+  const auto position = stream_.tellp();
+  check();
+  return std::uint64_t(position);
+}
+
+void ExrStream::seekp(std::uint64_t position) {
+  stream_.seekp(std::streamoff(position));
+  check();
+}
+
+void ExrStream::check() const {
+  if (!stream_)
+    throw WorkError(fmt::format("{}: cannot write the picture: is the disk full?", fileName()));
+}
+
+int exr_threads() {
+  const auto threads =
+      int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  if (Imf::globalThreadCount() != threads) Imf::setGlobalThreadCount(threads);
+  return threads;
+}
+
+std::string encode_exr(const std::filesystem::path& path, int width, int height,
+                       const std::vector<std::string>& channels, Imf::PixelType type,
+                       const void* pixels) {
+  Imf::Header header(width, height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const std::string& channel : channels) header.channels().insert(channel, Imf::Channel(type));
+  std::ostringstream memory;
+  {
+    ExrStream stream(memory, path);
+    Imf::OutputFile file(stream, header, exr_threads());
+    file.setFrameBuffer(frame_of(width, channels, type, pixels));
+    file.writePixels(height);
+  }
+  return std::move(memory).str();
+}
+
+}  // namespace pellucid::compare
