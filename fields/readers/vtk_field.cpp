@@ -2,6 +2,8 @@
 // Image and rectilinear data become a dense array of our own; curvilinear and unstructured grids
 // are searched with VTK's cell locator.
 
+#include "fields/readers/vtk_field.h"
+
 #include <fmt/format.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -15,7 +17,6 @@
 #include "core/error.h"
 #include "fields/files/vector_array.h"
 #include "fields/finite.h"
-#include "fields/readers/file_field.h"
 #include "fields/sampled/cell_field.h"
 #include "fields/sampled/dense_field.h"
 #include "readers/vtk/shown_cells.h"
@@ -145,8 +146,10 @@ bool hides_some_cells(vtkDataSet* data) {
   return data->GetCellGhostArray() && readers::hides_cells(data);
 }
 
-std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
-  const vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);
+}  // namespace
+
+std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
+                                      const FileOptions& options, const Path& path) {
   // A dense array has no cell that is missing: where some are hidden, cells are searched.
   const bool is_dense = !hides_some_cells(data);
   if (auto* image = vtkImageData::SafeDownCast(data); image && is_dense)
@@ -158,6 +161,12 @@ std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions&
          "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
          "sampler=linear");
   return make_cell_field(data, pick_vectors(data, options.array, path), path);
+}
+
+namespace {
+
+std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
+  return field_of(readers::read_vtk_data_set(path), options, path);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ Parts rectilinear_of(const Blocks& blocks) {
   vtkSmartPointer<vtkDataArray> axes[3];
   for (int axis = 0; axis < 3; ++axis) {
     axes[axis] = array_of(blocks.at(names[axis]));
-    const int size = extent.bounds[2 * axis + 1] - extent.bounds[2 * axis] + 1;
+    const vtkIdType size = vtkIdType(extent.bounds[2 * axis + 1]) - extent.bounds[2 * axis] + 1;
     if (axes[axis]->GetNumberOfTuples() != size || axes[axis]->GetNumberOfComponents() != 1)
       fail(fmt::format("axis {} does not have one coordinate per sample", names[axis]));
   }

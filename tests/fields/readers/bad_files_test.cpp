@@ -196,5 +196,15 @@ TEST_F(UnitBadFiles, ClaimsBeyondTheFileAreRefused) {
               HasSubstr("claims 1e+15 points"));
 }
 
+/// 24 bytes a sample, so many samples: 13232 bytes more than 2^64.
+TEST_F(UnitBadFiles, BytesAreCountedBeyond64Bits) {
+  EXPECT_THAT(complaint_about(folder_, "wraps.mha",
+                              "NDims = 3\nDimSize = 949063 914846 885249\n"
+                              "ElementNumberOfChannels = 3\nElementType = MET_DOUBLE\n"
+                              "ElementDataFile = LOCAL\n" +
+                                  std::string(13232, '?')),
+              AllOf(HasSubstr("13232 bytes"), HasSubstr("768614336404565202 samples of 24")));
+}
+
 }  // namespace
 }  // namespace pellucid::fields
