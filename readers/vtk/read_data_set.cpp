@@ -56,6 +56,16 @@ struct Extent {
   vtkIdType points = 0, cells = 0;  // cells: of all axes along which there are two points or more
 };
 
+/// An extent without values behind it is a claim that costs nothing. The same bound as where a file
+/// is parsed: no compressor makes data smaller than that.
+void refuse_absurd_extent(const Extent& extent, const Blocks& blocks) {
+  constexpr double largest_compression = 8192;
+  std::size_t bytes = 0;
+  for (const Block& block : blocks.all()) bytes += block.bytes.size();
+  if (double(extent.points) > largest_compression * double(bytes))
+    fail(fmt::format("its extent has {} points, but it holds {} bytes", extent.points, bytes));
+}
+
 Extent extent_of(const Blocks& blocks) {
   Extent extent;
   const auto bounds = blocks.at("extent").values<std::int32_t>();
@@ -69,6 +79,7 @@ Extent extent_of(const Blocks& blocks) {
       fail("its extent is too large");
     extent.cells *= std::max<vtkIdType>(size - 1, 1);
   }
+  refuse_absurd_extent(extent, blocks);
   return extent;
 }
 

@@ -222,5 +222,24 @@ TEST(UnitDataSetBlocks, ArraysThatDoNotFitAreRefused) {
   EXPECT_THROW(through_blocks(with("cell:p", 2)), BlockError);
 }
 
+/// An image without arrays, so long along x, y and z.
+std::string complaint_about_image(int x, int y, int z) {
+  try {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(x, y, z);
+    copy_of(*image);
+  } catch (const BlockError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(UnitDataSetBlocks, PointsThatTheBlocksCannotHoldAreRefused) {
+  EXPECT_EQ(complaint_about_image(100, 100, 100), "accepted");
+  EXPECT_THAT(complaint_about_image(10000, 10000, 1), HasSubstr("100000000 points, but it holds"));
+  EXPECT_THAT(complaint_about_image(2000000000, 2000000000, 1), HasSubstr("points, but it holds"));
+  EXPECT_THAT(complaint_about_image(2000000000, 2000000000, 2000000000), HasSubstr("too large"));
+}
+
 }  // namespace
 }  // namespace pellucid::readers
