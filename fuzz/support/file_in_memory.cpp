@@ -29,8 +29,8 @@ void write(const fs::path& path, std::string_view content) {
 
 }  // namespace
 
-FileInMemory::FileInMemory(
-    std::string_view name, std::initializer_list<std::pair<std::string_view, std::string>> beside)
+FileInMemory::FileInMemory(std::string_view name,
+                           std::initializer_list<std::pair<std::string_view, std::string>> beside)
     : folder_(new_folder()), path_(folder_ / name) {
   for (const auto& [other, content] : beside) write(folder_ / other, content);
 }

@@ -15,11 +15,12 @@ namespace {
 
 const fuzz::FileInMemory& scene_file() {
   static const fuzz::FileInMemory file(
-      "input.json",
-      {{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nl 1 2 3\n"},
-       {"a.csv", "x,y,z,s\n0,0,0,1\n1,0,0,2\n"},
-       {"a.mha", "NDims = 3\nDimSize = 2 2 2\nElementNumberOfChannels = 3\n"
-                 "ElementType = MET_FLOAT\nElementDataFile = LOCAL\n" + std::string(96, '?')}});
+      "input.json", {{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nl 1 2 3\n"},
+                     {"a.csv", "x,y,z,s\n0,0,0,1\n1,0,0,2\n"},
+                     {"a.mha",
+                      "NDims = 3\nDimSize = 2 2 2\nElementNumberOfChannels = 3\n"
+                      "ElementType = MET_FLOAT\nElementDataFile = LOCAL\n" +
+                          std::string(96, '?')}});
   return file;
 }
 
@@ -29,7 +30,7 @@ bool takes_long(nlohmann::json& node) {
   if (node.is_object() && node.contains("integrator") && node["integrator"].is_string())
     node["integrator"] = node["integrator"].get<std::string>().find("lines") != std::string::npos
                              ? "stream-lines:particles=2,max-steps=20"
-                             : "fixed-front:particles=3,max-steps=20,max-triangles=100";
+                             : "fixed-front:particles=3,max-steps=20,max-triangles=1000";
   return node.is_structured() && std::any_of(node.begin(), node.end(), takes_long);
 }
 

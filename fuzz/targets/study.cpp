@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The study file, with a scene beside it.
 
-#include "compare/methods/methods.h"
 #include "compare/study/study.h"
+#include "compare/methods/methods.h"
 #include "fuzz/support/attempt.h"
 #include "fuzz/support/file_in_memory.h"
 

@@ -25,7 +25,8 @@ void for_each_point(const Leaf& leaf, const std::string& attribute, const auto& 
 
 template <class T>
 void append(const Leaf& leaf, const std::string& attribute, std::vector<double>& values) {
-  for_each_point<T>(leaf, attribute, [&](const T& value, const auto&) { values.push_back(double(value)); });
+  for_each_point<T>(leaf, attribute,
+                    [&](const T& value, const auto&) { values.push_back(double(value)); });
 }
 
 void append_attribute(const Leaf& leaf, const std::string& name, Columns& attributes) {
@@ -48,10 +49,11 @@ struct Points {
 };
 
 void append_leaf(const Leaf& leaf, const openvdb::math::Transform& transform, Points& points) {
-  for_each_point<openvdb::Vec3f>(leaf, "P", [&](const openvdb::Vec3f& in_voxel, const openvdb::Coord& c) {
-    const openvdb::Vec3d x = transform.indexToWorld(c.asVec3d() + openvdb::Vec3d(in_voxel));
-    points.positions.emplace_back(x.x(), x.y(), x.z());
-  });
+  for_each_point<openvdb::Vec3f>(
+      leaf, "P", [&](const openvdb::Vec3f& in_voxel, const openvdb::Coord& c) {
+        const openvdb::Vec3d x = transform.indexToWorld(c.asVec3d() + openvdb::Vec3d(in_voxel));
+        points.positions.emplace_back(x.x(), x.y(), x.z());
+      });
   for (const auto& [name, place] : leaf.attributeSet().descriptor().map())
     if (name != "P") append_attribute(leaf, name, points.attributes);
 }

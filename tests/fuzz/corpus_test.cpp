@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every fuzzing target over its corpus, by whatever compiler builds the tests: what was found once stays mended, and
-// the files that a reader is meant to accept are accepted, so that fuzzing starts beyond the first check.
+// Every fuzzing target over its corpus, by whatever compiler builds the tests: what was found once
+// stays mended, and the files that a reader is meant to accept are accepted, so that fuzzing starts
+// beyond the first check.
 
 #include <gtest/gtest.h>
 
