@@ -135,8 +135,8 @@ openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
     entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
   const readers::VdbGrid& chosen = grids[choose_vector_grid(entries, wanted, path.string())];
   if (!chosen.grid)
-    fail(path, fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3",
-                           chosen.name));
+    fail(path,
+         fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3", chosen.name));
   return chosen.grid;
 }
 

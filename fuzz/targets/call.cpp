@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "NAME:key=value,…" of methods, integrators and fields, as command line and files write it.
 
+#include "compare/methods/method_call.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/surface_methods.h"
 #include "core/options/names.h"

@@ -207,10 +207,11 @@ void set_active(vtkDataSetAttributes& arrays, std::span<const std::int32_t> acti
     const auto number = std::size_t(active[role]);
     return active[role] >= 0 && number < by_number.size() ? by_number[number] : nullptr;
   };
-  // VTK refuses an array with another number of components by itself.
+  // VTK refuses an array with another number of components by itself, but prints that it does.
+  const auto has_three = [](vtkDataArray* a) { return a && a->GetNumberOfComponents() == 3; };
   if (vtkDataArray* scalars = array(0)) arrays.SetScalars(scalars);
-  if (vtkDataArray* vectors = array(1)) arrays.SetVectors(vectors);
-  if (vtkDataArray* normals = array(2)) arrays.SetNormals(normals);
+  if (vtkDataArray* vectors = array(1); has_three(vectors)) arrays.SetVectors(vectors);
+  if (vtkDataArray* normals = array(2); has_three(normals)) arrays.SetNormals(normals);
 }
 
 void add_attributes(const Blocks& blocks, const std::string& group, vtkIdType count,

@@ -222,6 +222,23 @@ TEST(UnitDataSetBlocks, ArraysThatDoNotFitAreRefused) {
   EXPECT_THROW(through_blocks(with("cell:p", 2)), BlockError);
 }
 
+/// Active vectors of one component: VTK would print that it does not take them.
+TEST(UnitDataSetBlocks, ActiveArraysThatAreNoneAreLeftOutInSilence) {
+  ::testing::internal::CaptureStderr();
+  const auto set = through_blocks([](BlockWriter& out) {
+    const std::vector<double> numbers(8);
+    const std::int32_t active[] = {-1, 0, 0, -1};
+    out.add("point.active", std::span<const std::int32_t>(active));  // before the image's own
+    out.add("point:p", std::span<const double>(numbers));
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 2);
+    write_data_set(*image, out);
+  });
+  EXPECT_EQ(set->GetPointData()->GetVectors(), nullptr);
+  EXPECT_EQ(set->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 /// An image without arrays, so long along x, y and z.
 std::string complaint_about_image(int x, int y, int z) {
   try {
