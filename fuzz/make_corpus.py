@@ -58,6 +58,8 @@ def data_sets():
     yield "image_turned", blocks(text("kind", "image"), extent, frame, turn, velocity(8, "f64"), NO_ACTIVE)
     yield "image_hidden", blocks(text("kind", "image"), extent, frame, upright, velocity(8),
                                  block("point.active", "i32", [-1] * 4), hidden)
+    yield "image_of_nothing", blocks(text("kind", "image"), block("extent", "i32", [0, 2**31 - 2, 0, 2**31 - 2, 0, 0]), frame,
+                                     upright, NO_ACTIVE)
     axes = b"".join(block(axis, "f64", [0, 2]) for axis in "xyz")
     yield "rectilinear", blocks(text("kind", "rectilinear"), extent, axes, velocity(8), NO_ACTIVE)
     yield "structured", blocks(text("kind", "structured"), extent, points, velocity(8), NO_ACTIVE)
@@ -97,6 +99,9 @@ def grid_files():
     yield "tiles", blocks(grid(0, "s", "float", [1], [], [(1, 0, 0, 0, 1), (2, 128, 0, 0, 0)], 2))
     yield "names_only", blocks(text("0.name", "s"), text("0.value", "float"))
     yield "velocity", blocks(grid(0, "velocity", "vec3s", [1, 2, 3], [(0, 0, 0)]))
+    yield "leaf_at_the_end", blocks(grid(0, "s", "float", [1], [(2**31 - 8, 0, 0)]))
+    yield "tiles_far_apart", blocks(grid(0, "s", "float", [1], [], [(1, x, 0, 0, 1) for x in (-(2**31), 2**31 - 8)], 1))
+    yield "says_vectors", blocks(text("0.value", "vec3s"), grid(0, "s", "float", [1], [(0, 0, 0)]))
     yield "points", blocks(block("positions", "f64", [0, 0, 0, 1, 2, 3], 3), block("column:s", "f64", [4, 5]))
 
 
@@ -130,8 +135,8 @@ def ply(encoding, order):
     return header.encode() + data + struct.pack(f"{order}B4i", 4, 0, 1, 2, 3) + struct.pack(f"{order}4i", 0, 1, 1, 2)
 
 
-def meta_image(letter, more=""):
-    return (f"NDims = 3\nDimSize = 2 2 2\nElementNumberOfChannels = 3\nElementType = "
+def meta_image(letter, more="", size="2 2 2"):
+    return (f"NDims = 3\nDimSize = {size}\nElementNumberOfChannels = 3\nElementType = "
             f"{'MET_FLOAT' if letter == 'f' else 'MET_DOUBLE'}\n{more}ElementDataFile = LOCAL\n"
             ).encode() + struct.pack(f"<24{letter}", *range(24))
 
@@ -145,6 +150,7 @@ def main():
               "meta_image/local_float": meta_image("f"),
               "meta_image/local_double": meta_image("d", "Offset = 1 2 3\nElementSpacing = 1 2 3\n"),
               "meta_image/big_endian": meta_image("f", "BinaryDataByteOrderMSB = True\n"),
+              "meta_image/bytes_beyond_64_bits": meta_image("d", size="949063 914846 885249")[:-192] + bytes(13232),
               "blocks/empty": blocks(), "blocks/one": blocks(block("a", "f64", [1, 2, 3, 4, 5, 6], 3)),
               "blocks/texts": blocks(text("kind", "image"), text("b", ""), text("c", "word")),
               "blocks/no_numbers": blocks(block("none", "u64", [], 8), block("i", "i16", [1, 2, 3]))}

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "core/machine/stopwatch.h"
 #include "core/options/names.h"
 
 namespace pellucid {
@@ -88,6 +89,17 @@ TEST(UnitNames, NearestComesFirst) {
   EXPECT_EQ(nearest_first("raytracer", known).front(), "raytrace");
   EXPECT_EQ(unknown_name("method", "linkedlist", known),
             "unknown method 'linkedlist'; known: linked-list, fourier, raytrace");
+}
+
+/// A key may be as long as its file. Compared in full, this one takes half a minute; 5 s are a
+/// hundred times what the part does that is compared.
+TEST(UnitNames, ALongNameTakesNoTime) {
+  const std::vector<std::string> names(20, "weighted-average");
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string wrong(10'000'000, 'w');
+  const Stopwatch watch;
+  EXPECT_EQ(nearest_first(wrong, known).size(), known.size());
+  EXPECT_LT(watch.seconds(), 5);
 }
 
 TEST(UnitNames, FindRowThrowsForAnUnknownName) {
