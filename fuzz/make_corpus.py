@@ -150,6 +150,7 @@ def main():
               "meta_image/local_float": meta_image("f"),
               "meta_image/local_double": meta_image("d", "Offset = 1 2 3\nElementSpacing = 1 2 3\n"),
               "meta_image/big_endian": meta_image("f", "BinaryDataByteOrderMSB = True\n"),
+              "meta_image/spacing_without_inverse": meta_image("f", "ElementSpacing = 1 1e-310 1\n"),
               "meta_image/bytes_beyond_64_bits": meta_image("d", size="949063 914846 885249")[:-192] + bytes(13232),
               "blocks/empty": blocks(), "blocks/one": blocks(block("a", "f64", [1, 2, 3, 4, 5, 6], 3)),
               "blocks/texts": blocks(text("kind", "image"), text("b", ""), text("c", "word")),

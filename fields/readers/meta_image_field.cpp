@@ -100,8 +100,7 @@ Layout parse(const Header& header, const Path& path) {
   layout.origin = three_numbers(header, {"Offset", "Position", "Origin"}, "0 0 0", path);
   layout.spacing = three_numbers(header, {"ElementSpacing", "ElementSize"}, "1 1 1", path);
   for (int a = 0; a < 3; ++a)
-    if (!(layout.spacing[a] > 0) || !(layout.origin[a] + layout.spacing[a] > layout.origin[a]) ||
-        !std::isfinite(layout.origin[a] + layout.spacing[a] * size[a]))
+    if (!Axis::can_be_uniform(layout.origin[a], layout.spacing[a], layout.size[std::size_t(a)]))
       fail(path, fmt::format("ElementSpacing {} from {} along axis {}", layout.spacing[a],
                              layout.origin[a], a));
   layout.is_double = value_of(header, {"ElementType"}, "") == "MET_DOUBLE";

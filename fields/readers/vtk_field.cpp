@@ -45,10 +45,10 @@ std::array<Axis, 3> axes_of(vtkImageData* image, bool turned, const Path& path) 
   const auto axis = [&](int a) {
     const double step = turned ? 1 : spacing[a];
     const double first = turned ? extent[2 * a] : origin[a] + extent[2 * a] * step;
-    const double last = first + step * (image->GetDimensions()[a] - 1);
-    if (!(step > 0) || !std::isfinite(last) || !(first + step > first) || !(last - step < last))
+    const auto count = std::size_t(image->GetDimensions()[a]);
+    if (!Axis::can_be_uniform(first, step, count))
       fail(path, fmt::format("spacing {} from {} along axis {}", step, first, a));
-    return Axis::uniform(first, step, std::size_t(image->GetDimensions()[a]));
+    return Axis::uniform(first, step, count);
   };
   return {axis(0), axis(1), axis(2)};
 }

@@ -75,6 +75,7 @@ class Mutator {
                            Limits::max(),
                            -Limits::max(),
                            Limits::denorm_min(),
+                           1e-310,
                            true,
                            {},
                            "",

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ namespace fs = std::filesystem;
 struct Target {
   std::string name;
   int (*run)(const std::uint8_t*, std::size_t);
+
+  friend std::ostream& operator<<(std::ostream& out, const Target& target) {
+    return out << target.name;
+  }
 };
 
 std::vector<Target> targets() {
@@ -76,7 +81,7 @@ TEST_P(UnitFuzzCorpus, HasADictionary) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, UnitFuzzCorpus, ::testing::ValuesIn(targets()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& target) { return target.param.name; });
 
 }  // namespace
 }  // namespace pellucid::fuzz
