@@ -13,7 +13,7 @@ target_link_options(pellucid_options INTERFACE -Wl,--as-needed)
 target_link_options(pellucid_options INTERFACE -Wl,--build-id=sha1)
 if(PELLUCID_SANITIZE)
   # GCC 12 sees uninitialized values in instrumented library code.
-  target_compile_options(pellucid_options INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(pellucid_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_compile_options(pellucid_options INTERFACE -fsanitize=${PELLUCID_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(pellucid_options INTERFACE -fsanitize=${PELLUCID_SANITIZE})
 endif()

@@ -37,8 +37,10 @@ fs::path read_scene_path(const JsonNode& node, const fs::path& base) {
   if (!fs::is_regular_file(path))
     node.fail(fmt::format("'{}' is not a file; accepted: a scene file, relative to the study",
                           path.string()));
-  const nlohmann::json scene = read_json(path);
-  JsonNode(path.string(), scene)["format"].one_of({"pellucid-scene"});
+  at_place(node, [&] {
+    const nlohmann::json scene = read_json(path);
+    JsonNode(path.string(), scene)["format"].one_of({"pellucid-scene"});
+  });
   return path;
 }
 

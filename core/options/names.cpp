@@ -9,6 +9,9 @@
 namespace pellucid {
 namespace {
 
+/// Characters of a wrong name that are compared: it may be as long as a file.
+constexpr std::size_t longest_compared = 100;
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t(0));
@@ -28,10 +31,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::vector<std::string_view> nearest_first(std::string_view name,
                                             std::span<const std::string_view> known) {
-  std::vector<std::string_view> sorted(known.begin(), known.end());
-  std::stable_sort(sorted.begin(), sorted.end(), [&](std::string_view a, std::string_view b) {
-    return edit_distance(name, a) < edit_distance(name, b);
-  });
+  struct Candidate {
+    std::size_t distance;
+    std::string_view name;
+  };
+  std::vector<Candidate> candidates;
+  for (const std::string_view candidate : known)
+    candidates.push_back({edit_distance(name.substr(0, longest_compared), candidate), candidate});
+  std::ranges::stable_sort(candidates, {}, &Candidate::distance);
+  std::vector<std::string_view> sorted;
+  for (const Candidate& candidate : candidates) sorted.push_back(candidate.name);
   return sorted;
 }
 

@@ -8,8 +8,8 @@
 
 namespace pellucid {
 
-/// Returns the known names, the most similar to `name` first (Levenshtein distance, ties in given
-/// order).
+/// Returns the known names, the most similar to `name` first (Levenshtein distance to its first 100
+/// characters, ties in given order).
 std::vector<std::string_view> nearest_first(std::string_view name,
                                             std::span<const std::string_view> known);
 

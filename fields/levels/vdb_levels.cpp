@@ -200,7 +200,11 @@ void write_vdb_levels(const fs::path& path, const std::string& name,
 
 std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar,
                                          std::string_view velocity) {
-  const std::vector<readers::VdbGrid> grids = readers::read_vdb_grids(path);
+  return levels_of(readers::read_vdb_grids(path), path, scalar, velocity);
+}
+
+std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids, const fs::path& path,
+                                   std::string_view scalar, std::string_view velocity) {
   const std::vector<GridEntry> entries = entries_of(grids);
   const std::string place = path.string();
   std::vector<ScalarLevel> levels;

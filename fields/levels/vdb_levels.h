@@ -8,6 +8,10 @@
 
 #include "fields/levels/level.h"
 
+namespace pellucid::readers {
+struct VdbGrid;
+}
+
 namespace pellucid::fields {
 
 /// Reads every grid of an OpenVDB file that has the scalar, as a level: scalar grids of that name
@@ -18,6 +22,11 @@ namespace pellucid::fields {
 /// not cubes along the world's axes, or that check_level() refuses.
 std::vector<ScalarLevel> read_vdb_levels(const std::filesystem::path& path, std::string_view scalar,
                                          std::string_view velocity = {});
+
+/// Does so with grids that are read already; `path` names their file in messages.
+std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids,
+                                   const std::filesystem::path& path, std::string_view scalar,
+                                   std::string_view velocity = {});
 
 /// Writes each level as a grid of that name whose active voxels are its samples, in one file, which
 /// appears whole or not at all: read again, every bit is as it was. Throws InputError for another

@@ -80,7 +80,7 @@ struct Layout {
   Vec3 origin, spacing;
   bool is_double, big_endian;
 
-  std::size_t bytes() const { return 3 * size[0] * size[1] * size[2] * (is_double ? 8 : 4); }
+  std::size_t sample_bytes() const { return 3 * (is_double ? sizeof(double) : sizeof(float)); }
 };
 
 Layout parse(const Header& header, const Path& path) {
@@ -100,8 +100,7 @@ Layout parse(const Header& header, const Path& path) {
   layout.origin = three_numbers(header, {"Offset", "Position", "Origin"}, "0 0 0", path);
   layout.spacing = three_numbers(header, {"ElementSpacing", "ElementSize"}, "1 1 1", path);
   for (int a = 0; a < 3; ++a)
-    if (!(layout.spacing[a] > 0) || !(layout.origin[a] + layout.spacing[a] > layout.origin[a]) ||
-        !std::isfinite(layout.origin[a] + layout.spacing[a] * size[a]))
+    if (!Axis::can_be_uniform(layout.origin[a], layout.spacing[a], layout.size[std::size_t(a)]))
       fail(path, fmt::format("ElementSpacing {} from {} along axis {}", layout.spacing[a],
                              layout.origin[a], a));
   layout.is_double = value_of(header, {"ElementType"}, "") == "MET_DOUBLE";
@@ -111,15 +110,19 @@ Layout parse(const Header& header, const Path& path) {
 }
 
 /// Exactly the claimed bytes; a claim that the file does not hold is refused before it is believed.
-std::string read_bytes(std::istream& file, const Path& path, std::size_t length) {
+/// Up to 10^18 samples are counted exactly, but their bytes may be more than 2^64.
+std::string read_bytes(std::istream& file, const Path& path, const Layout& layout) {
   const auto begin = file.tellg();
   file.seekg(0, std::ios::end);
   const auto available = std::size_t(std::max<std::streamoff>(0, file.tellg() - begin));
-  if (!file || available != length)
-    fail(path, fmt::format("{} bytes of data; its header says {}", available, length));
+  const std::size_t samples = layout.size[0] * layout.size[1] * layout.size[2];
+  const std::size_t each = layout.sample_bytes();
+  if (!file || available / each != samples || available % each != 0)
+    fail(path, fmt::format("{} bytes of data; its header says {} samples of {}", available, samples,
+                           each));
   file.seekg(begin);
-  std::string bytes(length, '\0');
-  file.read(bytes.data(), std::streamsize(length));
+  std::string bytes(available, '\0');
+  file.read(bytes.data(), std::streamsize(available));
   if (!file) fail(path, "cannot read its data");
   return bytes;
 }
@@ -161,7 +164,7 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   const std::string data = header.at("ElementDataFile");
   std::ifstream beside;
   if (data != "LOCAL") beside = open_beside(path, data);
-  std::string bytes = read_bytes(data == "LOCAL" ? file : beside, path, layout.bytes());
+  std::string bytes = read_bytes(data == "LOCAL" ? file : beside, path, layout);
   const std::string description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
                                               layout.size[0], layout.size[1], layout.size[2]);
   return layout.is_double

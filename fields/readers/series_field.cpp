@@ -185,7 +185,11 @@ Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& pa
   if (!format || format->ending == series_ending)
     fail(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
                            number, name, file_endings()));
-  return {entry["time"], read_file(path.parent_path() / name, *format, options)};
+  try {
+    return {entry["time"], read_file(path.parent_path() / name, *format, options)};
+  } catch (const InputError& error) {
+    fail(path, fmt::format("files[{}]: {}", number, error.what()));
+  }
 }
 
 std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& options) {

@@ -3,8 +3,9 @@
 // whose look-ups are several times faster; otherwise each sampler keeps one accessor. Samples
 // exist where all voxels of the stencil are active: the background never leaks in.
 
+#include "fields/readers/vdb_field.h"
+
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 
 #include <cmath>
 
@@ -13,7 +14,6 @@
 #include "fields/files/vdb_box.h"
 #include "fields/finite.h"
 #include "fields/lazy.h"
-#include "fields/readers/file_field.h"
 #include "fields/readers/vdb_sampler.h"
 #include "fields/sampled/dense_field.h"
 #include "readers/vdb/vdb_file.h"
@@ -127,21 +127,35 @@ std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
   return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
 }
 
-/// The grid that is meant. Of the others only names and types are read where a name is given.
-openvdb::GridBase::Ptr read_grid(const std::string& wanted, const Path& path) {
-  const auto grids = readers::read_vdb_grids(path, wanted);
+/// The grid that is meant.
+openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
+                                   const std::string& wanted, const Path& path) {
   std::vector<GridEntry> entries;
   for (const readers::VdbGrid& grid : grids)
     entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
-  return grids.at(choose_vector_grid(entries, wanted, path.string())).grid;
+  const readers::VdbGrid& chosen = grids[choose_vector_grid(entries, wanted, path.string())];
+  if (!chosen.grid)
+    fail(path,
+         fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3", chosen.name));
+  return chosen.grid;
 }
 
-std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
-  const openvdb::GridBase::Ptr grid = read_grid(options.array, path);
+}  // namespace
+
+std::unique_ptr<VectorField> field_of(std::span<const readers::VdbGrid> grids,
+                                      const FileOptions& options, const Path& path) {
+  const openvdb::GridBase::Ptr grid = choose_grid(grids, options.array, path);
   if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
     return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
   return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid), options,
                                             path);
+}
+
+namespace {
+
+/// Of the grids that are not meant only names and types are read where a name is given.
+std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
+  return field_of(readers::read_vdb_grids(path, options.array), options, path);
 }
 
 }  // namespace

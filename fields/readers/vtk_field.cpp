@@ -2,6 +2,8 @@
 // Image and rectilinear data become a dense array of our own; curvilinear and unstructured grids
 // are searched with VTK's cell locator.
 
+#include "fields/readers/vtk_field.h"
+
 #include <fmt/format.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
@@ -15,7 +17,6 @@
 #include "core/error.h"
 #include "fields/files/vector_array.h"
 #include "fields/finite.h"
-#include "fields/readers/file_field.h"
 #include "fields/sampled/cell_field.h"
 #include "fields/sampled/dense_field.h"
 #include "readers/vtk/shown_cells.h"
@@ -44,10 +45,10 @@ std::array<Axis, 3> axes_of(vtkImageData* image, bool turned, const Path& path) 
   const auto axis = [&](int a) {
     const double step = turned ? 1 : spacing[a];
     const double first = turned ? extent[2 * a] : origin[a] + extent[2 * a] * step;
-    const double last = first + step * (image->GetDimensions()[a] - 1);
-    if (!(step > 0) || !std::isfinite(last) || !(first + step > first) || !(last - step < last))
+    const auto count = std::size_t(image->GetDimensions()[a]);
+    if (!Axis::can_be_uniform(first, step, count))
       fail(path, fmt::format("spacing {} from {} along axis {}", step, first, a));
-    return Axis::uniform(first, step, std::size_t(image->GetDimensions()[a]));
+    return Axis::uniform(first, step, count);
   };
   return {axis(0), axis(1), axis(2)};
 }
@@ -145,8 +146,10 @@ bool hides_some_cells(vtkDataSet* data) {
   return data->GetCellGhostArray() && readers::hides_cells(data);
 }
 
-std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
-  const vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);
+}  // namespace
+
+std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
+                                      const FileOptions& options, const Path& path) {
   // A dense array has no cell that is missing: where some are hidden, cells are searched.
   const bool is_dense = !hides_some_cells(data);
   if (auto* image = vtkImageData::SafeDownCast(data); image && is_dense)
@@ -158,6 +161,12 @@ std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions&
          "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
          "sampler=linear");
   return make_cell_field(data, pick_vectors(data, options.array, path), path);
+}
+
+namespace {
+
+std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
+  return field_of(readers::read_vtk_data_set(path), options, path);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "fields/sampled/axis.h"
 
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace pellucid::fields {
@@ -10,7 +11,14 @@ Axis::Axis(std::vector<double> positions) : positions_(std::move(positions)) {
   assert(positions_.size() >= 2);
 }
 
+bool Axis::can_be_uniform(double first, double spacing, std::size_t count) {
+  const double last = first + spacing * double(count - 1);
+  return count >= 2 && spacing > 0 && std::isfinite(1 / spacing) && std::isfinite(last) &&
+         first + spacing > first && last - spacing < last;
+}
+
 Axis Axis::uniform(double first, double spacing, std::size_t count) {
+  assert(can_be_uniform(first, spacing, count));
   std::vector<double> positions(count);
   for (std::size_t i = 0; i < count; ++i) positions[i] = first + double(i) * spacing;
   Axis axis(std::move(positions));

@@ -21,6 +21,10 @@ struct Stencil {
 /// more, ascending.
 class Axis {
  public:
+  /// Says whether `count` positions with this spacing are finite and ascend, and cells have a width
+  /// that can be divided by.
+  static bool can_be_uniform(double first, double spacing, std::size_t count);
+  /// Takes positions for which can_be_uniform() holds.
   static Axis uniform(double first, double spacing, std::size_t count);
   /// Takes positions as they are; they ascend strictly.
   explicit Axis(std::vector<double> positions);

@@ -2,6 +2,8 @@
 // The points of an OpenVDB file, which readers/vdb/parse_points.cpp finds. Numbers become scalars
 // of their name.
 
+#include "geometry/files/vdb_points.h"
+
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -24,6 +26,8 @@ VertexAttributes columns_of(const Blocks& blocks, std::size_t count) {
   return attributes;
 }
 
+}  // namespace
+
 PointSet points_of(const Blocks& blocks) {
   const Block& positions = blocks.at("positions");
   const auto numbers = positions.values<double>();
@@ -34,6 +38,8 @@ PointSet points_of(const Blocks& blocks) {
   take_attributes(columns_of(blocks, set.positions.size()), set);
   return set;
 }
+
+namespace {
 
 PointSet read_vdb_points(const std::filesystem::path& path) {
   try {

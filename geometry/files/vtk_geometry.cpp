@@ -2,6 +2,8 @@
 // Reads VTK's files: polygons and polylines of .vtp and legacy .vtk, the cells of an unstructured
 // grid. Every index has been checked where the file was parsed (readers/vtk/cell_rules.h).
 
+#include "geometry/files/vtk_geometry.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkDataArray.h>
@@ -28,8 +30,7 @@ namespace {
 
 /// Polygons and lines as they are; of other data the lines, and the faces that bound its cells.
 /// What the data hide is left out first: a face to a hidden cell bounds.
-vtkSmartPointer<vtkPolyData> load_cells(const std::filesystem::path& path) {
-  vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);
+vtkSmartPointer<vtkPolyData> cells_of(vtkSmartPointer<vtkDataSet> data) {
   if (readers::hides_cells(data)) data = readers::shown_cells(data);
   if (const auto polygons = vtkPolyData::SafeDownCast(data)) return polygons;
   const readers::VtkMessages messages;
@@ -121,8 +122,10 @@ std::vector<Rgba> color_by_cell(vtkDataArray& colors, const PointIds& cells, Tri
   return result;
 }
 
-TriangleMesh read_vtk_mesh(const std::filesystem::path& path) {
-  const auto data = load_cells(path);
+}  // namespace
+
+TriangleMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
+  const auto data = cells_of(data_set);
   TriangleMesh mesh;
   take_positions(*data, mesh);
   const PointIds cells = add_triangles(*data, mesh);
@@ -141,8 +144,8 @@ TriangleMesh read_vtk_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
-LineSet read_vtk_lines(const std::filesystem::path& path) {
-  const auto data = load_cells(path);
+LineSet lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
+  const auto data = cells_of(data_set);
   LineSet lines;
   PointIds points, cells;  // by vertex
   for_each_cell(data->GetLines(), [&](std::span<const vtkIdType> ids, vtkIdType line) {
@@ -159,8 +162,7 @@ LineSet read_vtk_lines(const std::filesystem::path& path) {
   return lines;
 }
 
-PointSet read_vtk_points(const std::filesystem::path& path) {
-  const auto data = readers::read_vtk_data_set(path);
+PointSet points_of(const vtkSmartPointer<vtkDataSet>& data) {
   const PointIds points = shown_points(*data);
   PointSet set;
   set.positions.resize(points.size());
@@ -169,12 +171,20 @@ PointSet read_vtk_points(const std::filesystem::path& path) {
   return set;
 }
 
+namespace {
+
+/// What `take` makes of the file's data set.
+template <auto take>
+auto read_vtk(const std::filesystem::path& path) {
+  return take(readers::read_vtk_data_set(path));
+}
+
 FormatRow read_by_vtk(std::string_view ending, std::string_view title) {
   return {.ending = ending,
           .title = title,
-          .read_mesh = read_vtk_mesh,
-          .read_lines = read_vtk_lines,
-          .read_points = read_vtk_points};
+          .read_mesh = read_vtk<mesh_of>,
+          .read_lines = read_vtk<lines_of>,
+          .read_points = read_vtk<points_of>};
 }
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace {
 constexpr const char* affine_name = "pellucid.affine";  // of metadata
 constexpr std::int32_t leaf_width = 8;
 constexpr std::size_t leaf_size = 512, mask_words = 8, tile_words = 5;
+/// Coordinates of voxels stay below 2^30, a tile's 4096 voxels included: the width of any box is an
+/// int then, and a loop up to its last voxel ends.
+constexpr std::int32_t farthest = (1 << 30) - 4096;
 
 template <class Value>
 struct Components {
@@ -84,6 +87,15 @@ void write_tree(const std::string& prefix, const Grid& grid, BlockWriter& out) {
   write_tiles(prefix, grid, out);
 }
 
+/// Throws BlockError for a place that is too far out; `what` is "leaf" or "tile".
+void check_place(const std::string& prefix, std::string_view what, std::size_t number,
+                 const openvdb::Coord& at) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (at[axis] < -farthest || at[axis] > farthest)
+      throw BlockError(fmt::format("grid {}: {} {} is at voxel {}; accepted: up to ±{}", prefix,
+                                   what, number, at[axis], farthest));
+}
+
 template <class Grid>
 void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
   using Leaf = typename Grid::TreeType::LeafNodeType;
@@ -97,6 +109,7 @@ void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
     const openvdb::Coord origin(origins[3 * i], origins[3 * i + 1], origins[3 * i + 2]);
     if (origin != (origin & ~(leaf_width - 1)))
       throw BlockError(fmt::format("grid {}: leaf {} is off its lattice", prefix, i));
+    check_place(prefix, "leaf", i, origin);
     auto leaf = std::make_unique<Leaf>(origin, grid.background());
     typename Leaf::NodeMaskType mask;
     for (openvdb::Index word = 0; word < mask_words; ++word)
@@ -117,8 +130,9 @@ void read_tiles(const std::string& prefix, const Blocks& blocks, Grid& grid) {
     const std::int32_t* place = &places[i * tile_words];
     if (place[0] < 1 || place[0] > std::int32_t(Grid::TreeType::RootNodeType::LEVEL))
       throw BlockError(fmt::format("grid {}: tile {} is on level {}", prefix, i, place[0]));
-    grid.tree().addTile(openvdb::Index(place[0]), {place[1], place[2], place[3]}, values[i],
-                        place[4] != 0);
+    const openvdb::Coord at(place[1], place[2], place[3]);
+    check_place(prefix, "tile", i, at);
+    grid.tree().addTile(openvdb::Index(place[0]), at, values[i], place[4] != 0);
   }
 }
 
@@ -212,6 +226,7 @@ std::vector<VdbGrid> grids_of(const Blocks& blocks) {
     const TypeRow* row = find_type(blocks.text(prefix + ".type"));
     if (!row) continue;
     grid.grid = row->read(prefix, blocks);
+    grid.value_type = grid.grid->valueType();
     grid.grid->setName(grid.name);
     place(prefix, blocks, *grid.grid);
   }

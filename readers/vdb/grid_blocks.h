@@ -38,8 +38,8 @@ bool holds_vectors(const VdbGrid& grid);
 /// Writes grid `number`, its tree too when `with_tree` and its type is one of those above.
 void write_grid(int number, const openvdb::GridBase& grid, bool with_tree, BlockWriter& out);
 
-/// Builds all grids of the blocks anew. Throws BlockError for leaves off their lattice and for
-/// numbers of values that do not fit.
+/// Builds all grids of the blocks anew. Throws BlockError for leaves off their lattice, for leaves
+/// and tiles 2^30 voxels or more from the origin, and for numbers of values that do not fit.
 std::vector<VdbGrid> grids_of(const Blocks& blocks);
 
 }  // namespace pellucid::readers

@@ -18,14 +18,15 @@ using Leaf = PointDataGrid::TreeType::LeafNodeType;
 
 /// Calls visit(value, coordinates of its voxel) for each of a leaf's points in active voxels.
 template <class T>
-void visit(const Leaf& leaf, const std::string& attribute, const auto& visit) {
+void for_each_point(const Leaf& leaf, const std::string& attribute, const auto& visit) {
   const openvdb::points::AttributeHandle<T> handle(leaf.constAttributeArray(attribute));
   for (auto i = leaf.beginIndexOn(); i; ++i) visit(handle.get(*i), i.getCoord());
 }
 
 template <class T>
 void append(const Leaf& leaf, const std::string& attribute, std::vector<double>& values) {
-  visit<T>(leaf, attribute, [&](const T& value, const auto&) { values.push_back(double(value)); });
+  for_each_point<T>(leaf, attribute,
+                    [&](const T& value, const auto&) { values.push_back(double(value)); });
 }
 
 void append_attribute(const Leaf& leaf, const std::string& name, Columns& attributes) {
@@ -35,7 +36,7 @@ void append_attribute(const Leaf& leaf, const std::string& name, Columns& attrib
   if (type == "int32") append<std::int32_t>(leaf, name, attributes[name]);
   if (type == "int64") append<std::int64_t>(leaf, name, attributes[name]);
   if (type == "vec3s" && name == "Cd")
-    visit<openvdb::Vec3f>(leaf, name, [&](const openvdb::Vec3f& color, const auto&) {
+    for_each_point<openvdb::Vec3f>(leaf, name, [&](const openvdb::Vec3f& color, const auto&) {
       for (int channel = 0; channel < 3; ++channel)
         attributes[std::array{"red", "green", "blue"}[std::size_t(channel)]].push_back(
             color[channel]);
@@ -48,10 +49,11 @@ struct Points {
 };
 
 void append_leaf(const Leaf& leaf, const openvdb::math::Transform& transform, Points& points) {
-  visit<openvdb::Vec3f>(leaf, "P", [&](const openvdb::Vec3f& in_voxel, const openvdb::Coord& c) {
-    const openvdb::Vec3d x = transform.indexToWorld(c.asVec3d() + openvdb::Vec3d(in_voxel));
-    points.positions.emplace_back(x.x(), x.y(), x.z());
-  });
+  for_each_point<openvdb::Vec3f>(
+      leaf, "P", [&](const openvdb::Vec3f& in_voxel, const openvdb::Coord& c) {
+        const openvdb::Vec3d x = transform.indexToWorld(c.asVec3d() + openvdb::Vec3d(in_voxel));
+        points.positions.emplace_back(x.x(), x.y(), x.z());
+      });
   for (const auto& [name, place] : leaf.attributeSet().descriptor().map())
     if (name != "P") append_attribute(leaf, name, points.attributes);
 }

@@ -56,6 +56,16 @@ struct Extent {
   vtkIdType points = 0, cells = 0;  // cells: of all axes along which there are two points or more
 };
 
+/// An extent without values behind it is a claim that costs nothing. The same bound as where a file
+/// is parsed: no compressor makes data smaller than that.
+void refuse_absurd_extent(const Extent& extent, const Blocks& blocks) {
+  constexpr double largest_compression = 8192;
+  std::size_t bytes = 0;
+  for (const Block& block : blocks.all()) bytes += block.bytes.size();
+  if (double(extent.points) > largest_compression * double(bytes))
+    fail(fmt::format("its extent has {} points, but it holds {} bytes", extent.points, bytes));
+}
+
 Extent extent_of(const Blocks& blocks) {
   Extent extent;
   const auto bounds = blocks.at("extent").values<std::int32_t>();
@@ -69,6 +79,7 @@ Extent extent_of(const Blocks& blocks) {
       fail("its extent is too large");
     extent.cells *= std::max<vtkIdType>(size - 1, 1);
   }
+  refuse_absurd_extent(extent, blocks);
   return extent;
 }
 
@@ -103,7 +114,7 @@ Parts rectilinear_of(const Blocks& blocks) {
   vtkSmartPointer<vtkDataArray> axes[3];
   for (int axis = 0; axis < 3; ++axis) {
     axes[axis] = array_of(blocks.at(names[axis]));
-    const int size = extent.bounds[2 * axis + 1] - extent.bounds[2 * axis] + 1;
+    const vtkIdType size = vtkIdType(extent.bounds[2 * axis + 1]) - extent.bounds[2 * axis] + 1;
     if (axes[axis]->GetNumberOfTuples() != size || axes[axis]->GetNumberOfComponents() != 1)
       fail(fmt::format("axis {} does not have one coordinate per sample", names[axis]));
   }
@@ -196,10 +207,11 @@ void set_active(vtkDataSetAttributes& arrays, std::span<const std::int32_t> acti
     const auto number = std::size_t(active[role]);
     return active[role] >= 0 && number < by_number.size() ? by_number[number] : nullptr;
   };
-  // VTK refuses an array with another number of components by itself.
+  // VTK refuses an array with another number of components by itself, but prints that it does.
+  const auto has_three = [](vtkDataArray* a) { return a && a->GetNumberOfComponents() == 3; };
   if (vtkDataArray* scalars = array(0)) arrays.SetScalars(scalars);
-  if (vtkDataArray* vectors = array(1)) arrays.SetVectors(vectors);
-  if (vtkDataArray* normals = array(2)) arrays.SetNormals(normals);
+  if (vtkDataArray* vectors = array(1); has_three(vectors)) arrays.SetVectors(vectors);
+  if (vtkDataArray* normals = array(2); has_three(normals)) arrays.SetNormals(normals);
 }
 
 void add_attributes(const Blocks& blocks, const std::string& group, vtkIdType count,

@@ -224,7 +224,7 @@ Rows Cells::neighbours() const {
       pairs.emplace_back(b, a);
     }
   std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   Rows rows;
   auto pair = pairs.begin();
   for (std::uint32_t cell = 0; cell < seeds_.size(); ++cell) {

@@ -110,7 +110,11 @@ TEST(UnitStudy, ScenesAreCheckedBeforeAnyWork) {
   };
   EXPECT_THAT(error(R"(["one.json", "three.json"])"),
               AllOf(HasSubstr("s.json: scenes[1]"), HasSubstr("three.json")));
-  EXPECT_THAT(error(R"(["s.json"])"), HasSubstr("accepted: pellucid-scene"));
+  EXPECT_THAT(error(R"(["one.json", "s.json"])"),
+              AllOf(HasSubstr("s.json: scenes[1]: "), HasSubstr("accepted: pellucid-scene")));
+  write_text(folder / "cut.json", R"({"format": "pell)");
+  EXPECT_THAT(error(R"(["cut.json"])"),
+              AllOf(HasSubstr("s.json: scenes[0]: "), HasSubstr("cut.json: parse error")));
   EXPECT_THAT(error(R"([])"), HasSubstr("at least one scene"));
   EXPECT_THAT(error(R"(["one.json", "./one.json"])"), HasSubstr("a second scene named 'one'"));
   EXPECT_EQ(error(R"(["one.json"])"), "no error");

@@ -90,6 +90,13 @@ TEST(UnitNames, NearestComesFirst) {
             "unknown method 'linkedlist'; known: linked-list, fourier, raytrace");
 }
 
+/// A key may be as long as its file: a hundred characters are compared and no more.
+TEST(UnitNames, OfALongNameTheBeginIsCompared) {
+  const std::string as(100, 'a'), bs(200, 'b');
+  const std::vector<std::string_view> known = {bs, as};
+  EXPECT_EQ(nearest_first(as + std::string(1000, 'b'), known).front(), as);
+}
+
 TEST(UnitNames, FindRowThrowsForAnUnknownName) {
   EXPECT_EQ(&find_row("key", "clamp", specs), &specs[1]);
   EXPECT_THROW(find_row("key", "clump", specs), InputError);

@@ -196,5 +196,36 @@ TEST_F(UnitBadFiles, ClaimsBeyondTheFileAreRefused) {
               HasSubstr("claims 1e+15 points"));
 }
 
+/// The inverse of such a spacing is beyond a double.
+TEST_F(UnitBadFiles, SpacingsTooSmallToDivideByAreRefused) {
+  const auto image = [&](std::string_view spacing) {
+    return legacy("STRUCTURED_POINTS",
+                  fmt::format("DIMENSIONS 2 2 2\nORIGIN 0 0 0\nSPACING 1 {} 1\nPOINT_DATA 8\n"
+                              "VECTORS v float\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0",
+                              spacing));
+  };
+  const auto meta = [&](std::string_view spacing) {
+    return complaint_about(folder_, "close.mha",
+                           fmt::format("NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 {} 1\n"
+                                       "ElementNumberOfChannels = 3\nElementType = MET_FLOAT\n"
+                                       "ElementDataFile = LOCAL\n{:096}",
+                                       spacing, 0));
+  };
+  EXPECT_EQ(image("1e-300"), "");
+  EXPECT_EQ(meta("1e-300"), "");
+  EXPECT_THAT(image("1e-310"), HasSubstr("spacing 1e-310 from 0 along axis 1"));
+  EXPECT_THAT(meta("1e-310"), HasSubstr("ElementSpacing 1e-310 from 0 along axis 1"));
+}
+
+/// 24 bytes a sample, so many samples: 13232 bytes more than 2^64.
+TEST_F(UnitBadFiles, BytesAreCountedBeyond64Bits) {
+  EXPECT_THAT(complaint_about(folder_, "wraps.mha",
+                              "NDims = 3\nDimSize = 949063 914846 885249\n"
+                              "ElementNumberOfChannels = 3\nElementType = MET_DOUBLE\n"
+                              "ElementDataFile = LOCAL\n" +
+                                  std::string(13232, '?')),
+              AllOf(HasSubstr("13232 bytes"), HasSubstr("768614336404565202 samples of 24")));
+}
+
 }  // namespace
 }  // namespace pellucid::fields

@@ -75,12 +75,13 @@ TEST_F(UnitGridBlocks, OfOthersOnlyTheNameIsKept) {
   EXPECT_EQ(copies[1].value_type, "bool");
 }
 
-/// One leaf of zeros with this origin and so many values.
-std::string complaint_about(std::int32_t origin, std::size_t values, std::int32_t tile_level) {
+/// One leaf of zeros with this origin and so many values, and a tile.
+std::string complaint_about(std::int32_t origin, std::size_t values, std::int32_t tile_level,
+                            std::int32_t tile_place = 0) {
   try {
     through_blocks([&](BlockWriter& out) {
       const std::int32_t grid_class = 0, origins[] = {origin, 0, 0};
-      const std::int32_t tile[] = {tile_level, 0, 0, 0, 1};
+      const std::int32_t tile[] = {tile_level, 0, 0, tile_place, 1};
       const double affine[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
       const std::uint64_t masks[8] = {};
       const std::vector<float> numbers(values);
@@ -107,6 +108,29 @@ TEST_F(UnitGridBlocks, WhatDoesNotFitIsRefused) {
   EXPECT_THAT(complaint_about(0, 511, 1), HasSubstr("do not fit"));
   EXPECT_THAT(complaint_about(0, 512, 0), HasSubstr("level 0"));
   EXPECT_THAT(complaint_about(0, 512, 9), HasSubstr("level 9"));
+}
+
+/// The width of a box of voxels has to be an int, and one beyond the last voxel, too.
+TEST_F(UnitGridBlocks, WhatIsTooFarOutIsRefused) {
+  const std::int32_t least = std::numeric_limits<std::int32_t>::min(), far = 1 << 30;
+  EXPECT_THAT(complaint_about(std::numeric_limits<std::int32_t>::max() - 7, 512, 1),
+              HasSubstr("leaf 0 is at voxel 2147483640"));
+  EXPECT_THAT(complaint_about(least, 512, 1), HasSubstr("leaf 0 is at voxel -2147483648"));
+  EXPECT_THAT(complaint_about(0, 512, 1, far), HasSubstr("tile 0 is at voxel 1073741824"));
+  EXPECT_THAT(complaint_about(0, 512, 1, least), HasSubstr("tile 0 is at voxel -2147483648"));
+  EXPECT_EQ(complaint_about(far - 4096, 512, 3, 4096 - far), "accepted");
+}
+
+/// A grid that says it holds vectors, but is one of floats, would be taken for vectors.
+TEST_F(UnitGridBlocks, TheGridItselfSaysWhatItHolds) {
+  const auto grid = openvdb::FloatGrid::create();
+  const auto copies = through_blocks([&](BlockWriter& out) {
+    out.add_text("0.value", "vec3s");
+    write_grid(0, *grid, true, out);
+  });
+  ASSERT_EQ(copies.size(), 1u);
+  EXPECT_EQ(copies[0].value_type, "float");
+  EXPECT_FALSE(holds_vectors(copies[0]));
 }
 
 }  // namespace

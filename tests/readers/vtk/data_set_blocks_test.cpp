@@ -222,5 +222,41 @@ TEST(UnitDataSetBlocks, ArraysThatDoNotFitAreRefused) {
   EXPECT_THROW(through_blocks(with("cell:p", 2)), BlockError);
 }
 
+/// Active vectors of one component: VTK would print that it does not take them.
+TEST(UnitDataSetBlocks, ActiveArraysThatAreNoneAreLeftOutInSilence) {
+  ::testing::internal::CaptureStderr();
+  const auto set = through_blocks([](BlockWriter& out) {
+    const std::vector<double> numbers(8);
+    const std::int32_t active[] = {-1, 0, 0, -1};
+    out.add("point.active", std::span<const std::int32_t>(active));  // before the image's own
+    out.add("point:p", std::span<const double>(numbers));
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(2, 2, 2);
+    write_data_set(*image, out);
+  });
+  EXPECT_EQ(set->GetPointData()->GetVectors(), nullptr);
+  EXPECT_EQ(set->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+/// An image without arrays, so long along x, y and z.
+std::string complaint_about_image(int x, int y, int z) {
+  try {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(x, y, z);
+    copy_of(*image);
+  } catch (const BlockError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(UnitDataSetBlocks, PointsThatTheBlocksCannotHoldAreRefused) {
+  EXPECT_EQ(complaint_about_image(100, 100, 100), "accepted");
+  EXPECT_THAT(complaint_about_image(10000, 10000, 1), HasSubstr("100000000 points, but it holds"));
+  EXPECT_THAT(complaint_about_image(2000000000, 2000000000, 1), HasSubstr("points, but it holds"));
+  EXPECT_THAT(complaint_about_image(2000000000, 2000000000, 2000000000), HasSubstr("too large"));
+}
+
 }  // namespace
 }  // namespace pellucid::readers

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# fuzz_targets: what lies in targets/, by name; fuzz_rooms_NAME: what it is linked to; fuzz_support: what all share.
+set(fuzz_support ${CMAKE_CURRENT_LIST_DIR}/support/block_file.cpp ${CMAKE_CURRENT_LIST_DIR}/support/file_in_memory.cpp)
+foreach(target ply obj csv binlines)
+  set(fuzz_rooms_${target} pellucid_geometry)
+endforeach()
+foreach(target meta_image series formula)
+  set(fuzz_rooms_${target} pellucid_fields)
+endforeach()
+foreach(target json blocks)
+  set(fuzz_rooms_${target} pellucid_core)
+endforeach()
+foreach(target vtk_blocks vdb_blocks)
+  set(fuzz_rooms_${target} pellucid_fields pellucid_geometry pellucid_openvdb)
+endforeach()
+foreach(target call study)
+  set(fuzz_rooms_${target} pellucid_compare)
+endforeach()
+set(fuzz_rooms_scene pellucid_scene)
+
+set(fuzz_targets ply obj csv binlines meta_image series formula json blocks vtk_blocks vdb_blocks call scene study)
