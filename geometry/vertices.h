@@ -9,6 +9,9 @@
 
 namespace pellucid::geometry {
 
+/// Coordinates and radii are below it, so that their sums and differences are numbers.
+constexpr double coordinate_limit = 1e300;
+
 /// Vertices are points in world units and what they carry, whatever joins them. Arrays are empty or
 /// as long as `positions`; values are interpolated linearly between joined vertices.
 struct Vertices {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/error.h"
+#include "geometry/vertices.h"
 #include "scene/view/picture_frustum.h"
 #include "scene/view/ribbon.h"
 
@@ -113,11 +114,9 @@ class DepthsOfShapes {
   std::vector<unsigned> outcodes_;
 };
 
-/// Sums and differences of coordinates and radii have to be numbers.
 void check_size(const Scene& scene) {
-  constexpr double largest = 1e300;
   const auto fits = [](const Vec3& x) {
-    return glm::all(glm::lessThan(glm::abs(x), Vec3(largest)));
+    return glm::all(glm::lessThan(glm::abs(x), Vec3(geometry::coordinate_limit)));
   };
   if (!fits(scene.camera.eye)) throw InputError("camera.eye: accepted: coordinates below 1e300");
   for (const SceneObject& object : scene.objects)

@@ -71,9 +71,9 @@ void take_attributes(VertexAttributes attributes, Vertices& vertices) {
 void check_vertices(const std::string& file, const Vertices& vertices) {
   for (std::size_t i = 0; i < vertices.positions.size(); ++i)
     for (int axis = 0; axis < 3; ++axis)
-      if (!std::isfinite(vertices.positions[i][axis]))
-        throw InputError(fmt::format("{}: vertex {}: {} is {}; accepted: finite numbers", file, i,
-                                     "xyz"[axis], vertices.positions[i][axis]));
+      if (const double x = vertices.positions[i][axis]; !(std::abs(x) < coordinate_limit))
+        throw InputError(fmt::format("{}: vertex {}: {} is {}; accepted: finite numbers below {:g}",
+                                     file, i, "xyz"[axis], x, coordinate_limit));
   static constexpr std::string_view channel[] = {"red", "green", "blue", "alpha"};
   for (std::size_t i = 0; i < vertices.colors.size(); ++i)
     for (int c = 0; c < 4; ++c) check_unit_interval(file, channel[c], i, vertices.colors[i][c]);

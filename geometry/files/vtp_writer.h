@@ -8,7 +8,7 @@
 
 namespace pellucid::geometry {
 
-/// Writes .vtp by VTK, with all attributes. Throws WorkError when VTK cannot write, and as
+/// Writes .vtp with all attributes, 8 bytes a coordinate and not compressed. Throws as
 /// OutputFile does.
 ///@{
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh);
