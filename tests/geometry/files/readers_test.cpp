@@ -180,8 +180,9 @@ TEST(UnitCsvPoints, RefusalsNameTheLineAndTheColumn) {
   EXPECT_THAT(refusal_of("x,y,z\n1,2,3,4\n"), HasSubstr("more than the 3 columns"));
   EXPECT_THAT(refusal_of("x,y,z\n1,two,3\n"), HasSubstr("column 'y': 'two'"));
   EXPECT_THAT(refusal_of("x,y,z\n1,nan,3\n"), HasSubstr("accepted: finite"));
-  EXPECT_THAT(refusal_of("x,y,z\n1,2,3\n1,2,-1e301\n"),
-              HasSubstr("stars.csv: vertex 1: z is -1e+301; accepted: finite numbers below 1e+300"));
+  EXPECT_THAT(
+      refusal_of("x,y,z\n1,2,3\n1,2,-1e301\n"),
+      HasSubstr("stars.csv: vertex 1: z is -1e+301; accepted: finite numbers below 1e+300"));
   EXPECT_THAT(refusal_of("x,y,z\n"), HasSubstr("no points"));
   EXPECT_THAT(refusal_of(""), HasSubstr("no column 'x'"));
 }
