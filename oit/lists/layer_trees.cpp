@@ -26,15 +26,29 @@ const OptionTable<LayerRule>& layer_rule_options() {
   static const OptionTable<LayerRule> table{
       number("epsilon2", &LayerRule::epsilon2,
              {.min = 0,
-              .unit = "d squared",
-              .help = "fragments within this squared difference of depth are one layer"}),
+              .unit = "world units squared",
+              .help = "fragments within this squared difference of view depth are one layer; "
+                      "default: 1e-6 of the squared depth of what is in the picture"}),
+      choice("unit", &LayerRule::unit,
+             {{"view", EpsilonUnit::view}, {"normalized", EpsilonUnit::normalized}},
+             "of epsilon2: view depth in world units, or d, the depth range of what is in the "
+             "picture being 1"),
       choice("merge", &LayerRule::merge,
              {{"nearest", LayerMerge::nearest}, {"first", LayerMerge::first_met}},
              "into the nearest layer within epsilon, or the first met on the search path")};
   return table;
 }
 
-LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
+// d is linear in view depth.
+Epsilon epsilon_of(const LayerRule& rule, const scene::DepthRange& range) {
+  const double length = range.far - range.near;
+  if (rule.epsilon2 && rule.unit == EpsilonUnit::view)
+    return {*rule.epsilon2, *rule.epsilon2 / length / length};
+  const double normalized2 = rule.epsilon2.value_or(LayerRule::default_epsilon2);
+  return {normalized2 * length * length, normalized2};
+}
+
+LayerTrees::LayerTrees(Stage& stage, double epsilon2, LayerMerge merge)
     : stage_(stage),
       heads_(stage.target("list heads", GL_R32UI)),
       trees_(stage.target("trees", GL_RG32UI)),
@@ -47,8 +61,8 @@ LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
       insert_(stage.screen_program(oit_glsl::tree_insert_frag_glsl())),
       composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl())) {
   stage.record("counters", fragment_count_.bytes() + layer_count_.bytes() + unfinished_.bytes());
-  insert_.set("epsilon2", float(rule.epsilon2));
-  insert_.set("first_met", int(rule.merge == LayerMerge::first_met));
+  insert_.set("epsilon2", float(epsilon2));
+  insert_.set("first_met", int(merge == LayerMerge::first_met));
   insert_.set("most_steps", most_steps);
   reserve(1);
 }
