@@ -95,9 +95,10 @@ void LayerTrees::rasterize(const Geometry& geometry, bool crossings) {
 
 void LayerTrees::reserve(std::uint64_t layers) {
   if (layers <= capacity_) return;
-  check_texel_count(stage_.gl(), "tree", layers, "layers and fragments");
-  // By half, so that all growing together copies a layer three times at most.
-  capacity_ = std::max(layers, capacity_ + capacity_ / 2);
+  check_texel_count(stage_.gl(), "tree", layers, "layers");
+  // By a quarter, so that all growing together copies a layer five times at most; the first ones
+  // at once.
+  capacity_ = std::max(layers, capacity_ + capacity_ / 4 + 256);
   const std::uint64_t n = capacity_ + 1;
   grow(stage_.gl(), GL_RGBA32UI, 16 * n, nodes_);
   grow(stage_.gl(), GL_RG32UI, 8 * n, links_);
@@ -105,17 +106,22 @@ void LayerTrees::reserve(std::uint64_t layers) {
   stage_.record("layers", nodes_.bytes() + links_.bytes() + colors_.bytes());
 }
 
+// How many fragments become layers is not known before they are merged: a pixel without room for
+// one stops, and as many as have stopped are made room for at least.
 void LayerTrees::insert() {
-  reserve(layers_ + frame_fragments_);
   insert_.set("crossings", int(crossings_));
-  const Resource counter = layer_count_.as_atomic_counter(bindings::layer_counter);
-  const Pass pass(no_targets_, {Blend::replace}, lists() + trees() + counter);
   do {
     unfinished_.clear(0);
-    stage_.draw_screen(pass, insert_);
+    insert_.set("capacity", std::uint32_t(capacity_));
+    const Resource counter = layer_count_.as_atomic_counter(bindings::layer_counter);
+    stage_.draw_screen({no_targets_, {Blend::replace}, lists() + trees() + counter}, insert_);
     finish_stores();
+    const std::uint64_t wanted = layer_count_.read_word(0);
+    layers_ = std::min(wanted, capacity_);
+    if (wanted <= capacity_) continue;
+    layer_count_.clear(std::uint32_t(capacity_));
+    reserve(wanted);
   } while (unfinished_.read_word(0) > 0);
-  layers_ = layer_count_.read_word(0);
 }
 
 void LayerTrees::composite(const Framebuffer& picture) const {

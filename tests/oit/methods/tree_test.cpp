@@ -142,6 +142,27 @@ TEST(UnitTree, LinesOfTheSceneAreSamplesOfSurfaces) {
   EXPECT_EQ(render(method("tree"), scene, integrated, true).stats.max_layers, 180u);
 }
 
+// Room is made for layers, not for the fragments that are merged into them.
+TEST(UnitTree, MemoryGrowsWithTheLayersNotWithTheFragments) {
+  const scene::Scene scene =
+      sampled_by_lines({{0.9f, 0.1f, 0.2f, 0.4f}, {0.1f, 0.8f, 0.3f, 0.5f}}, 900, 1e-4);
+  const auto bytes_of_layers = [&](const char* epsilon2) {
+    const scene::RenderStats stats =
+        render(method("tree"), scene, {{"epsilon2", epsilon2}}, true).stats;
+    EXPECT_EQ(stats.fragments, 2u * 900 * 30);
+    for (const scene::NamedBytes& part : stats.bytes)
+      if (part.name == "layers") return std::pair(part.bytes, stats.stored);
+    return std::pair(std::uint64_t(0), stats.stored);
+  };
+  for (const char* epsilon2 : {"1e-6", "0"}) {
+    const auto [bytes, layers] = bytes_of_layers(epsilon2);
+    EXPECT_EQ(layers, epsilon2[0] == '1' ? 60u : 54000u);
+    EXPECT_GE(bytes, 40 * layers);
+    // A quarter more and 256, and layer 0.
+    EXPECT_LE(bytes, 40 * (layers + layers / 4 + 257));
+  }
+}
+
 TEST(UnitTree, MeshesAreSamplesWhereToldSo) {
   const Rgba color(0.9f, 0.1f, 0.2f, 0.4f);
   scene::Scene scene = empty_scene(3, 3);
