@@ -36,29 +36,30 @@ nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
 nlohmann::ordered_json list_methods() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const scene::MethodRow& row : compare::methods())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"equations", row.equations},
-                    {"checked against", row.checked_against},
-                    {"bytes per pixel", row.bytes_per_pixel},
-                    {"sweep", row.sweep},
-                    {"exact", row.promises.exact},
-                    {"exact without isosurfaces", row.promises.exact_without_isosurfaces},
-                    {"exact without importance", row.promises.exact_without_importance},
-                    {"exact unless set", row.promises.exact_unless},
-                    {"exact without integrated surfaces", row.promises.exact_without_sources},
-                    {"exact up to", row.promises.exact_layers},
-                    {"order-independent", row.promises.order_independent},
-                    {"order spread", row.promises.order_spread},
-                    {"convex hull", row.promises.convex_hull},
-                    {"fixed memory", row.promises.fixed_memory},
-                    {"draws isosurfaces", row.promises.draws_isosurfaces},
-                    {"optimizes opacity", row.promises.optimizes_opacity},
-                    {"random", row.promises.random},
-                    {"one layer unless", row.promises.one_layer_unless},
-                    {"edge shift [pixels]", row.promises.edge_shift},
-                    {"parameters", to_json(row.parameters)}});
+    rows.push_back(
+        {{"name", row.name},
+         {"title", row.title},
+         {"citation", row.citation},
+         {"equations", row.equations},
+         {"checked against", row.checked_against},
+         {"bytes per pixel", row.bytes_per_pixel},
+         {"sweep", row.sweep},
+         {"exact", row.promises.exact},
+         {"exact without isosurfaces", row.promises.exact_without_isosurfaces},
+         {"exact without importance", row.promises.exact_without_importance},
+         {"exact unless set", row.promises.exact_unless},
+         {"exact without lines and integrated surfaces", row.promises.exact_without_lines},
+         {"exact up to", row.promises.exact_layers},
+         {"order-independent", row.promises.order_independent},
+         {"order spread", row.promises.order_spread},
+         {"convex hull", row.promises.convex_hull},
+         {"fixed memory", row.promises.fixed_memory},
+         {"draws isosurfaces", row.promises.draws_isosurfaces},
+         {"optimizes opacity", row.promises.optimizes_opacity},
+         {"random", row.promises.random},
+         {"one layer unless", row.promises.one_layer_unless},
+         {"edge shift [pixels]", row.promises.edge_shift},
+         {"parameters", to_json(row.parameters)}});
   return rows;
 }
 

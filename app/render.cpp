@@ -45,7 +45,7 @@ nlohmann::json to_json(const scene::FrameStats& frame) {
 }
 
 nlohmann::json to_json(const scene::MethodRow& row, const Parameters& parameters,
-                       const scene::RenderStats& stats, const scene::Renderer& renderer) {
+                       const scene::RenderStats& stats, scene::Renderer& renderer) {
   nlohmann::json json;
   json["method"] = row.name;
   json["parameters"] = parameters.all();
@@ -60,6 +60,8 @@ nlohmann::json to_json(const scene::MethodRow& row, const Parameters& parameters
   json["truncated_pixels"] = stats.truncated;
   json["max_layers"] = stats.max_layers;
   for (const scene::FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
+  for (const scene::Measure& measure : renderer.findings().measures)
+    json["measures"][measure.name] = measure.value;
   json["machine"] = machine_facts();
   json["machine"].update(nlohmann::json(renderer.facts()));
   return json;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "oit/methods/bin_average/bin_average.h"
 #include "oit/methods/binning/binning.h"
 #include "oit/methods/fourier/fourier.h"
 #include "oit/methods/fourier/fourier_opacity.h"
@@ -29,6 +30,7 @@ std::span<const scene::MethodRow> oit_methods() {
                                   weighted_average_method(),
                                   weighted_blended_method(),
                                   binning_method(),
+                                  bin_average_method(),
                                   fourier_method(),
                                   fourier_opacity_method(),
                                   decoupled_lists_method(),

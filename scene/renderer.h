@@ -139,11 +139,11 @@ struct RenderContext {
 /// by others where it says so; property tests hold every row to them (tests/compare/methods/).
 struct Promises {
   /// The picture equals the exact composite, up to float rounding and `edge_shift`: in every scene,
-  /// in scenes without isosurfaces, without importance, or without integrated surfaces.
+  /// in scenes without isosurfaces, without importance, or without lines and integrated surfaces.
   bool exact = false;
   bool exact_without_isosurfaces = false;
   bool exact_without_importance = false;
-  bool exact_without_sources = false;
+  bool exact_without_lines = false;
   /// Parameters, "a|b", of which any value but the default takes exactness away; no other does.
   std::string_view exact_unless = {};
   /// The parameter that tells how many layers of a pixel are kept apart. A pixel that has no more

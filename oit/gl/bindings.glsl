@@ -13,12 +13,13 @@
 //   optical depth      target 0    target 1     target 2
 //   k-buffer           depths      colours
 //   MLAB               depths      colours                   locks
+//   averages of bins   sums        counts                    locks
 //   dual peeling       ends        nearest      farthest     locks
 //   driver check       head        stores
 //   trees of layers                                          trees  layers  links       colours
 //   opacity                                                                 importance  elements
 //
-// A picture's passes are those of one of the first six families: they never meet each other. Trees of
+// A picture's passes are those of one of the first seven families: they never meet each other. Trees of
 // layers meet lists, opacity meets lists and optical depth; trees meet neither locks nor opacity.
 //
 // Texture units are 16 in any stage. Shapes and stage are there in every pass and have the first ones;
@@ -42,6 +43,9 @@ const int k_colors_image = 1;
 // MLAB.
 const int layer_depths_image = 0;
 const int layer_sums_image = 1;
+// Averages of bins.
+const int bin_sums_image = 0;
+const int bin_counts_image = 1;
 // Dual peeling.
 const int ends_image = 0;
 const int nearest_layer_image = 1;
@@ -78,6 +82,8 @@ const int color_sums_texture = 9;
 const int weighted_sums_texture = 8;
 const int fragment_count_texture = 9;
 const int weighted_transmittance_texture = 10;
+// Averages of bins.
+const int gathered_bins_texture = 8;
 // k-buffer.
 const int tail_texture = 8;
 const int tail_transmittance_texture = 9;

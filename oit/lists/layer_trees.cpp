@@ -26,15 +26,29 @@ const OptionTable<LayerRule>& layer_rule_options() {
   static const OptionTable<LayerRule> table{
       number("epsilon2", &LayerRule::epsilon2,
              {.min = 0,
-              .unit = "d squared",
-              .help = "fragments within this squared difference of depth are one layer"}),
+              .unit = "world units squared",
+              .help = "fragments within this squared difference of view depth are one layer; "
+                      "default: 1e-6 of the squared depth of what is in the picture"}),
+      choice("unit", &LayerRule::unit,
+             {{"view", EpsilonUnit::view}, {"normalized", EpsilonUnit::normalized}},
+             "of epsilon2: view depth in world units, or d, the depth range of what is in the "
+             "picture being 1"),
       choice("merge", &LayerRule::merge,
              {{"nearest", LayerMerge::nearest}, {"first", LayerMerge::first_met}},
              "into the nearest layer within epsilon, or the first met on the search path")};
   return table;
 }
 
-LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
+// d is linear in view depth.
+Epsilon epsilon_of(const LayerRule& rule, const scene::DepthRange& range) {
+  const double length = range.far - range.near;
+  if (rule.epsilon2 && rule.unit == EpsilonUnit::view)
+    return {*rule.epsilon2, *rule.epsilon2 / length / length};
+  const double normalized2 = rule.epsilon2.value_or(LayerRule::default_epsilon2);
+  return {normalized2 * length * length, normalized2};
+}
+
+LayerTrees::LayerTrees(Stage& stage, double epsilon2, LayerMerge merge)
     : stage_(stage),
       heads_(stage.target("list heads", GL_R32UI)),
       trees_(stage.target("trees", GL_RG32UI)),
@@ -47,8 +61,8 @@ LayerTrees::LayerTrees(Stage& stage, const LayerRule& rule)
       insert_(stage.screen_program(oit_glsl::tree_insert_frag_glsl())),
       composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl())) {
   stage.record("counters", fragment_count_.bytes() + layer_count_.bytes() + unfinished_.bytes());
-  insert_.set("epsilon2", float(rule.epsilon2));
-  insert_.set("first_met", int(rule.merge == LayerMerge::first_met));
+  insert_.set("epsilon2", float(epsilon2));
+  insert_.set("first_met", int(merge == LayerMerge::first_met));
   insert_.set("most_steps", most_steps);
   reserve(1);
 }
@@ -81,9 +95,10 @@ void LayerTrees::rasterize(const Geometry& geometry, bool crossings) {
 
 void LayerTrees::reserve(std::uint64_t layers) {
   if (layers <= capacity_) return;
-  check_texel_count(stage_.gl(), "tree", layers, "layers and fragments");
-  // By half, so that all growing together copies a layer three times at most.
-  capacity_ = std::max(layers, capacity_ + capacity_ / 2);
+  check_texel_count(stage_.gl(), "tree", layers, "layers");
+  // By a quarter, so that all growing together copies a layer five times at most; the first ones
+  // at once.
+  capacity_ = std::max(layers, capacity_ + capacity_ / 4 + 256);
   const std::uint64_t n = capacity_ + 1;
   grow(stage_.gl(), GL_RGBA32UI, 16 * n, nodes_);
   grow(stage_.gl(), GL_RG32UI, 8 * n, links_);
@@ -91,17 +106,22 @@ void LayerTrees::reserve(std::uint64_t layers) {
   stage_.record("layers", nodes_.bytes() + links_.bytes() + colors_.bytes());
 }
 
+// How many fragments become layers is not known before they are merged: a pixel without room for
+// one stops, and as many as have stopped are made room for at least.
 void LayerTrees::insert() {
-  reserve(layers_ + frame_fragments_);
   insert_.set("crossings", int(crossings_));
-  const Resource counter = layer_count_.as_atomic_counter(bindings::layer_counter);
-  const Pass pass(no_targets_, {Blend::replace}, lists() + trees() + counter);
   do {
     unfinished_.clear(0);
-    stage_.draw_screen(pass, insert_);
+    insert_.set("capacity", std::uint32_t(capacity_));
+    const Resource counter = layer_count_.as_atomic_counter(bindings::layer_counter);
+    stage_.draw_screen({no_targets_, {Blend::replace}, lists() + trees() + counter}, insert_);
     finish_stores();
+    const std::uint64_t wanted = layer_count_.read_word(0);
+    layers_ = std::min(wanted, capacity_);
+    if (wanted <= capacity_) continue;
+    layer_count_.clear(std::uint32_t(capacity_));
+    reserve(wanted);
   } while (unfinished_.read_word(0) > 0);
-  layers_ = layer_count_.read_word(0);
 }
 
 void LayerTrees::composite(const Framebuffer& picture) const {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "core/options/option_table.h"
 #include "oit/lists/fragment_pool.h"
 #include "oit/stage/stage.h"
+#include "scene/view_depth.h"
 
 namespace pellucid::oit {
 
@@ -11,13 +14,31 @@ namespace pellucid::oit {
 /// layer_tree.glsl.
 enum class LayerMerge { nearest, first_met };
 
+/// An EpsilonUnit is what the depths are measured in whose squared difference ε² bounds: world
+/// units along the viewing axis, or d.
+enum class EpsilonUnit { view, normalized };
+
 /// A LayerRule says how fragments become layers.
 struct LayerRule {
-  double epsilon2 = 1e-6;  // largest squared difference of depths d within a layer, exclusive
+  /// The largest squared difference of depths within a layer, exclusive, in the square of `unit`;
+  /// if it is not set, `default_epsilon2` of d, a thousandth of the scene's depth: that of view
+  /// depths which is right in one scene is nonsense in another of other units.
+  std::optional<double> epsilon2;
+  EpsilonUnit unit = EpsilonUnit::view;
   LayerMerge merge = LayerMerge::nearest;
+
+  static constexpr double default_epsilon2 = 1e-6;  // of d
 
   bool operator==(const LayerRule&) const = default;
 };
+/// An Epsilon is the rule's ε² in both units.
+struct Epsilon {
+  double view2 = 0;        // world units squared
+  double normalized2 = 0;  // of d
+};
+/// Returns the ε² of a rule in a scene of that depth range.
+Epsilon epsilon_of(const LayerRule& rule, const scene::DepthRange& range);
+
 /// Returns the table of LayerRule.
 const OptionTable<LayerRule>& layer_rule_options();
 
@@ -25,7 +46,8 @@ const OptionTable<LayerRule>& layer_rule_options();
 /// adds.
 class LayerTrees {
  public:
-  LayerTrees(Stage& stage, const LayerRule& rule);
+  /// Merges what lies within `epsilon2`, a squared difference of d, as `merge` says.
+  LayerTrees(Stage& stage, double epsilon2, LayerMerge merge);
 
   /// Empties all trees.
   void clear();

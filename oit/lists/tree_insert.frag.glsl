@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the fragments of every pixel's list into its tree, and takes them out of the list; a pixel
-// of many stops early and is counted.
+// of many stops early and is counted, and so does one that finds no room for a new layer.
 #include "oit/lists/fragment_list.glsl"
 #include "oit/lists/layer_nodes.glsl"
 
@@ -11,6 +11,7 @@ uniform float epsilon2;
 uniform bool crossings;   // the lists hold crossings of meshes
 uniform bool first_met;
 uniform int most_steps;
+uniform uint capacity;  // layers that there is room for
 
 void merge(uint id, float depth, vec4 color) {
   uint count = load_count(id) + 1u;
@@ -22,8 +23,7 @@ void merge(uint id, float depth, vec4 color) {
   store_layer(id, layer);
 }
 
-Tree add(Tree tree, Entry entry, Place place, vec4 color) {
-  uint id = atomicCounterIncrement(layer_count) + 1u;
+Tree add(Tree tree, Entry entry, Place place, uint id, vec4 color) {
   tree = insert_layer(tree, entry, place, id);
   store_count(id, crossings ? entry.order : 1u);
   imageStore(layer_colors, int(id), color);
@@ -38,13 +38,16 @@ void main() {
   for (int steps = 0; fragment != 0u && steps < most_steps;) {
     uvec4 texel = imageLoad(nodes, int(fragment));
     vec4 color = imageLoad(colors, int(fragment));
-    fragment = texel.x;
     Entry entry = Entry(uintBitsToFloat(texel.y), crossings, crossings ? texel.z : 0u);
     Place place = find_place(tree, entry, epsilon2, first_met);
     if (place.nearest != 0u)
       merge(place.nearest, entry.depth, color);
-    else
-      tree = add(tree, entry, place, color);
+    else {
+      uint id = atomicCounterIncrement(layer_count) + 1u;
+      if (id > capacity) break;  // it stays in the list
+      tree = add(tree, entry, place, id, color);
+    }
+    fragment = texel.x;
     // The search, as many steps at most to split, and this.
     steps += 2 * place.steps + 1;
   }

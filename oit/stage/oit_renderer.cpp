@@ -50,6 +50,10 @@ class OitRenderer final : public scene::Renderer {
   std::map<std::string, std::string> facts() const override {
     return {{"driver", stage_.context().driver()}};
   }
+  scene::Findings findings() override {
+    stage_.make_current();
+    return method_->findings();
+  }
   std::optional<scene::OpticalDepth> optical_depth(int x, int y,
                                                    std::span<const double> d) override {
     stage_.make_current();

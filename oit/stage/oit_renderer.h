@@ -66,6 +66,8 @@ class OitMethod {
                                                            std::span<const double> /*d*/) const {
     return std::nullopt;
   }
+  /// Returns what Renderer::findings() does.
+  virtual scene::Findings findings() { return {}; }
   /// Returns what the method modelled for this scene; a line each.
   virtual std::vector<std::string> explain() const { return {}; }
 };

@@ -32,43 +32,48 @@ double rms_difference(const Image& a, const Image& b) {
   return std::sqrt(squares / (3. * double(a.pixels.size())));
 }
 
+/// Is the object drawn line by line, so that its fragments are samples of a surface?
+bool has_lines(const scene::SceneObject& object, SampledObjects sampled) {
+  return object.source || (sampled != SampledObjects::integrated &&
+                           std::holds_alternative<scene::LineObject>(object.shape));
+}
+
 class Tree final : public OitMethod {
  public:
   Tree(Stage& stage, const TreeOptions& options)
       : stage_(stage),
-        budget_(options.budget),
+        options_(options),
         range_(scene::depth_range(stage.scene())),
-        trees_(stage, options.rule) {
+        epsilon_(epsilon_of(options.rule, range_)),
+        trees_(stage, epsilon_.normalized2, options.rule.merge) {
     const std::vector<PrimitiveRange> places = primitive_ranges(stage.scene());
-    std::vector<scene::SceneObject> meshes;
-    std::vector<PrimitiveRange> mesh_places;
-    std::vector<const scene::FlowSource*> sources;
+    std::vector<scene::SceneObject> others;
+    std::vector<PrimitiveRange> places_of_others;
+    const std::uint64_t surfaces = std::uint64_t(std::ranges::count_if(
+        stage.scene().objects,
+        [](const scene::SceneObject& object) { return !object.opaque && object.source; }));
     for (std::size_t i = 0; i < places.size(); ++i)
       if (const scene::SceneObject& object = stage.scene().objects[i]; object.opaque) {
         continue;  // the stage draws it
-      } else if (object.source) {
-        sources.push_back(&*object.source);
-        strip_places_.push_back(places[i]);
+      } else if (has_lines(object, options.sampled)) {
+        add_lines(object, places[i], surfaces);
       } else {
-        meshes.push_back(object);
-        mesh_places.push_back(places[i]);
+        others.push_back(object);
+        places_of_others.push_back(places[i]);
       }
-    for (const scene::FlowSource* source : sources)
-      strips_.push_back(std::make_unique<SurfaceStrips>(
-          *source, stage.scene(), range_,
-          std::max<std::uint64_t>(budget_.lines / sources.size(), 1), options.strips));
-    if (!meshes.empty())
-      meshes_.emplace(stage.gl(), with_objects(stage.scene(), std::move(meshes)), range_,
-                      mesh_places);
+    if (!others.empty())
+      others_.emplace(stage.gl(), with_objects(stage.scene(), std::move(others)), range_,
+                      places_of_others);
   }
 
   void draw(Frame& frame) override {
     trees_.clear();
-    if (meshes_) {
-      frame.step("rasterize", [&] { trees_.rasterize(*meshes_, true); });
+    if (others_) {
+      frame.step("rasterize",
+                 [&] { trees_.rasterize(*others_, options_.sampled != SampledObjects::all); });
       frame.step("insert", [&] { trees_.insert(); });
     }
-    if (strips_.empty())
+    if (lines_.empty())
       composite(frame);
     else
       draw_lines(frame);
@@ -81,14 +86,28 @@ class Tree final : public OitMethod {
     return counts_->layers;
   }
 
+  scene::Findings findings() override {
+    using Better = scene::Measure::Better;
+    return {{{"epsilon2_view", "ε² of view depth", "world units²", epsilon_.view2, Better::neither},
+             {"epsilon2_normalized", "ε² of d", "", epsilon_.normalized2, Better::neither}},
+            {}};
+  }
+
   std::vector<std::string> explain() const override {
+    const bool all = options_.sampled == SampledObjects::all;
     std::vector<std::string> lines = {
-        strips_.empty() ? "lines: left out, no object was integrated from a seed curve"
-                        : fmt::format("lines: of {} surfaces, at most {}, {} a frame",
-                                      strips_.size(), budget_.lines, budget_.lines_per_frame),
-        meshes_
-            ? fmt::format("other shapes: {} primitives, inserted once", meshes_->primitive_count())
-            : "other shapes: left out, every object has lines"};
+        fmt::format("epsilon²: {:.4g} of squared view depth (world units), {:.4g} of d{}",
+                    epsilon_.view2, epsilon_.normalized2,
+                    options_.rule.epsilon2 ? "" : ", by the depth of what is in the picture"),
+        lines_.empty()
+            ? "lines: left out, no object has lines or was integrated from a seed curve"
+            : fmt::format("lines: of {} objects, at most {}, {} a frame; merged within epsilon",
+                          lines_.places().size(), lines_.line_count(),
+                          options_.budget.lines_per_frame),
+        others_ ? fmt::format("other shapes: {} primitives, inserted once, {}",
+                              others_->primitive_count(),
+                              all ? "merged within epsilon" : "each crossing a layer of its own")
+                : "other shapes: left out, every object has lines"};
     if (counts_)
       lines.push_back(fmt::format(
           "layers: {}, of which {} in {} pixels lie nearer than the layer in front of them",
@@ -97,14 +116,25 @@ class Tree final : public OitMethod {
   }
 
  private:
+  /// The budget's lines are shared among the integrated surfaces; of lines that the scene holds all
+  /// are drawn.
+  void add_lines(const scene::SceneObject& object, const PrimitiveRange& place,
+                 std::uint64_t surfaces) {
+    if (!object.source) return lines_.add_lines(object, place);
+    lines_.add_surface(*object.source, stage_.scene(), range_,
+                       std::max<std::uint64_t>(options_.budget.lines / surfaces, 1),
+                       options_.strips, place);
+  }
+
   void draw_lines(Frame& frame) {
     Image before(stage_.width(), stage_.height(), Rgba(Vec3(stage_.scene().background), 0));
     const Stopwatch watch;
-    for (std::uint64_t lines = 0; lines < budget_.lines;) {
+    const std::uint64_t all = lines_.line_count();
+    for (std::uint64_t lines = 0; lines < all;) {
       scene::FrameStats record;
-      record.lines = std::min(budget_.lines_per_frame, budget_.lines - lines);
-      draw_batch(frame, lines, record.lines);
-      lines += record.lines;
+      const std::uint64_t count = std::min(options_.budget.lines_per_frame, all - lines);
+      record.lines = draw_batch(frame, lines, count);
+      lines += count;
       Image now;
       frame.step("change", [&] {
         now = frame.read_picture();
@@ -121,29 +151,23 @@ class Tree final : public OitMethod {
   }
 
   bool is_done(std::uint64_t frames, const scene::FrameStats& last) const {
-    return (budget_.frames && frames >= *budget_.frames) ||
-           (budget_.seconds && last.seconds >= *budget_.seconds) ||
-           (budget_.change && last.change < *budget_.change);
+    const TreeBudget& budget = options_.budget;
+    return (budget.frames && frames >= *budget.frames) ||
+           (budget.seconds && last.seconds >= *budget.seconds) ||
+           (budget.change && last.change < *budget.change);
   }
 
-  /// Line n of all is line n / k of surface n mod k.
-  void draw_batch(Frame& frame, std::uint64_t first, std::uint64_t count) {
-    scene::Scene batch = with_objects(stage_.scene(), {});
-    frame.step("integrate", [&] {
-      for (std::uint64_t k = 0; k < strips_.size(); ++k) {
-        const auto before = [&](std::uint64_t n) {
-          return (n + strips_.size() - 1 - k) / strips_.size();
-        };
-        scene::SceneObject object;
-        object.shape = strips_[k]->lines(before(first), before(first + count) - before(first));
-        batch.objects.push_back(std::move(object));
-      }
-    });
+  /// Returns how many lines it drew.
+  std::uint64_t draw_batch(Frame& frame, std::uint64_t first, std::uint64_t count) {
+    LineSources::LineBatch batch;
+    frame.step("lines", [&] { batch = lines_.batch(first, count); });
+    const scene::Scene part = with_objects(stage_.scene(), std::move(batch.objects));
     frame.step("rasterize", [&] {
-      trees_.rasterize(Geometry(stage_.gl(), batch, range_, strip_places_), false);
+      trees_.rasterize(Geometry(stage_.gl(), part, range_, lines_.places()), false);
     });
     frame.step("insert", [&] { trees_.insert(); });
     composite(frame);
+    return batch.lines;
   }
 
   void composite(Frame& frame) {
@@ -151,24 +175,25 @@ class Tree final : public OitMethod {
   }
 
   Stage& stage_;
-  TreeBudget budget_;
+  TreeOptions options_;
   scene::DepthRange range_;
+  Epsilon epsilon_;
   LayerTrees trees_;
   std::optional<LayerTrees::Counts> counts_;
-  std::optional<Geometry> meshes_;
-  std::vector<std::unique_ptr<SurfaceStrips>> strips_;
-  std::vector<PrimitiveRange> strip_places_;  // of the surfaces, in the order of the scene
+  std::optional<Geometry> others_;
+  LineSources lines_;
 };
 
 const OptionTable<TreeBudget>& budget_options() {
   static const OptionTable<TreeBudget> table{
       number("lines", &TreeBudget::lines,
-             {.min = 1, .max = 1e9, .unit = "lines", .help = "the picture is done"}),
-      number("lines-per-frame", &TreeBudget::lines_per_frame,
              {.min = 1,
-              .max = 1e6,
+              .max = 1e9,
               .unit = "lines",
-              .help = "integrated, rasterized and inserted at once"}),
+              .help = "of integrated surfaces: the picture is done"}),
+      number(
+          "lines-per-frame", &TreeBudget::lines_per_frame,
+          {.min = 1, .max = 1e6, .unit = "lines", .help = "made, rasterized and inserted at once"}),
       number("frames", &TreeBudget::frames,
              {.min = 1,
               .max = 1e9,
@@ -192,7 +217,14 @@ const OptionTable<TreeBudget>& budget_options() {
 const OptionTable<TreeOptions>& tree_options() {
   static const OptionTable<TreeOptions> table{part(&TreeOptions::budget, budget_options()),
                                               part(&TreeOptions::rule, layer_rule_options()),
-                                              part(&TreeOptions::strips, strip_options())};
+                                              part(&TreeOptions::strips, strip_options()),
+                                              choice("sampled", &TreeOptions::sampled,
+                                                     {{"lines", SampledObjects::lines},
+                                                      {"all", SampledObjects::all},
+                                                      {"integrated", SampledObjects::integrated}},
+                                                     "whose fragments are samples of a surface, "
+                                                     "merged within epsilon: lines and integrated "
+                                                     "surfaces, all objects, or the latter alone")};
   return table;
 }
 
@@ -207,7 +239,8 @@ const scene::MethodRow& tree_method() {
       .checked_against = "the paper's additional material",
       .parameters = tree_options().specs(),
       // Where two surfaces lie within epsilon, whichever fragment comes first makes the layer.
-      .promises = {.exact_without_sources = true,
+      .promises = {.exact_without_lines = true,
+                   .exact_unless = "sampled",
                    .own_layers = true,
                    .order_spread = 1,
                    .convex_hull = true},

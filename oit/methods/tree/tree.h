@@ -2,14 +2,14 @@
 #pragma once
 
 #include "oit/lists/layer_trees.h"
-#include "oit/methods/tree/surface_strips.h"
+#include "oit/methods/tree/line_sources.h"
 #include "scene/renderer.h"
 
 namespace pellucid::oit {
 
 /// When the frames end: at the first of these.
 struct TreeBudget {
-  std::uint64_t lines = 15000;
+  std::uint64_t lines = 15000;  // of all integrated surfaces together
   std::uint64_t lines_per_frame = 1000;
   std::optional<std::uint64_t> frames;  // not set: no limit
   std::optional<double> seconds;        // at the end of the frame that reaches them; likewise
@@ -18,11 +18,20 @@ struct TreeBudget {
   bool operator==(const TreeBudget&) const = default;
 };
 
+/// SampledObjects are those whose fragments are samples of a surface, so that those within ε of
+/// each other are one layer. The others' are crossings, each a layer by itself.
+enum class SampledObjects {
+  lines,      // lines, and surfaces that were integrated, which are drawn as lines
+  all,        // triangles and points, too
+  integrated  // surfaces that were integrated alone
+};
+
 /// TreeOptions are those of the method `tree`.
 struct TreeOptions {
   TreeBudget budget;
   LayerRule rule;
   StripOptions strips;
+  SampledObjects sampled = SampledObjects::lines;
 
   bool operator==(const TreeOptions&) const = default;
 };
@@ -35,14 +44,17 @@ const OptionTable<TreeOptions>& tree_options();
 /// every pixel keeps: a fragment within ε of a layer is averaged into it, another one becomes a
 /// layer of its own. The layers are composited from front to back.
 ///
-/// Depth is d, so that ε does not depend on the scene's unit. Beyond the paper: lines are strips in
-/// the surface's tangent plane (surface_strips.h); the tree is balanced and linked from front to
-/// back (layer_tree.glsl). Colours are averaged after lighting; the means of uv and normals are
-/// left out, nothing here would read them. Objects without a FlowSource have no lines: their
-/// triangles are inserted once, each fragment a layer that nothing is merged with.
+/// ε² bounds squared differences of view depth in world units, as in the paper, where it is given.
+/// Where it is not, it is a millionth of the square of the scene's depth in this picture, so that a
+/// scene of any unit is drawn alike. Lines that the scene holds are rasterized as the ribbons they
+/// are, frame by frame. Beyond the paper: lines of an integrated surface are strips in its tangent
+/// plane (surface_strips.h); the tree is balanced and linked from front to back (layer_tree.glsl).
+/// Colours are averaged after lighting; the means of uv and normals are left out. Other objects are
+/// no samples of a surface: their triangles and points are inserted once, each fragment a layer
+/// that nothing is merged with, unless `sampled` says otherwise.
 ///
-/// Accuracy: exact for objects without a FlowSource; for the others no bound, see the study
-/// tree-epsilon.
+/// Accuracy: exact for scenes without lines and integrated surfaces; for these no bound, see the
+/// studies tree-epsilon and progressive-oit.
 const scene::MethodRow& tree_method();
 
 }  // namespace pellucid::oit

@@ -49,10 +49,11 @@ inline scene::Scene with_importance(scene::Scene scene) {
   return scene;
 }
 
-/// Does the row promise the exact composite of meshes, lines and points without importance?
+/// Does the row promise the exact composite of meshes and points without importance? It is then
+/// that of lines, too, whose crossings lie far apart.
 inline bool is_exact(const scene::MethodRow& row) {
   return row.promises.exact || row.promises.exact_without_isosurfaces ||
-         row.promises.exact_without_importance || row.promises.exact_without_sources;
+         row.promises.exact_without_importance || row.promises.exact_without_lines;
 }
 
 /// Is `name` one of "a|b|c"?

@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace glsl {
@@ -122,6 +123,43 @@ TEST(UnitLayerTree, LinksAreTheOrderOfTheTree) {
   EXPECT_EQ(pixel.in_order(), ids);
   EXPECT_GT(ids.size(), 300u);
   EXPECT_LT(ids.size(), 1000u);
+}
+
+/// Algorithm 2 of Tian and Guenther with the stack of its Fig. 3: a node is blended when it has no
+/// unvisited left child, then its right child follows.
+std::vector<glm::uint> by_stack(glm::uint root) {
+  std::vector<glm::uint> blended, stack;
+  for (glm::uint id = root; id != 0 || !stack.empty();) {
+    for (; id != 0; id = glsl::load_layer(id).left) stack.push_back(id);
+    blended.push_back(stack.back());
+    id = glsl::load_layer(stack.back()).right;
+    stack.pop_back();
+  }
+  return blended;
+}
+
+/// Front-to-back blending of layers whose opacity and grey follow from their number.
+std::pair<float, float> blend(const std::vector<glm::uint>& ids) {
+  float grey = 0, transmittance = 1;
+  for (const glm::uint id : ids) {
+    const float alpha = 0.2f + 0.6f * glsl::uniform_number(id);
+    grey += transmittance * alpha * glsl::uniform_number(id + 77);
+    transmittance *= 1 - alpha;
+  }
+  return {grey, transmittance};
+}
+
+// To the last bit, after any number of fragments: the links are no second opinion of the order.
+TEST(PropertyLayerTree, TheStackOfAlgorithm2AndTheLinksBlendOnePicture) {
+  for (const bool first_met : {false, true})
+    for (const float epsilon : {0.f, 1e-3f, 0.1f})
+      for (const int n : {1, 2, 7, 100, 2000}) {
+        PixelTree pixel(epsilon);
+        pixel.first_met = first_met;
+        for (const float d : random_depths(n, 50 + unsigned(n))) pixel.add(d);
+        EXPECT_EQ(pixel.in_order(), by_stack(pixel.tree.root)) << n << ' ' << epsilon;
+        EXPECT_EQ(blend(pixel.in_order()), blend(by_stack(pixel.tree.root))) << n << ' ' << epsilon;
+      }
 }
 
 // Noise of less than half of epsilon around well separated depths, in any order.

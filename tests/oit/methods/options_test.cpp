@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "oit/methods/bin_average/bin_average.h"
 #include "oit/methods/binning/binning.h"
 #include "oit/methods/fourier/fourier_opacity.h"
 #include "oit/methods/k_buffer/k_buffer.h"
@@ -27,6 +28,7 @@ TEST(PropertyMethodOptions, EveryOptionOfEveryRowHasAMemberOfItsOwn) {
     expect_members_of_their_own(table);
     held.insert(table.specs().data());
   };
+  hold(bin_average_options());
   hold(binning_options());
   hold(decoupled_lists_options());
   hold(depth_peeling_options());

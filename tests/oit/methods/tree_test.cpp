@@ -102,6 +102,111 @@ TEST(UnitTree, EpsilonZeroKeepsEveryFragment) {
   EXPECT_NEAR(tree.image.at(16, 16).a, 1 - std::pow(0.99, tree.layers.at(16, 16)), float_composite);
 }
 
+/// n lines along x that cover the picture at z = ±noise around each of the layers' z.
+scene::Scene sampled_by_lines(const std::vector<Rgba>& front_to_back, int n, double noise) {
+  scene::Scene scene = empty_scene(6, 5);
+  std::mt19937 random(24);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (std::size_t i = 0; i < front_to_back.size(); ++i) {
+    const double z = 1 - 2 * double(i) / double(front_to_back.size());
+    geometry::LineSet set;
+    for (int k = 0; k < n; ++k) {
+      const double at = z + noise * unit(random);
+      set.positions.insert(set.positions.end(), {Vec3(-50, 0, at), Vec3(50, 0, at)});
+      set.colors.insert(set.colors.end(), 2, front_to_back[i]);
+      set.offsets.push_back(set.positions.size());
+    }
+    scene.objects.push_back({"lines", scene::LineObject{std::move(set), 50}});
+  }
+  return scene;
+}
+
+// Any number of lines on a surface are one layer of it, where lists have as many as there are
+// lines.
+TEST(UnitTree, LinesOfTheSceneAreSamplesOfSurfaces) {
+  const std::vector<Rgba> layers = {{0.9f, 0.1f, 0.2f, 0.4f}, {0.1f, 0.8f, 0.3f, 0.5f}};
+  const scene::Scene scene = sampled_by_lines(layers, 90, 1e-4);
+  const glm::dvec4 exact = composite(layers, scene.background);
+  for (const char* per_frame : {"7", "1000"}) {
+    const scene::Rendering tree =
+        render(method("tree"), scene, {{"lines-per-frame", per_frame}}, true);
+    EXPECT_LE(largest_difference(tree.image, exact), float_composite);
+    EXPECT_EQ(tree.stats.max_layers, 2u);
+    EXPECT_EQ(tree.stats.fragments, 2u * 90 * 30);
+    std::uint64_t lines = 0;
+    for (const scene::FrameStats& frame : tree.stats.frames) lines += frame.lines;
+    EXPECT_EQ(lines, 180u);
+  }
+  EXPECT_GT(largest_difference(render(method("linked-list"), scene).image, exact), 0.2);
+  const RawOptions integrated = {{"sampled", "integrated"}};
+  EXPECT_EQ(render(method("tree"), scene, integrated, true).stats.max_layers, 180u);
+}
+
+// Room is made for layers, not for the fragments that are merged into them.
+TEST(UnitTree, MemoryGrowsWithTheLayersNotWithTheFragments) {
+  const scene::Scene scene =
+      sampled_by_lines({{0.9f, 0.1f, 0.2f, 0.4f}, {0.1f, 0.8f, 0.3f, 0.5f}}, 900, 1e-4);
+  const auto bytes_of_layers = [&](const char* epsilon2) {
+    const scene::RenderStats stats =
+        render(method("tree"), scene, {{"epsilon2", epsilon2}}, true).stats;
+    EXPECT_EQ(stats.fragments, 2u * 900 * 30);
+    for (const scene::NamedBytes& part : stats.bytes)
+      if (part.name == "layers") return std::pair(part.bytes, stats.stored);
+    return std::pair(std::uint64_t(0), stats.stored);
+  };
+  for (const char* epsilon2 : {"1e-6", "0"}) {
+    const auto [bytes, layers] = bytes_of_layers(epsilon2);
+    EXPECT_EQ(layers, epsilon2[0] == '1' ? 60u : 54000u);
+    EXPECT_GE(bytes, 40 * layers);
+    // A quarter more and 256, and layer 0.
+    EXPECT_LE(bytes, 40 * (layers + layers / 4 + 257));
+  }
+}
+
+TEST(UnitTree, MeshesAreSamplesWhereToldSo) {
+  const Rgba color(0.9f, 0.1f, 0.2f, 0.4f);
+  scene::Scene scene = empty_scene(3, 3);
+  for (const double z : {1., -1., 0., 1e-4, 2e-4}) scene.objects.push_back(sheet(z, color));
+  EXPECT_EQ(render(method("tree"), scene, {}, true).stats.max_layers, 5u);
+  EXPECT_EQ(render(method("tree"), scene, {{"sampled", "all"}}, true).stats.max_layers, 3u);
+}
+
+// Two layers 0.01 apart of a scene of depth 2: ε² of view depth is 4 times that of d.
+TEST(UnitTree, EpsilonIsInViewDepthUnlessItIsSaidToBeInD) {
+  scene::Scene scene = sampled_by_lines({{1, 0, 0, 0.4f}}, 1, 0);
+  for (const double z : {0.01, -1.}) {
+    scene::Scene other = sampled_by_lines({{1, 0, 0, 0.4f}}, 1, 0);
+    for (Vec3& x : other.objects[0].vertices().positions) x.z = z;
+    scene.objects.push_back(other.objects[0]);
+  }
+  for (Vec3& x : scene.objects[0].vertices().positions) x.z = 0;
+  scene.objects.push_back(sheet(1, {1, 1, 1, 0.1f}));
+  const auto layers = [&](const char* epsilon2, const char* unit) {
+    return render(method("tree"), scene, {{"epsilon2", epsilon2}, {"unit", unit}}, true)
+        .stats.max_layers;
+  };
+  EXPECT_EQ(layers("0.9e-4", "view"), 4u);
+  EXPECT_EQ(layers("1.1e-4", "view"), 3u);
+  EXPECT_EQ(layers("0.9e-4", "normalized"), 3u);
+  EXPECT_EQ(layers("0.2e-4", "normalized"), 4u);
+}
+
+// The same scene in kilometres and in millimetres.
+TEST(PropertyTree, DefaultEpsilonFollowsTheScale) {
+  scene::Scene scene = sampled_by_lines({{1, 0, 0, 0.4f}, {0, 1, 0, 0.3f}}, 20, 1e-4);
+  for (const double scale : {1., 1e-6, 1e9}) {
+    scene::Scene scaled = scene;
+    scaled.camera.eye *= scale;
+    scaled.camera.target *= scale;
+    scaled.camera.height *= scale;
+    for (scene::SceneObject& object : scaled.objects) {
+      for (Vec3& x : object.vertices().positions) x *= scale;
+      std::get<scene::LineObject>(object.shape).radius *= scale;
+    }
+    EXPECT_EQ(render(method("tree"), scaled, {}, true).stats.max_layers, 2u) << scale;
+  }
+}
+
 TEST(UnitTree, FramesAreRecorded) {
   const scene::Scene scene = squares({{1, 0, 0, 0.5f}});
   const auto frames = render(method("tree"), scene, few_lines).stats.frames;
