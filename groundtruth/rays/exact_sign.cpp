@@ -87,7 +87,10 @@ SignedValue decide(const PictureRay& ray, const Vec3& a, const Vec3& b, double r
 }  // namespace
 
 RayPredicate::RayPredicate(const PictureRay& ray, double largest, Precision precision)
-    : ray_(ray), precision_(precision), bound_(rounding_bound(ray, largest)) {}
+    : ray_(ray),
+      precision_(precision),
+      bound_(rounding_bound(ray, largest)),
+      sharp_from_(precision == Precision::exact ? 0x1p20 * bound_ : 0) {}
 
 bool RayPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
                            EdgeFunctions& edges) const {
@@ -112,6 +115,13 @@ bool RayPredicate::crosses_uncertain(const Vec3& a, const Vec3& b, const Vec3& c
                     s2 = sign(a, b, edges.e[2]);
   edges = {{s0.value, s1.value, s2.value}};
   return s0.sign != 0 && s0.sign == s1.sign && s1.sign == s2.sign;
+}
+
+void RayPredicate::recompute(const Vec3& a, const Vec3& b, const Vec3& c,
+                             EdgeFunctions& edges) const {
+  const Plane2 p = shear<Exact>(ray_, a), q = shear<Exact>(ray_, b), r = shear<Exact>(ray_, c);
+  edges = {
+      {CGAL::to_double(cross(q, r)), CGAL::to_double(cross(r, p)), CGAL::to_double(cross(p, q))}};
 }
 
 bool RayPredicate::crosses_disc(const Vec3& center, double radius, double& squared_distance) const {

@@ -68,8 +68,9 @@ void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t o
                     std::uint32_t primitive, const SceneRay& ray,
                     std::vector<Crossing>& crossings) {
   EdgeFunctions edges;
-  if (ray.predicate.crosses(a, b, c, edges))
-    crossings.push_back(to_crossing(edges, a, b, c, object, primitive));
+  if (!ray.predicate.crosses(a, b, c, edges)) return;
+  ray.predicate.sharpen(a, b, c, edges);
+  crossings.push_back(to_crossing(edges, a, b, c, object, primitive));
 }
 
 double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
@@ -164,6 +165,7 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
     for (std::uint32_t crossed = packet.predicate.crosses(a, b, c, lanes, edges); crossed != 0;
          crossed &= crossed - 1) {
       const int i = std::countr_zero(crossed);
+      packet.rays[i].predicate.sharpen(a, b, c, edges[i]);
       packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
     }
   }
