@@ -23,9 +23,11 @@ struct PictureWindow {
   std::int64_t pixels() const { return std::int64_t(width) * height; }
 };
 
+/// Pixels of the largest picture that is read.
 constexpr std::int64_t max_picture_pixels = std::int64_t(1) << 28;
 /// Values per byte of the file: the best compressors make pictures some thousand times smaller.
 constexpr std::int64_t max_picture_compression = 8192;
+/// What the names of the channels' blocks begin with.
 constexpr std::string_view channel_prefix = "channel:";
 
 /// A PictureFile holds a picture's channels as they are stored: alpha not multiplied in, no
