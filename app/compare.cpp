@@ -66,11 +66,22 @@ void check_thresholds(const CompareArguments& arguments, const compare::Metrics&
       check_threshold(metric, *threshold, m.of(metric.name));
 }
 
+/// What is wrong with one of two pictures is said with both files' names.
+compare::Comparison comparison_of(const CompareArguments& arguments, const Image& reference,
+                                  const Image& test) {
+  try {
+    return compare::compare_images(reference, test);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} against {}: {}", arguments.test.string(),
+                                 arguments.reference.string(), error.what()));
+  }
+}
+
 void run(const CompareArguments& arguments, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   const Image reference = compare::read_image(arguments.reference);
   const Image test = compare::read_image(arguments.test);
-  const compare::Comparison comparison = compare::compare_images(reference, test);
+  const compare::Comparison comparison = comparison_of(arguments, reference, test);
   if (!arguments.diff.empty())
     compare::write_image(arguments.diff, compare::error_map(reference, test));
   print_comparison(comparison, globals.json);

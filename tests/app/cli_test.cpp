@@ -242,6 +242,19 @@ TEST_F(UnitCommandLine, WritesDataThatDrawTheSamePicture) {
               HasSubstr("\"max_error\": 0.0"));
 }
 
+TEST_F(UnitCommandLine, NamesBothPicturesThatCannotBeCompared) {
+  ASSERT_EQ(run(render("raytrace", "a.exr")).exit_code, 0);
+  std::string smaller = read_text(scene());
+  smaller.replace(smaller.find("[96, 96]"), 8, "[12, 8]");
+  write_text(scene(), smaller);
+  ASSERT_EQ(run(render("raytrace", "b.png")).exit_code, 0);
+  const Outcome outcome =
+      run("compare " + (folder_ / "a.exr").string() + " " + (folder_ / "b.png").string());
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("b.png against "), HasSubstr("a.exr: test picture: 12×8")));
+}
+
 TEST_F(UnitCommandLine, WritesDataOfEveryKindAndRefusesOthers) {
   for (const char* call : {"data stack:layers=2 -o ", "data trefoil:count=3 -o "})
     EXPECT_EQ(run(call + (folder_ / "a.ply").string()).exit_code, 0) << call;
