@@ -66,11 +66,13 @@ TEST_F(UnitVtkFile, WhatIsRightIsRead) {
   EXPECT_EQ(complaint_about("B.VTP", poly("1", "0 1 2", "3")), "");
 }
 
+// A sanitizer ends the reader with a code of its own where a signal would.
 TEST_F(UnitVtkFile, ACrashIsAComplaint) {
   EXPECT_THAT(
       complaint_about("a.vtk", legacy("DATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
                                       "POLYGONS 1 4\n900000000 0 1 2\n")),
-      AnyOf(HasSubstr("its reader crashed"), HasSubstr("claims more than")));
+      AnyOf(HasSubstr("its reader crashed"), HasSubstr("its reader ended with code"),
+            HasSubstr("claims more than")));
 }
 
 TEST_F(UnitVtkFile, IndicesAndOffsetsAreChecked) {
