@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -19,6 +18,7 @@
 
 #include "core/error.h"
 #include "core/files/files_read.h"
+#include "core/files/memory_file.h"
 #include "core/files/output_file.h"
 
 namespace pellucid {
@@ -29,21 +29,6 @@ namespace fs = std::filesystem;
 constexpr int result_file = 3;  // where the child finds what it has to fill
 constexpr int complaint_code = 2;
 constexpr std::string_view complaint = "complaint";
-
-/// A file in memory, without a name.
-class MemoryFile {
- public:
-  MemoryFile() : file_(::memfd_create("pellucid-blocks", MFD_CLOEXEC)) {
-    if (file_ < 0) throw WorkError(fmt::format("no memory for a file: {}", std::strerror(errno)));
-  }
-  ~MemoryFile() { ::close(file_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  int descriptor() const { return file_; }
-
- private:
-  int file_;
-};
 
 /// What the new process has open: the file for the result, and nothing to read or print.
 class SpawnFiles {

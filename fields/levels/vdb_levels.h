@@ -23,7 +23,8 @@ namespace pellucid::fields {
 std::vector<ScalarLevel> read_vdb_levels(const std::filesystem::path& path, std::string_view scalar,
                                          std::string_view velocity = {});
 
-/// Does so with grids that are read already; `path` names their file in messages.
+/// Returns such levels of grids that have been read; `path` names their file in messages. Throws as
+/// read_vdb_levels() does of them.
 std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids,
                                    const std::filesystem::path& path, std::string_view scalar,
                                    std::string_view velocity = {});

@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/support/block_file.h"
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <stdexcept>
 
+#include "core/files/memory_file.h"
+
 namespace pellucid::fuzz {
-namespace {
-
-/// A file in memory, without a name.
-class MemoryFile {
- public:
-  MemoryFile() : file_(::memfd_create("blocks", MFD_CLOEXEC)) {}
-  ~MemoryFile() { ::close(file_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  int descriptor() const { return file_; }
-
- private:
-  int file_;
-};
-
-}  // namespace
 
 Blocks blocks_of(Bytes bytes) {
   const MemoryFile file;

@@ -68,6 +68,9 @@ class Run:
         # Outputs are written one after another, each whole: of one that fails, those before it may be there.
         if result.returncode and outputs and (self.folder / outputs[-1]).exists():
             raise Broken("violation", f"failed and left its output: {outputs}")
+        for picture in [o for o in outputs[:-1] if result.returncode and (self.folder / o).exists()]:
+            if self.call("compare", picture, picture).returncode:
+                raise Broken("violation", f"failed and left a part of its output {picture}")
 
     def check(self, arguments, named=None, outputs=(), **options):
         self.before = {p.name for p in self.folder.iterdir()}

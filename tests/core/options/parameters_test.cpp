@@ -91,7 +91,7 @@ TEST(UnitNames, NearestComesFirst) {
 }
 
 /// A key may be as long as its file: a hundred characters are compared and no more.
-TEST(UnitNames, OfALongNameTheBeginIsCompared) {
+TEST(UnitNames, OnlyTheBeginningOfALongNameIsCompared) {
   const std::string as(100, 'a'), bs(200, 'b');
   const std::vector<std::string_view> known = {bs, as};
   EXPECT_EQ(nearest_first(as + std::string(1000, 'b'), known).front(), as);

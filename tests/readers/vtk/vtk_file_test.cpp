@@ -66,13 +66,16 @@ TEST_F(UnitVtkFile, WhatIsRightIsRead) {
   EXPECT_EQ(complaint_about("B.VTP", poly("1", "0 1 2", "3")), "");
 }
 
-// A sanitizer ends the reader with a code of its own where a signal would.
 TEST_F(UnitVtkFile, ACrashIsAComplaint) {
+#if defined(__SANITIZE_ADDRESS__)
+  const char* const crashed = "its reader ended with code 1";  // by the sanitizer, before a signal
+#else
+  const char* const crashed = "its reader crashed";
+#endif
   EXPECT_THAT(
       complaint_about("a.vtk", legacy("DATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
                                       "POLYGONS 1 4\n900000000 0 1 2\n")),
-      AnyOf(HasSubstr("its reader crashed"), HasSubstr("its reader ended with code"),
-            HasSubstr("claims more than")));
+      AnyOf(HasSubstr(crashed), HasSubstr("claims more than")));
 }
 
 TEST_F(UnitVtkFile, IndicesAndOffsetsAreChecked) {
