@@ -33,6 +33,9 @@ void add_global_options(CLI::App& command, GlobalOptions& globals);
 /// Adds --gl to a subcommand that may render by OpenGL.
 void add_gl_option(CLI::App& command, GlobalOptions& globals);
 
+/// Adds --opacities to a subcommand that may optimize opacities before any method composites them.
+void add_opacities_option(CLI::App& command, std::string& opacities);
+
 /// Accepts numbers but NaN and infinity, which would switch a bound off.
 CLI::Validator finite_number();
 

@@ -75,6 +75,12 @@ CLI::Validator finite_number() {
   return {complaint, "FINITE"};
 }
 
+void add_opacities_option(CLI::App& command, std::string& opacities) {
+  command.add_option("--opacities", opacities,
+                     "Composite the opacities of least energy that this method finds, such as "
+                     "'decoupled-lists' or 'fourier-opacity:bands=5'; the scene's weights hold");
+}
+
 void add_gl_option(CLI::App& command, GlobalOptions& globals) {
   command.add_option("--gl", globals.gl, "Where OpenGL runs: osmesa (software) or egl")
       ->check(CLI::IsMember({"osmesa", "egl"}))

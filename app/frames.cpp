@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "compare/methods/methods.h"
+#include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
 #include "compare/run/frame_sequence.h"
 #include "core/error.h"
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FramesOptions {
-  std::string scene, method, output;
+  std::string scene, method, opacities, output;
   std::optional<double> orbit;
   int frames = 30;
 };
@@ -72,7 +73,8 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   const NameAndOptions named = parse_name_and_options(options.method);
   const scene::MethodRow& row = find_row("method", named.name, compare::methods());
-  const Parameters parameters(row.name, row.parameters, named.options);
+  const compare::MethodCall method{&row, Parameters(row.name, row.parameters, named.options)};
+  const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(options.scene, progress);
   if (options.orbit) scene.camera_path = scene::orbit(scene.camera, *options.orbit, options.frames);
@@ -83,7 +85,7 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   FrameTable table;
   const auto count = double(scene.camera_path.size());
   compare::render_sequence(
-      scene, row, parameters, {.gl = globals.gl}, [&](const compare::SequenceFrame& frame) {
+      scene, method, opacities, {.gl = globals.gl}, [&](const compare::SequenceFrame& frame) {
         compare::write_image(folder / fmt::format("{:04}.png", frame.index), frame.rendering.image);
         table.add(frame);
         write_text(folder / "frames.csv", table.csv());
@@ -110,6 +112,7 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->add_option("-o,--output", options->output,
                    "Folder for the pictures 0000.png, ... and frames.csv")
       ->required();
+  add_opacities_option(*command, options->opacities);
   CLI::Option* around = command
                             ->add_option("--orbit", options->orbit,
                                          "Instead: go so many degrees around the camera's target")

@@ -56,6 +56,7 @@ nlohmann::ordered_json list_methods() {
          {"fixed memory", row.promises.fixed_memory},
          {"draws isosurfaces", row.promises.draws_isosurfaces},
          {"optimizes opacity", row.promises.optimizes_opacity},
+         {"optimizes vertices", row.promises.optimizes_vertices},
          {"random", row.promises.random},
          {"one layer unless", row.promises.one_layer_unless},
          {"edge shift [pixels]", row.promises.edge_shift},

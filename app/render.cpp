@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/probe.h"
 #include "compare/methods/methods.h"
+#include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/sums_file.h"
 #include "core/error.h"
@@ -23,7 +24,7 @@ namespace pellucid::app {
 namespace {
 
 struct RenderOptions {
-  std::string scene, method, output, stats, layers, probe_output, sums, deep;
+  std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep;
   std::vector<int> probe;  // x, y, x, y, …
   bool explain = false;
 };
@@ -45,10 +46,12 @@ nlohmann::json to_json(const scene::FrameStats& frame) {
 }
 
 nlohmann::json to_json(const scene::MethodRow& row, const Parameters& parameters,
+                       const std::optional<compare::MethodCall>& opacities,
                        const scene::RenderStats& stats, scene::Renderer& renderer) {
   nlohmann::json json;
   json["method"] = row.name;
   json["parameters"] = parameters.all();
+  if (opacities) json["opacities"] = opacities->text();
   json["seconds"]["total"] = stats.seconds();
   for (const scene::StepTime& step : stats.steps)
     json["seconds"]["steps"][step.name] = step.seconds;
@@ -97,8 +100,13 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   const NameAndOptions named = parse_name_and_options(options.method);
   const scene::MethodRow& row = find_row("method", named.name, compare::methods());
   const Parameters parameters(row.name, row.parameters, named.options);
+  const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
-  const scene::Scene scene = scene::load_scene(options.scene, progress);
+  scene::Scene scene = scene::load_scene(options.scene, progress);
+  if (opacities) {
+    report(progress, 0.3, "optimizing opacities");
+    compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
+  }
   write_exact_sums(options, scene, progress);
   const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
   report(progress, 0.5, fmt::format("rendering {}", row.name));
@@ -110,7 +118,7 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
   compare::write_image(options.output, rendering.image);
   if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
-  const nlohmann::json json = to_json(row, parameters, rendering.stats, *renderer);
+  const nlohmann::json json = to_json(row, parameters, opacities, rendering.stats, *renderer);
   if (!options.stats.empty()) write_text(options.stats, json_text(json, 2) + '\n');
   if (globals.json)
     std::cout << json_text(json, 2) << '\n';
@@ -147,6 +155,7 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
       ->check(ending_among({".exr"}));
   command->add_option("--deep", options->deep, "Write every crossing of every pixel as a deep .exr")
       ->check(ending_among({".exr"}));
+  add_opacities_option(*command, options->opacities);
   command->add_flag("--explain", options->explain, "Print what was modelled and left out, and why");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);

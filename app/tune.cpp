@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "compare/methods/methods.h"
+#include "compare/methods/optimize_opacities.h"
 #include "compare/methods/sweep.h"
 #include "compare/run/tune.h"
 #include "core/error.h"
@@ -20,7 +21,7 @@ namespace {
 struct TuneArguments {
   std::filesystem::path scene;
   compare::ErrorBound bound;
-  std::string cost = "seconds";
+  std::string cost = "seconds", opacities;
   int repeats = 3;
 };
 
@@ -33,6 +34,7 @@ compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOpti
           .bound = arguments.bound,
           .cost = arguments.cost == "bytes" ? compare::Cost::bytes : compare::Cost::seconds,
           .repeats = arguments.repeats,
+          .opacities = compare::parse_opacities(arguments.opacities),
           .context = {.gl = globals.gl},
           .progress = console_progress(globals),
           .on_row = {}};
@@ -80,8 +82,9 @@ void run(const TuneArguments& arguments, const GlobalOptions& globals) {
   } else {
     print_table(outcome);
     if (best)
-      fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {} -o picture.exr\n",
-                 arguments.cost, call_text(*best), arguments.scene.string(), call_text(*best));
+      fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {}{} -o picture.exr\n",
+                 arguments.cost, call_text(*best), arguments.scene.string(), call_text(*best),
+                 arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities);
   }
   std::cout.flush();
   if (!best) throw WorkError("no method is within the bound");
@@ -106,6 +109,7 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--repeats", arguments->repeats, "Timed pictures of each; the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  add_opacities_option(*command, arguments->opacities);
   command->footer("Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);

@@ -14,6 +14,7 @@
 #include "core/options/parameters.h"
 #include "core/progress.h"
 #include "core/raster.h"
+#include "scene/elements/optimized_opacities.h"
 #include "scene/scene.h"
 
 namespace pellucid::scene {
@@ -127,6 +128,9 @@ class Renderer {
                                                     std::span<const double> /*d*/) {
     return std::nullopt;
   }
+  /// Returns the opacities of least energy that it found for its last picture. Nothing where it
+  /// finds none, finds one for each fragment, or has not rendered yet.
+  virtual std::optional<OptimizedOpacities> optimized_opacities() { return std::nullopt; }
 };
 
 /// A RenderContext is what a method is given beside its scene.
@@ -159,6 +163,9 @@ struct Promises {
   /// The method chooses opacities itself where a scene has importance: what it differs by from the
   /// exact composite is meant, no error. Other rows leave importance out.
   bool optimizes_opacity = false;
+  /// It chooses one opacity for each vertex, so that other methods can composite the same: where a
+  /// scene has importance, Renderer::optimized_opacities() returns them, by default settings.
+  bool optimizes_vertices = false;
   /// Pictures are made by random numbers, which hang on depths and samples: of the same scene
   /// sampled or placed otherwise only the picture's mean is the same.
   bool random = false;

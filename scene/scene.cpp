@@ -53,6 +53,13 @@ Box3 Scene::bounds() const {
   return box;
 }
 
+bool has_importance(const Scene& scene) {
+  return std::ranges::any_of(scene.objects, [](const SceneObject& object) {
+    return !object.opaque &&
+           std::ranges::any_of(object.vertices().importance, [](float g) { return g > 0; });
+  });
+}
+
 std::string describe_primitives(const Scene& scene) {
   PrimitiveCounts counts;
   for (const SceneObject& object : scene.objects) std::visit(std::ref(counts), object.shape);

@@ -108,6 +108,9 @@ struct Scene {
   Box3 bounds() const;
 };
 
+/// Returns whether any transparent object has importance: without, no opacity is optimized.
+bool has_importance(const Scene& scene);
+
 /// Returns what the objects consist of: "384000 triangles, 12 lines of 6000 segments".
 std::string describe_primitives(const Scene& scene);
 

@@ -59,6 +59,7 @@ std::vector<Cell> expand_cells(const Study& study) {
     const auto probes = study.probes.find(name);
     Cell cell{study.reference_scene.value_or(scene), name, study.reference, true, study.measures};
     if (probes != study.probes.end()) cell.probes = probes->second;
+    cell.opacities = study.opacities;
     cells.push_back(cell);
     cell.reference = false;
     cell.scene_file = scene;
@@ -109,6 +110,7 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int 
   hash.add(read_text(cell.scene_file));
   add_call(cell.call, hash);
   add_call(reference, hash);
+  if (cell.opacities) add_call(*cell.opacities, hash);
   hash.add(std::to_string(repeats));
   hash.add(context.gl);
   for (const std::string& measure : cell.measures) hash.add(measure);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "compare/report/source_json.h"
 #include "compare/report/tables.h"
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
@@ -78,7 +79,7 @@ std::string results_json(const Study& study, std::span<const ResultRow> rows) {
   const nlohmann::json json = {
       {"format", "pellucid-results"},
       {"version", 1},
-      {"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+      {"study", study_json(study)},
       {"warnings", provenance_warnings(rows)},
       {"rows", list}};
   return json_text(json, 1) + "\n";

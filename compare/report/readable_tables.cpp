@@ -113,18 +113,17 @@ std::string markdown_measures(std::span<const ResultRow> rows) {
 std::string markdown_claim(const Claim& claim, const Study& study,
                            std::span<const ResultRow> rows) {
   std::string text =
-      fmt::format("\n{} ({}):\n\n", markdown_escaped(claim.text), heading(*claim.by));
-  for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows)) {
-    text += fmt::format("- {}:", check.scene);
-    for (const auto& [call, value] : check.values)
-      text += fmt::format(" {} {},", call, number_for_people(claim.by->style, value));
+      fmt::format("\n{} ({}):\n\n", markdown_escaped(claim.text), claim.by.heading());
+  const std::vector<ClaimCheck> checks = check_claim(claim, scene_names(study), rows);
+  for (const ClaimCheck& check : checks) {
+    text += fmt::format("- {}:", check.of);
+    for (const auto& [of, value] : check.values) text += fmt::format(" {} {},", of, claim.by.text(value));
     text.back() = ';';
     text += check.against.empty() ? " the same here" : " otherwise here:";
-    for (const auto& [better, worse] : check.against)
-      text += fmt::format(" {} before {};", worse, better);
+    for (const std::string& words : check.against) text += fmt::format(" {};", words);
     text += '\n';
   }
-  return text;
+  return checks.empty() ? text + "- no scene has all of its numbers\n" : text;
 }
 
 /// 1.23e-04 as $1.23\cdot10^{-4}$.
@@ -189,6 +188,9 @@ std::string latex_escaped(std::string_view text) {
 std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("# {}\n", markdown_escaped(study.title));
   if (!study.source.empty()) text += fmt::format("\n{}\n", markdown_escaped(study.source));
+  if (study.opacities)
+    text += fmt::format("\nAll composite the opacities of least energy that `{}` finds.\n",
+                        study.opacities->text());
   for (const std::string& warning : provenance_warnings(rows))
     text += fmt::format("\n**{}**\n", warning);
   for (const auto& scene : study.scenes) {

@@ -170,7 +170,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
       list.push_back(row_json(cell, CellFiles(folder, cell), *row));
   for (const SceneCells& scene : done_scenes(study, rows))
     scenes.push_back(scene_json(study, folder, scene));
-  return {{"study", {{"name", study.name}, {"title", study.title}, {"source", study.source}}},
+  return {{"study", study_json(study)},
           {"warnings", provenance_warnings(rows)},
           {"columns", columns_json()},
           {"metrics", metrics_json()},

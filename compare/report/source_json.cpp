@@ -11,8 +11,8 @@ using nlohmann::json;
 json check_json(const Claim& claim, const ClaimCheck& check) {
   json values = json::array();
   for (const auto& [call, value] : check.values)
-    values.push_back({{"call", call}, {"text", number_for_people(claim.by->style, value)}});
-  return {{"scene", check.scene}, {"values", values}, {"against", check.against}};
+    values.push_back({{"of", call}, {"text", claim.by.text(value)}});
+  return {{"of", check.of}, {"values", values}, {"against", check.against}};
 }
 
 json cost_line_json(const CostLine& line) {
@@ -28,13 +28,19 @@ json cost_line_json(const CostLine& line) {
 
 }  // namespace
 
+json study_json(const Study& study) {
+  json j{{"name", study.name}, {"title", study.title}, {"source", study.source}};
+  if (study.opacities) j["opacities"] = study.opacities->text();
+  return j;
+}
+
 json claims_json(const Study& study, std::span<const ResultRow> rows) {
   json claims = json::array();
   for (const Claim& claim : study.claims) {
     json checks = json::array();
     for (const ClaimCheck& check : check_claim(claim, scene_names(study), rows))
       checks.push_back(check_json(claim, check));
-    claims.push_back({{"text", claim.text}, {"by", heading(*claim.by)}, {"checks", checks}});
+    claims.push_back({{"text", claim.text}, {"by", claim.by.heading()}, {"checks", checks}});
   }
   return claims;
 }

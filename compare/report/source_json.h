@@ -9,9 +9,12 @@
 
 namespace pellucid::compare {
 
-// What the report's page says of a study's source.
+// What results and the report's page say of a study and its source.
 
-/// Returns each claim with its checks: [{"text", "by", "checks": [{"scene", "values",
+/// Returns {"name", "title", "source"}, and "opacities" where a call optimizes them.
+nlohmann::json study_json(const Study& study);
+
+/// Returns each claim with its checks: [{"text", "by", "checks": [{"of", "values": [{"of", "text"}],
 /// "against"}]}].
 nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);
 

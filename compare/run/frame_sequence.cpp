@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/metrics.h"
 #include "scene/elements/frame_memory.h"
 #include "scene/halo.h"
@@ -22,10 +23,20 @@ std::optional<Change> change_of(const scene::FrameMemory& memory) {
   return change;
 }
 
+scene::Rendering render_frame(const scene::Scene& scene, const MethodCall& method,
+                              const std::optional<MethodCall>& opacities,
+                              scene::RenderContext context) {
+  if (!opacities) return method.row->make(scene, method.parameters, context)->render({});
+  scene::Scene optimized = scene;
+  optimize_opacities(*opacities, context, optimized);
+  context.memory = nullptr;
+  return method.row->make(optimized, method.parameters, context)->render({});
+}
+
 }  // namespace
 
-void render_sequence(scene::Scene& scene, const scene::MethodRow& row, const Parameters& parameters,
-                     scene::RenderContext context,
+void render_sequence(scene::Scene& scene, const MethodCall& method,
+                     const std::optional<MethodCall>& opacities, scene::RenderContext context,
                      const std::function<void(const SequenceFrame&)>& done) {
   scene::FrameMemory memory;
   context.memory = &memory;
@@ -36,7 +47,7 @@ void render_sequence(scene::Scene& scene, const scene::MethodRow& row, const Par
     scene::place_halos(scene);
     SequenceFrame frame{int(i), scene.camera, {}, {}, {}, {}};
     if (i > 0) frame.motion = scene::motion(before, scene.camera);
-    frame.rendering = row.make(scene, parameters, context)->render({});
+    frame.rendering = render_frame(scene, method, opacities, context);
     frame.opacity = change_of(memory);
     if (i > 0) frame.picture = rmse(last, frame.rendering.image);
     done(frame);

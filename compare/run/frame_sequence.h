@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "compare/methods/method_call.h"
 #include "scene/renderer.h"
 #include "scene/view/camera_path.h"
 
@@ -28,9 +29,11 @@ struct SequenceFrame {
 
 /// Renders the scene from each camera of its path in turn and calls `done` with each frame. Shapes
 /// that face the eye are made anew for each; what the method remembers (FrameMemory) goes on from
-/// frame to frame. Leaves the scene with the last camera.
-void render_sequence(scene::Scene& scene, const scene::MethodRow& row, const Parameters& parameters,
-                     scene::RenderContext context,
+/// frame to frame. With `opacities` the method composites those that this call finds, frame by
+/// frame, and this is what remembers; see optimize_opacities(). Leaves the scene with the last
+/// camera.
+void render_sequence(scene::Scene& scene, const MethodCall& method,
+                     const std::optional<MethodCall>& opacities, scene::RenderContext context,
                      const std::function<void(const SequenceFrame&)>& done);
 
 }  // namespace pellucid::compare

@@ -10,6 +10,7 @@
 #include "compare/cells/cell.h"
 #include "compare/cells/measure_cell.h"
 #include "compare/measures/study_measures.h"
+#include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/report.h"
@@ -74,10 +75,12 @@ void read_known_rows(std::vector<Job>& jobs, const StudyOptions& options) {
 /// The scene and its reference, loaded when the first cell asks for them.
 class SceneAtHand {
  public:
-  explicit SceneAtHand(fs::path file) : file_(std::move(file)) {}
+  SceneAtHand(fs::path file, const std::optional<MethodCall>& opacities,
+              const scene::RenderContext& context)
+      : file_(std::move(file)), opacities_(opacities), context_(context) {}
 
   const scene::Scene& scene() {
-    if (!scene_) scene_ = std::make_unique<scene::Scene>(scene::load_scene(file_));
+    if (!scene_) scene_ = load();
     return *scene_;
   }
   /// Read back as it was stored, so that every run of a cell compares with the same bits.
@@ -104,10 +107,18 @@ class SceneAtHand {
   }
 
  private:
+  std::unique_ptr<scene::Scene> load() const {
+    auto scene = std::make_unique<scene::Scene>(scene::load_scene(file_));
+    if (opacities_) optimize_opacities(*opacities_, context_, *scene);
+    return scene;
+  }
+
   FilesRead read_;
   ContentHashes hashes_;
   std::map<std::string, std::string> files_of_reference_;
   fs::path file_;
+  const std::optional<MethodCall>& opacities_;
+  const scene::RenderContext& context_;
   std::unique_ptr<scene::Scene> scene_;
   std::optional<CellFiles> reference_files_;
   Image reference_;
@@ -210,8 +221,8 @@ class StudyRun {
     const auto pending = [](const Job& job) { return job.selected && !job.row; };
     if (std::none_of(jobs.begin(), jobs.end(), pending)) return;
     Job& reference = jobs.front();
-    SceneAtHand at_hand(jobs.back().cell.scene_file);
-    SceneAtHand of_reference(reference.cell.scene_file);
+    SceneAtHand at_hand(jobs.back().cell.scene_file, study_.opacities, options_.context);
+    SceneAtHand of_reference(reference.cell.scene_file, study_.opacities, options_.context);
     const bool one_scene = reference.cell.scene_file == jobs.back().cell.scene_file;
     if (!reference.row) run_job(reference, one_scene ? at_hand : of_reference);
     at_hand.set_reference(reference.files);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compare/cells/measure_cell.h"
+#include "compare/methods/optimize_opacities.h"
 #include "core/error.h"
 #include "scene/files/scene_file.h"
 
@@ -30,7 +31,9 @@ bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
 class Tuning {
  public:
   explicit Tuning(const TuneRequest& request)
-      : request_(request), scene_(scene::load_scene(request.scene, request.progress)) {}
+      : request_(request), scene_(scene::load_scene(request.scene, request.progress)) {
+    if (request.opacities) optimize_opacities(*request.opacities, request.context, scene_);
+  }
 
   TuneOutcome run() {
     progress(0, request_.reference);

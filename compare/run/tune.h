@@ -33,6 +33,7 @@ struct TuneRequest {
   ErrorBound bound;
   Cost cost = Cost::seconds;  // median time, or bytes beyond the scene and the picture
   int repeats = 3;            // timed renderings of each candidate
+  std::optional<MethodCall> opacities = std::nullopt;  // see Study
   scene::RenderContext context;
   Progress progress;
   std::function<void(const ResultRow&)> on_row;  // called when a candidate is measured

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,26 +11,49 @@
 
 namespace pellucid::compare {
 
-/// A Claim is what a study's source found: an order of its pictures by one number, to be held
-/// against what is measured here.
+/// A ClaimedNumber is what a claim is about: a column, or a measure that only some methods have.
+struct ClaimedNumber {
+  const Column* column = nullptr;  // null: the measure
+  std::string measure;             // by its name: "outside_hull"
+  Better better = Better::lower;
+
+  /// Returns the row's number; nothing where it has none.
+  std::optional<double> of(const ResultRow& row) const;
+  /// Returns the number in few digits, in the unit for people.
+  std::string text(double value) const;
+  /// Returns "Time [ms]"; of a measure its name.
+  std::string heading() const;
+};
+
+/// A Claim is what a study's source found of its pictures by one number, to be held against what is
+/// measured here: an order, or a bound.
 struct Claim {
-  std::string text;    // for people: "Fourier errs least"
-  const Column* by{};  // a column in which one way is better
+  std::string text;  // for people: "Fourier errs least"
+  ClaimedNumber by;
   /// Calls as MethodCall::text() has them, the best first; of those in one group no order is
-  /// claimed.
+  /// claimed. A bound is claimed of the only group's calls.
   std::vector<std::vector<std::string>> order;
+  /// Each call is better than those of later groups by this factor at least.
+  double factor = 1;
+  /// The number of every call is not worse than this; in the unit of the column's value.
+  std::optional<double> bound = std::nullopt;
+  /// The claim is about these alone; empty: all scenes of the study.
+  std::vector<std::string> scenes = {};
+  /// The claim is an order of the scenes, the best first, by each call of its own.
+  bool orders_scenes = false;
 };
 
-/// A claim on one scene, or on the mean over all scenes.
+/// A ClaimCheck is a claim on one scene, on the mean over its scenes, or of one call over scenes.
 struct ClaimCheck {
-  std::string scene;                                   // "mean" where it is of all scenes
-  std::vector<std::pair<std::string, double>> values;  // by call, in the claimed order
-  /// Pairs of calls whose order is the other one here, the claimed better one first.
-  std::vector<std::pair<std::string, std::string>> against;
+  std::string of;                                      // a scene, "mean", or a call
+  std::vector<std::pair<std::string, double>> values;  // by call, or by scene; in claimed order
+  std::vector<std::string> against;                    // what is otherwise here, in words
 };
 
-/// A check for each scene of which all the claim's rows are there, in the order of `scenes`; after
-/// them, for more than one scene, that of the mean over those scenes.
+/// Returns a check for each scene of which all the claim's rows are there, in the order of
+/// `scenes`, and after them, for more than one scene, that of the mean over those scenes. Of a claim
+/// that orders scenes, it returns a check for each call that has all of them. Empty where no row
+/// says anything.
 std::vector<ClaimCheck> check_claim(const Claim& claim, std::span<const std::string> scenes,
                                     std::span<const ResultRow> rows);
 

@@ -47,19 +47,75 @@ PublishedCost read_cost(const JsonNode& node, const Study& study,
   return cost;
 }
 
-}  // namespace
-
-Claim read_claim(const JsonNode& node, const Study& study) {
-  node.accept_keys({"claim", "by", "order"});
-  Claim claim{node["claim"].string(), nullptr, {}};
-  claim.by = &at_place(node["by"], [&]() -> const Column& {
+ClaimedNumber read_number(const JsonNode& node) {
+  if (node.has("measure")) {
+    ClaimedNumber number{nullptr, node["measure"].string()};
+    if (node.has("better")) number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
+    return number;
+  }
+  const Column& column = at_place(node["by"], [&]() -> const Column& {
     return find_row("number", node["by"].string(), columns());
   });
-  if (claim.by->better == Better::neither)
-    node["by"].fail(fmt::format("'{}': no way is better", claim.by->name));
+  if (column.better == Better::neither)
+    node["by"].fail(fmt::format("'{}': no way is better", column.name));
+  return {&column, {}, column.better};
+}
+
+std::vector<std::string> read_claimed_scenes(const JsonNode& node, const Study& study) {
+  const std::vector<std::string> known = scene_names(study);
+  std::vector<std::string> scenes;
+  for (const JsonNode& element : node.elements()) {
+    scenes.push_back(element.string());
+    if (std::ranges::find(known, scenes.back()) == known.end())
+      element.fail(unknown_name("scene", scenes.back(),
+                                std::vector<std::string_view>(known.begin(), known.end())));
+  }
+  return scenes;
+}
+
+void read_order(const JsonNode& node, const Study& study, Claim& claim) {
+  constexpr double most = 1e9;
   for (const JsonNode& element : node["order"].elements())
     claim.order.push_back(read_group(element, study));
   if (claim.order.size() < 2) node["order"].fail("accepted: at least two calls, the best first");
+  if (node.has("factor")) claim.factor = node["factor"].number(1, most);
+}
+
+void read_scene_order(const JsonNode& node, const Study& study, Claim& claim) {
+  claim.scenes = read_claimed_scenes(node, study);
+  claim.orders_scenes = true;
+  if (claim.scenes.size() < 2) node.fail("accepted: at least two scenes, the best first");
+}
+
+/// "at_most" of what is better when it is lower, "at_least" of the rest: a bound is on the worse
+/// side.
+void read_bound(const JsonNode& node, Claim& claim) {
+  constexpr double most = 1e15;
+  const bool lower = claim.by.better == Better::lower;
+  const std::string_view key = lower ? "at_most" : "at_least";
+  const std::string_view other = lower ? "at_least" : "at_most";
+  if (node.has(other))
+    node[other].fail(fmt::format("'{}' is better when it is {}; accepted: {}", claim.by.heading(),
+                                 name_of(claim.by.better), key));
+  claim.bound = node[key].number(-most, most);
+}
+
+}  // namespace
+
+Claim read_claim(const JsonNode& node, const Study& study) {
+  node.accept_keys({"claim", "by", "measure", "better", "order", "factor", "of", "at_most",
+                    "at_least", "scenes", "scene_order"});
+  Claim claim{node["claim"].string(), read_number(node), {}};
+  if (node.has("order")) {
+    read_order(node, study, claim);
+  } else {
+    claim.order = {read_group(node["of"], study)};
+    if (node.has("scene_order"))
+      read_scene_order(node["scene_order"], study, claim);
+    else
+      read_bound(node, claim);
+  }
+  if (node.has("scenes")) claim.scenes = read_claimed_scenes(node["scenes"], study);
   return claim;
 }
 

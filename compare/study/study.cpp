@@ -8,6 +8,7 @@
 #include <set>
 
 #include "compare/measures/study_measures.h"
+#include "compare/methods/optimize_opacities.h"
 #include "compare/study/read_calls.h"
 #include "compare/study/read_source.h"
 #include "core/error.h"
@@ -96,6 +97,12 @@ std::vector<std::string> read_measures(const JsonNode& node) {
   return names;
 }
 
+/// A surface that stands behind lines has other elements than they.
+MethodCall read_opacities(const JsonNode& node, const Catalogue& methods, const Study& study) {
+  if (study.reference_scene) node.fail("beside a 'reference_scene'; accepted: one of the two");
+  return at_place(node, [&] { return checked_opacities(read_call(node, methods)); });
+}
+
 /// A Reading is a study while it is read, with the tables whose rows its calls name.
 struct Reading {
   Catalogue methods, integrators;
@@ -134,6 +141,10 @@ constexpr StudyKey keys[] = {
     {"reference",
      [](const JsonNode& value, Reading& to) { to.study.reference = read_call(value, to.methods); },
      true},
+    {"opacities",
+     [](const JsonNode& value, Reading& to) {
+       to.study.opacities = read_opacities(value, to.methods, to.study);
+     }},
     {"integrators",
      [](const JsonNode& value, Reading& to) { add_calls(value, to.integrators, to.study); }},
     {"methods", [](const JsonNode& value, Reading& to) { add_calls(value, to.methods, to.study); },

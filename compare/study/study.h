@@ -35,6 +35,9 @@ struct Study {
   std::filesystem::path file;
   std::vector<std::filesystem::path> scenes;
   MethodCall reference;
+  /// All calls composite the opacities of least energy that this one finds; see
+  /// optimize_opacities().
+  std::optional<MethodCall> opacities;
   /// The reference draws this in place of each scene: of lines that stand for a surface, the
   /// surface.
   std::optional<std::filesystem::path> reference_scene;

@@ -3,8 +3,7 @@
 
 #include <stdlib.h>
 
-#include <cstdio>
-#include <memory>
+#include <fstream>
 #include <stdexcept>
 
 namespace pellucid::fuzz {
@@ -21,9 +20,8 @@ fs::path new_folder() {
 }
 
 void write(const fs::path& path, std::string_view content) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"),
-                                                             std::fclose);
-  if (!file || std::fwrite(content.data(), 1, content.size(), file.get()) != content.size())
+  std::ofstream file(path, std::ios::binary);
+  if (!file.write(content.data(), std::streamsize(content.size())).flush())
     throw std::runtime_error(path.string() + ": cannot be written");
 }
 

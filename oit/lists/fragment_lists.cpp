@@ -28,7 +28,7 @@ const FragmentLists::Consumer::LongListPrograms& FragmentLists::Consumer::long_l
   if (!long_lists_) {
     long_lists_ =
         LongListPrograms{stage_.screen_program(oit_glsl::list_sort_frag_glsl(), defines_),
-                         stage_.screen_program(oit_glsl::list_merge_frag_glsl()),
+                         stage_.screen_program(oit_glsl::list_merge_frag_glsl(), defines_),
                          stage_.screen_program(oit_glsl::list_blend_frag_glsl(), defines_)};
     long_lists_->sort.set("most_layers", int(most_layers_at_once));
   }

@@ -8,6 +8,12 @@ layout(binding = node_counter) uniform atomic_uint node_count;
 void append_fragment(Fragment f, vec4 content) {
   int node = int(atomicCounterIncrement(node_count)) + 1;
   uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
-  imageStore(nodes, node, uvec4(next, floatBitsToUint(f.depth), primitive_order(), 0u));
+#ifdef IMPORTANCE
+  uint importance_bits = floatBitsToUint(importance());
+#else
+  uint importance_bits = 0u;
+#endif
+  imageStore(nodes, node,
+             uvec4(next, floatBitsToUint(f.depth), primitive_order(), importance_bits));
   imageStore(colors, node, content);
 }

@@ -1,46 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done with the sorted fragments of a pixel, front to back: they are composited, or, with the
-// define OPTIMIZE_OPACITY, lower the opacities of their elements.
+// What is done with the sorted fragments of a pixel, front to back: they are composited; with the
+// define OPTIMIZE_FRAGMENTS with the opacities of least energy, each its own; with OPTIMIZE_OPACITY
+// these lower the opacities of the fragments' elements instead.
 #include "oit/lists/list_sort.glsl"
-#ifdef OPTIMIZE_OPACITY
-#include "oit/opacity/element_opacity.glsl"
+#if defined(OPTIMIZE_OPACITY) || defined(OPTIMIZE_FRAGMENTS)
 #include "oit/opacity/energy.glsl"
 
-struct Consumer {
-  float total, front;  // sums of g^2: of the pixel, and of what was passed
+// Sums of g^2: of the pixel, and of what was passed.
+struct Importance {
+  float total, front;
 };
 
-float squared_importance(uint node) {
-  float g = imageLoad(colors, int(node)).x;
-  return g * g;
-}
+float importance_of(uint node) { return uintBitsToFloat(imageLoad(nodes, int(node)).w); }
 
-Consumer start(uint list) {
-  Consumer c = Consumer(0.0, 0.0);
+Importance sum_importance(uint list) {
+  Importance sums = Importance(0.0, 0.0);
   while (list != 0u) {
     REPEAT8(if (list != 0u) {
-      c.total += squared_importance(list);
+      float g = importance_of(list);
+      sums.total += g * g;
       list = load_node(list).next;
     })
   }
-  return c;
+  return sums;
 }
 
-// Eq. 2 of Baeza Rojo et al. 2019. In place of a colour a node has its importance and element.
+// Eq. 2 of Baeza Rojo et al. 2019 for the next fragment.
+float optimal_opacity_of(inout Importance sums, uint node) {
+  float g = importance_of(node), behind = sums.total - sums.front - g * g;
+  float opacity = optimal_opacity(energy_weights, g, sums.front, behind);
+  sums.front += g * g;
+  return opacity;
+}
+#endif
+
+#ifdef OPTIMIZE_OPACITY
+#include "oit/opacity/element_opacity.glsl"
+#define Consumer Importance
+
+Consumer start(uint list) { return sum_importance(list); }
+
+// In place of a colour a node has its element.
 void consume(inout Consumer c, uint node) {
   vec4 fragment = imageLoad(colors, int(node));
-  float g = fragment.x, behind = c.total - c.front - g * g;
-  int element = int(fragment.y) * 65536 + int(fragment.z);
-  lower_opacity(element, optimal_opacity(energy_weights, g, c.front, behind));
-  c.front += g * g;
+  lower_opacity(int(fragment.x) * 65536 + int(fragment.y), optimal_opacity_of(c, node));
 }
 
 void finish(Consumer c) {}
 #else
 #include "oit/stage/composite.glsl"
-#define Consumer Composite
 
-Consumer start(uint list) { return nothing; }
-void consume(inout Consumer c, uint node) { add_layer(c, imageLoad(colors, int(node))); }
-void finish(Consumer c) { picture = over(c, behind()); }
+struct Consumer {
+  Composite composite;
+#ifdef OPTIMIZE_FRAGMENTS
+  Importance importance;
+#endif
+};
+
+Consumer start(uint list) {
+#ifdef OPTIMIZE_FRAGMENTS
+  return Consumer(nothing, sum_importance(list));
+#else
+  return Consumer(nothing);
+#endif
+}
+
+void consume(inout Consumer c, uint node) {
+  vec4 layer = imageLoad(colors, int(node));
+#ifdef OPTIMIZE_FRAGMENTS
+  layer.a *= optimal_opacity_of(c.importance, node);
+#endif
+  add_layer(c.composite, layer);
+}
+
+void finish(Consumer c) { picture = over(c.composite, behind()); }
 #endif

@@ -23,7 +23,15 @@ Node load_node(uint id) {
   return Node(id, texel.x, texel.yz);
 }
 
-void link(Node node, uint next) { imageStore(nodes, int(node.id), uvec4(next, node.key, 0u)); }
+#if defined(OPTIMIZE_FRAGMENTS) || defined(OPTIMIZE_OPACITY)
+uint importance_bits(uint id) { return imageLoad(nodes, int(id)).w; }
+#else
+uint importance_bits(uint id) { return 0u; }
+#endif
+
+void link(Node node, uint next) {
+  imageStore(nodes, int(node.id), uvec4(next, node.key, importance_bits(node.id)));
+}
 
 // Nearer first; equal depths in the order of submission. Bits of floats >= 0 compare as they do.
 bool before(Node a, Node b) {

@@ -37,13 +37,6 @@ std::shared_ptr<const scene::Elements> remembered(
 
 }  // namespace
 
-bool has_importance(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.objects, [](const scene::SceneObject& object) {
-    return !object.opaque &&
-           std::ranges::any_of(object.vertices().importance, [](float g) { return g > 0; });
-  });
-}
-
 const OptionTable<ElementOptions>& element_options() {
   static const OptionTable<ElementOptions> table{
       number("segments", &ElementOptions::segments,
@@ -86,7 +79,8 @@ ElementOpacity::ElementOpacity(Stage& stage, const ElementOptions& options)
       BufferTexture(gl, GL_R32UI, Buffer::writable(gl, sizeof(float) * (first_point + points_)));
   stage.use_elements(textures_);
   begin();
-  interpolate(std::vector<float>(first_point, 1.0f));
+  smoothed_.assign(first_point, 1.0f);
+  upload_interpolated();
   stage.record("elements", patches_->bytes() + segments_->bytes() + textures_.of_triangle.bytes() +
                                textures_.of_segment.bytes() + textures_.opacities.bytes());
 }
@@ -98,7 +92,9 @@ void ElementOpacity::smooth_and_interpolate() {
   textures_.opacities.buffer().read(opacities.size() * sizeof(float), opacities.data());
   smooth_found(opacities);
   if (stage_.memory()) blend_with_last(opacities);
-  interpolate(opacities);
+  opacities.resize(smoothed_.size());  // points have theirs where they were found
+  smoothed_ = std::move(opacities);
+  upload_interpolated();
 }
 
 void ElementOpacity::smooth_found(std::vector<float>& opacities) const {
@@ -116,7 +112,6 @@ void ElementOpacity::blend_with_last(std::vector<float>& opacities) {
   if (keep_ > 0 && memory.last.size() == opacities.size()) {
     for (std::size_t i = 0; i < opacities.size(); ++i)
       opacities[i] = std::lerp(opacities[i], memory.last[i], keep_);
-    // Points have theirs where they were found.
     if (points_ > 0)
       textures_.opacities.buffer().write<float>(
           [&](float* to) { std::ranges::copy(opacities, to); });
@@ -124,12 +119,24 @@ void ElementOpacity::blend_with_last(std::vector<float>& opacities) {
   memory.now = opacities;
 }
 
-void ElementOpacity::interpolate(const std::vector<float>& opacities) const {
-  const auto middle = opacities.begin() + std::ptrdiff_t(patches_->count());
-  const std::vector<float> patches(opacities.begin(), middle),
-      segments(middle, middle + std::ptrdiff_t(segments_->count()));
-  stage_.set_opacities(scene::vertex_opacities(*patches_, patches),
-                       scene::vertex_opacities(*segments_, segments));
+std::vector<float> ElementOpacity::of_meshes() const {
+  const auto begin = smoothed_.begin();
+  return scene::vertex_opacities(*patches_, {begin, begin + std::ptrdiff_t(patches_->count())});
+}
+
+std::vector<float> ElementOpacity::of_lines() const {
+  return scene::vertex_opacities(
+      *segments_, {smoothed_.begin() + std::ptrdiff_t(patches_->count()), smoothed_.end()});
+}
+
+void ElementOpacity::upload_interpolated() const {
+  stage_.set_opacities(of_meshes(), of_lines());
+}
+
+scene::OptimizedOpacities ElementOpacity::found() const {
+  std::vector<float> all(smoothed_.size() + points_);
+  textures_.opacities.buffer().read(all.size() * sizeof(float), all.data());
+  return {of_meshes(), of_lines(), {all.begin() + std::ptrdiff_t(smoothed_.size()), all.end()}};
 }
 
 std::string ElementOpacity::describe() const {

@@ -5,8 +5,15 @@
 #include "oit/gl/bindings.h"
 #include "oit/stage/stage.h"
 #include "scene/elements/elements.h"
+#include "scene/elements/optimized_opacities.h"
 
 namespace pellucid::oit {
+
+/// An OpacityUnit is what has one opacity.
+enum class OpacityUnit {
+  element,  // a segment of a line, a patch of a surface, a point
+  fragment
+};
 
 /// The elements that have one opacity each, and how their opacities are smoothed.
 struct ElementOptions {
@@ -19,6 +26,15 @@ struct ElementOptions {
 };
 /// Returns the table of ElementOptions.
 const OptionTable<ElementOptions>& element_options();
+
+/// Returns the option `per`, of whichever options have one.
+template <class Options>
+auto opacity_unit_option(OpacityUnit Options::*member) {
+  return choice("per", member,
+                {{"element", OpacityUnit::element}, {"fragment", OpacityUnit::fragment}},
+                "what has one opacity: a segment of a line, a patch of a surface, a point; or each "
+                "fragment, as it comes");
+}
 
 /// Opacities of the scene's elements, and of its vertices by them: the object-space half of opacity
 /// optimization (Baeza Rojo et al. 2019, section 4.2, end of step 2 and step 3). What no
@@ -40,6 +56,8 @@ class ElementOpacity {
   /// Returns what that pass finds bound, for element_opacity.glsl.
   Resource image() const { return textures_.opacities.as_image(bindings::element_opacities_image); }
   static FragmentOpacity fragment_opacity() { return {.defines = {{"OPTIMIZED_VERTICES", 1}}}; }
+  /// Returns the opacities that were interpolated last.
+  scene::OptimizedOpacities found() const;
   std::string describe() const;
 
  private:
@@ -47,7 +65,9 @@ class ElementOpacity {
 
   void smooth_found(std::vector<float>& opacities) const;
   void blend_with_last(std::vector<float>& opacities);
-  void interpolate(const std::vector<float>& opacities) const;
+  void upload_interpolated() const;
+  std::vector<float> of_meshes() const;
+  std::vector<float> of_lines() const;
 
   Stage& stage_;
   int iterations_;
@@ -55,12 +75,14 @@ class ElementOpacity {
   std::shared_ptr<const scene::Elements> patches_, segments_;
   std::size_t points_;
   ElementTextures textures_;
+  std::vector<float> smoothed_;  // of patches, then segments
 };
 
-/// Whether any transparent object of the scene has some: otherwise no opacity changes.
-bool has_importance(const scene::Scene& scene);
 /// `--explain` says this where no opacity is optimized.
 inline constexpr const char* nothing_is_important =
     "opacities: the scene's own, nothing in it is important";
+/// And this where each fragment has an opacity of its own.
+inline constexpr const char* every_fragment_is_optimized =
+    "opacities: of least energy, at every fragment";
 
 }  // namespace pellucid::oit

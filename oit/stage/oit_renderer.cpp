@@ -59,6 +59,10 @@ class OitRenderer final : public scene::Renderer {
     stage_.make_current();
     return method_->optical_depth(x, y, d);
   }
+  std::optional<scene::OptimizedOpacities> optimized_opacities() override {
+    stage_.make_current();
+    return method_->optimized_opacities();
+  }
 
  private:
   /// Draws the picture once for each of a pixel's samples and averages.

@@ -66,6 +66,10 @@ class OitMethod {
                                                            std::span<const double> /*d*/) const {
     return std::nullopt;
   }
+  /// Returns what Renderer::optimized_opacities() does.
+  virtual std::optional<scene::OptimizedOpacities> optimized_opacities() const {
+    return std::nullopt;
+  }
   /// Returns what Renderer::findings() does.
   virtual scene::Findings findings() { return {}; }
   /// Returns what the method modelled for this scene; a line each.

@@ -3,24 +3,23 @@
 
 function verdict({ against }) {
   if (against.length === 0) return make("td", {}, "the same here");
-  const pairs = against.map(([better, worse]) => `${worse} before ${better}`);
-  const shown = pairs.length > 3 ? [...pairs.slice(0, 3), `${pairs.length - 3} more`] : pairs;
-  return make("td", { class: "error", title: pairs.join("\n") }, `otherwise here: ${shown.join("; ")}`);
+  const shown = against.length > 3 ? [...against.slice(0, 3), `${against.length - 3} more`] : against;
+  return make("td", { class: "error", title: against.join("\n") }, `otherwise here: ${shown.join("; ")}`);
 }
 
 function claimBlock({ text, by, checks }) {
-  if (checks.length === 0) return null;
-  const calls = checks[0].values.map(({ call }) => make("th", { scope: "col" }, call.replace(":", ": ")));
-  const head = make("tr", {}, make("th", {}, by), make("th", {}), calls);
+  if (checks.length === 0) return make("div", {}, make("p", {}, text), make("p", { class: "failed" }, "No scene has all of its numbers."));
+  const columns = checks[0].values.map(({ of }) => make("th", { scope: "col" }, of.replace(":", ": ")));
+  const head = make("tr", {}, make("th", {}, by), make("th", {}), columns);
   const body = checks.map((check) =>
-    make("tr", {}, make("td", {}, check.scene), verdict(check), check.values.map(({ text: value }) => make("td", {}, value))));
+    make("tr", {}, make("td", {}, check.of), verdict(check), check.values.map(({ text: value }) => make("td", {}, value))));
   return make("div", {}, make("p", {}, text),
               make("div", { class: "wide claims" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }
 
 function claimsSection({ claims }) {
-  const blocks = claims.map(claimBlock).filter(Boolean);
+  const blocks = claims.map(claimBlock);
   if (blocks.length === 0) return null;
-  const lead = "Its order of the methods, the best first, and the numbers measured here.";
+  const lead = "Its orders, the best first, and its bounds, with the numbers measured here.";
   return make("section", { id: "claims" }, make("h2", {}, "What the source found"), make("p", { class: "lead" }, lead), blocks);
 }

@@ -17,7 +17,9 @@ function headSection() {
   const methods = new Set(data.rows.filter((row) => !row.reference).map((row) => row.name)).size;
   const size = `${counted(scenes, "scene")} × ${counted(methods, "method")}`;
   const where = machine.cpu ? `; on ${machine.cpu}, ${counted(machine.cores, "core")}` : "";
-  const lead = `${size}, each picture measured against ${reference}${where}.`;
+  const opacities = data.study.opacities;
+  const composited = opacities ? ` All composite the opacities of least energy that ${opacities} finds.` : "";
+  const lead = `${size}, each picture measured against ${reference}${where}.${composited}`;
   const parts = [
     make("h1", {}, data.study.title),
     data.study.source && make("p", { class: "source" }, data.study.source),

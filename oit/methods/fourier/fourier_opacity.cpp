@@ -39,9 +39,14 @@ class FourierOpacity final : public OitMethod {
     compositing_->draw(frame);
   }
 
+  std::optional<scene::OptimizedOpacities> optimized_opacities() const override {
+    if (!objects_) return std::nullopt;
+    return objects_->opacity.found();
+  }
+
   std::vector<std::string> explain() const override {
     if (objects_) return {objects_->opacity.describe()};
-    return {importance_ ? "opacities: of least energy, at every fragment" : nothing_is_important};
+    return {importance_ ? every_fragment_is_optimized : nothing_is_important};
   }
 
  private:
@@ -77,10 +82,7 @@ const OptionTable<FourierOpacityOptions>& fourier_opacity_options() {
       part(&Options::energy, scene::energy_options()),
       part(&Options::fourier, fourier_options()),
       part(&Options::importance, importance_options()),
-      choice("per", &Options::per,
-             {{"element", OpacityUnit::element}, {"fragment", OpacityUnit::fragment}},
-             "what has one opacity: a segment of a line, a patch of a surface, a point; or each "
-             "fragment, as it comes"),
+      opacity_unit_option(&Options::per),
       choice("transmittance", &Options::transmittance,
              {{"fourier", OpacityCompositing::fourier}, {"lists", OpacityCompositing::lists}},
              "what the colours are composited by; lists are exact and show the opacities' errors "
@@ -102,6 +104,7 @@ const scene::MethodRow& fourier_opacity_method() {
       .promises = {.order_spread = 1e-3,
                    .convex_hull = true,
                    .optimizes_opacity = true,
+                   .optimizes_vertices = true,
                    .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "precision ceil((2 bands + 1) / 4) + 16",
       .make = make_oit<FourierOpacity, fourier_opacity_options>};

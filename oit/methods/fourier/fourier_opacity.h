@@ -7,12 +7,6 @@
 
 namespace pellucid::oit {
 
-/// An OpacityUnit is what has one opacity.
-enum class OpacityUnit {
-  element,  // a segment of a line, a patch of a surface, a point
-  fragment
-};
-
 /// An OpacityCompositing says what the colours are composited by.
 enum class OpacityCompositing { fourier, lists };
 

@@ -7,5 +7,5 @@ void main() {
   Fragment f = fragment();
   // A float holds 24 bits of the element's number.
   int e = element();
-  append_fragment(f, vec4(importance(), e / 65536, e % 65536, 0.0));
+  append_fragment(f, vec4(e / 65536, e % 65536, 0.0, 0.0));
 }

@@ -10,16 +10,18 @@
 namespace pellucid::oit {
 namespace {
 
+Buffer energy_buffer(const Stage& stage, const DecoupledListsOptions& options) {
+  return EnergyBlock(scene::energy_weights(options.energy, stage.scene().energy))
+      .buffer(stage.gl());
+}
+
 /// Steps 1 to 3, by lists.
 struct ExactOpacity {
-  ExactOpacity(Stage& stage, const DecoupledListsOptions& options)
-      : elements(stage, options.elements),
-        energy(EnergyBlock(scene::energy_weights(options.energy, stage.scene().energy))
-                   .buffer(stage.gl())),
+  ExactOpacity(Stage& stage, const ElementOptions& options, const Resource& energy)
+      : elements(stage, options),
         build(stage.geometry_program(oit_glsl::decoupled_lists_build_frag_glsl(),
                                      {{"IMPORTANCE", 1}})),
-        optimize(stage, {{"OPTIMIZE_OPACITY", 1}},
-                 {elements.image(), energy.as_uniform_block(bindings::energy_block)}),
+        optimize(stage, {{"OPTIMIZE_OPACITY", 1}}, {elements.image(), energy}),
         no_targets(stage.gl(), stage.width(), stage.height()) {}
 
   void find(const FragmentLists& lists) {
@@ -28,7 +30,6 @@ struct ExactOpacity {
   }
 
   ElementOpacity elements;
-  Buffer energy;
   GeometryProgram build;
   FragmentLists::Consumer optimize;
   Framebuffer no_targets;
@@ -37,36 +38,50 @@ struct ExactOpacity {
 class DecoupledLists final : public OitMethod {
  public:
   DecoupledLists(Stage& stage, const DecoupledListsOptions& options)
-      : lists_(stage, "decoupled-lists") {
-    FragmentOpacity opacity;
-    if (has_importance(stage.scene())) {
-      stage.upload_importance();
-      opacity_.emplace(stage, options);
-      opacity = ElementOpacity::fragment_opacity();
-    }
-    build_ = stage.geometry_program(oit_glsl::list_build_frag_glsl(), {}, opacity);
-    composite_.emplace(stage, Defines());
+      : lists_(stage, "decoupled-lists"),
+        important_(has_importance(stage.scene())),
+        energy_(energy_buffer(stage, options)) {
+    const Resource energy = energy_.as_uniform_block(bindings::energy_block);
+    const bool fragments = important_ && options.per == OpacityUnit::fragment;
+    if (important_) stage.upload_importance();
+    if (important_ && !fragments) elements_.emplace(stage, options.elements, energy);
+    build_ = stage.geometry_program(oit_glsl::list_build_frag_glsl(),
+                                    fragments ? Defines{{"IMPORTANCE", 1}} : Defines{},
+                                    elements_ ? ElementOpacity::fragment_opacity()
+                                              : FragmentOpacity{});
+    if (fragments)
+      composite_.emplace(stage, Defines{{"OPTIMIZE_FRAGMENTS", 1}}, Resources{energy});
+    else
+      composite_.emplace(stage, Defines{});
   }
 
   void draw(Frame& frame) override {
     frame.step("count", [&] { lists_.reserve(); });
-    if (opacity_) {
-      frame.step("list importance", [&] { lists_.build(opacity_->build); });
-      frame.step("optimize opacity", [&] { opacity_->find(lists_); });
-      frame.step("smooth opacity", [&] { opacity_->elements.smooth_and_interpolate(); });
+    if (elements_) {
+      frame.step("list importance", [&] { lists_.build(elements_->build); });
+      frame.step("optimize opacity", [&] { elements_->find(lists_); });
+      frame.step("smooth opacity", [&] { elements_->elements.smooth_and_interpolate(); });
     }
     frame.step("list colours", [&] { lists_.build(build_); });
     frame.step("composite", [&] { lists_.consume(*composite_, frame.picture()); });
     frame.stats().fragments = frame.stats().stored = lists_.fragments();
   }
 
+  std::optional<scene::OptimizedOpacities> optimized_opacities() const override {
+    if (!elements_) return std::nullopt;
+    return elements_->elements.found();
+  }
+
   std::vector<std::string> explain() const override {
-    return {opacity_ ? opacity_->elements.describe() : nothing_is_important};
+    if (elements_) return {elements_->elements.describe()};
+    return {important_ ? every_fragment_is_optimized : nothing_is_important};
   }
 
  private:
   FragmentLists lists_;
-  std::optional<ExactOpacity> opacity_;
+  bool important_;
+  Buffer energy_;
+  std::optional<ExactOpacity> elements_;
   GeometryProgram build_;
   std::optional<FragmentLists::Consumer> composite_;
 };
@@ -76,6 +91,7 @@ class DecoupledLists final : public OitMethod {
 const OptionTable<DecoupledListsOptions>& decoupled_lists_options() {
   static const OptionTable<DecoupledListsOptions> table{
       part(&DecoupledListsOptions::energy, scene::energy_options()),
+      opacity_unit_option(&DecoupledListsOptions::per),
       part(&DecoupledListsOptions::elements, element_options())};
   return table;
 }
@@ -95,7 +111,8 @@ const scene::MethodRow& decoupled_lists_method() {
       .promises = {.exact_without_importance = true,
                    .order_spread = 1e-3,
                    .convex_hull = true,
-                   .optimizes_opacity = true},
+                   .optimizes_opacity = true,
+                   .optimizes_vertices = true},
       .bytes_per_pixel = "4 + 32 per layer",
       .make = make_oit<DecoupledLists, decoupled_lists_options>};
   return row;

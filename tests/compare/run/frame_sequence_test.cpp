@@ -38,7 +38,7 @@ std::vector<SequenceFrame> sequence(scene::Scene scene, std::string_view method,
                                     const RawOptions& options = {}) {
   const scene::MethodRow& row = find_row("method", method, methods());
   std::vector<SequenceFrame> frames;
-  render_sequence(scene, row, Parameters(row.name, row.parameters, options), {},
+  render_sequence(scene, {&row, Parameters(row.name, row.parameters, options)}, {}, {},
                   [&](const SequenceFrame& frame) { frames.push_back(frame); });
   return frames;
 }

@@ -17,7 +17,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Pair;
 using namespace pellucid::compare::testing;
 
 ResultRow row(const std::string& scene, const std::string& method, double rmse) {
@@ -35,7 +34,8 @@ const std::vector<ResultRow> rows{row("one", "a", 0.1),  row("one", "b", 0.2),
                                   row("two", "b", 0.25), row("two", "c", 0.5)};
 
 Claim claim(const char* by, std::vector<std::vector<std::string>> order) {
-  return {"", &find_row("number", by, columns()), std::move(order)};
+  const Column& column = find_row("number", by, columns());
+  return {"", {&column, {}, column.better}, std::move(order)};
 }
 
 TEST(UnitClaims, TheBetterOneIsSmallerInErrorAndLargerInSimilarity) {
@@ -43,23 +43,77 @@ TEST(UnitClaims, TheBetterOneIsSmallerInErrorAndLargerInSimilarity) {
     const auto checks = check_claim(claim(by, {{"a"}, {"b"}, {"c"}}), scenes, rows);
     ASSERT_EQ(checks.size(), 3u);
     EXPECT_THAT(checks[0].against, IsEmpty());
-    EXPECT_THAT(checks[1].against, ElementsAre(Pair("a", "b")));
+    EXPECT_THAT(checks[1].against, ElementsAre("b before a"));
   }
 }
 
 // The means are 0.25, 0.225 and 0.4.
 TEST(UnitClaims, TheMeanOverScenesIsCheckedLast) {
   const auto checks = check_claim(claim("rmse", {{"a"}, {"b"}, {"c"}}), scenes, rows);
-  EXPECT_EQ(checks[2].scene, "mean");
+  EXPECT_EQ(checks[2].of, "mean");
   EXPECT_DOUBLE_EQ(checks[2].values[1].second, 0.225);
-  EXPECT_THAT(checks[2].against, ElementsAre(Pair("a", "b")));
+  EXPECT_THAT(checks[2].against, ElementsAre("b before a"));
 }
 
 TEST(UnitClaims, WithinAGroupNoOrderIsClaimed) {
   const auto together = check_claim(claim("rmse", {{"c", "b", "a"}}), scenes, rows);
   EXPECT_THAT(together[0].against, IsEmpty());
   const auto groups = check_claim(claim("rmse", {{"c"}, {"a", "b"}}), scenes, rows);
-  EXPECT_THAT(groups[0].against, ElementsAre(Pair("c", "a"), Pair("c", "b")));
+  EXPECT_THAT(groups[0].against, ElementsAre("a before c", "b before c"));
+}
+
+// Of c / a and c / b on scene one a factor of 3 and of 1.5.
+TEST(UnitClaims, AFactorIsPartOfTheOrder) {
+  Claim two = claim("rmse", {{"a", "b"}, {"c"}});
+  two.factor = 2;
+  EXPECT_THAT(check_claim(two, scenes, rows)[0].against,
+              ElementsAre("b before c by a factor of 1.5, not 2"));
+  two.by = claim("ssim", {}).by;  // 0.9 and 0.8 against 0.7
+  EXPECT_EQ(check_claim(two, scenes, rows)[0].against.size(), 2u);
+  two.factor = 1.2;
+  EXPECT_THAT(check_claim(two, scenes, rows)[0].against,
+              ElementsAre("b before c by a factor of 1.14, not 1.2"));
+}
+
+TEST(UnitClaims, ABoundHoldsForEveryCall) {
+  Claim most = claim("rmse", {{"a", "b"}});
+  most.bound = 0.2;
+  EXPECT_THAT(check_claim(most, scenes, rows)[0].against, IsEmpty());  // the bound itself holds
+  EXPECT_THAT(check_claim(most, scenes, rows)[1].against,
+              ElementsAre("a 4.00e-01, not 2.00e-01", "b 2.50e-01, not 2.00e-01"));
+  Claim least = claim("ssim", {{"a"}});
+  least.bound = 0.7;
+  EXPECT_THAT(check_claim(least, scenes, rows)[0].against, IsEmpty());
+  EXPECT_EQ(check_claim(least, scenes, rows)[1].against.size(), 1u);
+}
+
+TEST(UnitClaims, AClaimMayBeAboutSomeScenes) {
+  Claim one = claim("rmse", {{"a"}, {"b"}});
+  one.scenes = {"two"};
+  const auto checks = check_claim(one, scenes, rows);
+  ASSERT_EQ(checks.size(), 1u);
+  EXPECT_EQ(checks[0].of, "two");
+}
+
+TEST(UnitClaims, ScenesMayBeInOrderForEachCall) {
+  Claim order = claim("rmse", {{"a", "b"}});
+  order.scenes = {"two", "one"};
+  order.orders_scenes = true;
+  const auto checks = check_claim(order, scenes, rows);
+  ASSERT_EQ(checks.size(), 2u);
+  EXPECT_EQ(checks[0].of, "a");
+  EXPECT_EQ(checks[0].values[1], (std::pair<std::string, double>("one", 0.1)));
+  EXPECT_THAT(checks[0].against, ElementsAre("one before two"));
+}
+
+TEST(UnitClaims, AMeasureIsClaimedByItsName) {
+  std::vector<ResultRow> measured = rows;
+  measured[0].measures.push_back({"holes", "Holes", "", 3, Better::lower});
+  Claim holes{"", {nullptr, "holes", Better::lower}, {{"a"}}};
+  holes.bound = 2;
+  const auto checks = check_claim(holes, scenes, measured);
+  ASSERT_EQ(checks.size(), 1u);
+  EXPECT_THAT(checks[0].against, ElementsAre("a 3, not 2"));
 }
 
 TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
@@ -67,7 +121,7 @@ TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
   fewer[1].error = "failed";
   const auto checks = check_claim(claim("rmse", {{"a"}, {"b"}}), scenes, fewer);
   ASSERT_EQ(checks.size(), 1u);
-  EXPECT_EQ(checks[0].scene, "two");
+  EXPECT_EQ(checks[0].of, "two");
 }
 
 std::string error_of(const std::string& claims) {
@@ -93,6 +147,25 @@ TEST(UnitClaims, AStudyNamesCallsThatItHas) {
               HasSubstr("unknown number 'rsme'; known: rmse"));
   EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "order": ["truth"]})"),
               HasSubstr("at least two calls"));
+}
+
+TEST(UnitClaims, ABoundIsOnTheWorseSide) {
+  EXPECT_EQ(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_most": 0.1})"),
+            "no error");
+  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_least": 0.1})"),
+              HasSubstr("claims[0].at_least: 'RMSE' is better when it is lower; accepted: at_most"));
+  EXPECT_THAT(error_of(R"({"claim": "x", "measure": "m", "better": "higher", "of": ["broken"],
+                           "at_most": 1})"),
+              HasSubstr("accepted: at_least"));
+  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "scene_order": ["s"]})"),
+              HasSubstr("claims[0].scene_order[0]: unknown scene 's'"));
+}
+
+TEST(UnitClaims, WhatNoRowSaysIsSaid) {
+  Study study;
+  study.scenes = {"one.json"};
+  study.claims = {claim("rmse", {{"a"}, {"z"}})};
+  EXPECT_THAT(markdown_table(study, rows), HasSubstr("- no scene has all of its numbers\n"));
 }
 
 TEST(UnitClaims, TheTableForPeopleSaysWhatIsOtherwise) {
