@@ -102,10 +102,15 @@ struct Findings {
   std::vector<MeasurePicture> pictures;
 };
 
-/// An OpticalDepth is the optical depth along a pixel's ray, as a method approximated it for its
-/// last picture; without a unit.
-struct OpticalDepth {
-  std::vector<double> values;                        // τ(d) at the depths that were asked for
+/// A RaySum is a sum over the fragments of a pixel's ray, from the nearest to a depth.
+enum class RaySum {
+  optical_depth,  // τ(d) = Σ -ln(1 - α_i), Eq. 14 of Baeza Rojo et al. 2019
+  importance      // G(d) = Σ g_i², Eq. 11
+};
+
+/// A RaySeries is such a sum as a method approximated it for its last picture; without a unit.
+struct RaySeries {
+  std::vector<double> values;                        // at the depths that were asked for
   std::vector<std::pair<double, double>> harmonics;  // a_k, b_k of a Fourier series, k from 0
 };
 
@@ -122,10 +127,10 @@ class Renderer {
   virtual std::map<std::string, std::string> facts() const { return {}; }
   /// Measures the last picture when asked for; this is not timed.
   virtual Findings findings() { return {}; }
-  /// Returns the optical depth at the depths `d` in [0, 1] of the pixel in column x, row y (0 at
-  /// the top). Nothing where the method has no such function, or has not rendered yet.
-  virtual std::optional<OpticalDepth> optical_depth(int /*x*/, int /*y*/,
-                                                    std::span<const double> /*d*/) {
+  /// Returns the sum at the depths `d` in [0, 1] of the pixel in column x, row y (0 at the top).
+  /// Nothing where the method has no such function, or has not rendered yet.
+  virtual std::optional<RaySeries> ray_series(RaySum /*sum*/, int /*x*/, int /*y*/,
+                                              std::span<const double> /*d*/) {
     return std::nullopt;
   }
   /// Returns the opacities of least energy that it found for its last picture. Nothing where it

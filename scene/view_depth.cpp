@@ -125,6 +125,23 @@ void check_size(const Scene& scene) {
           "{}: its coordinates, or a radius, reach 1e300 or beyond; accepted: less", object.name));
 }
 
+/// The object's name, and what it was made from where that is known by its name.
+std::string origin_of(const SceneObject& object, const Scene& scene) {
+  const auto how = scene.provenance.find(object.name);
+  return how == scene.provenance.end() ? object.name
+                                       : fmt::format("{} ({})", object.name, how->second);
+}
+
+/// Where the objects come from, so that a file whose points lie elsewhere is named.
+std::string names_of_objects(const Scene& scene) {
+  constexpr std::size_t most = 3;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(scene.objects.size(), most); ++i)
+    names += (i > 0 ? ", " : "") + origin_of(scene.objects[i], scene);
+  if (scene.objects.size() > most) names += fmt::format(" and {} more", scene.objects.size() - most);
+  return names;
+}
+
 DepthRange widened(const DepthInterval& bounds, double noise) {
   const double length = bounds.max - bounds.min;
   // One single depth: any interval around it will do.
@@ -140,9 +157,9 @@ DepthRange depth_range(const Scene& scene) {
   for (const SceneObject& object : scene.objects) std::visit(depths, object.shape);
   check_size(scene);
   if (!(depths.everywhere().max > 0))
-    throw InputError(
-        "camera: nothing of the scene is in front of it; accepted: an eye and a target "
-        "that see the objects");
+    throw InputError(fmt::format("camera: nothing of {} is in front of it; accepted: an eye and a "
+                                 "target that see the objects",
+                                 names_of_objects(scene)));
   DepthInterval bounds = depths.in_picture();
   if (!(bounds.max > 0)) bounds = depths.everywhere();
   // Geometry that reaches behind the eye is seen from the eye on.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "core/error.h"
@@ -18,67 +19,153 @@ constexpr int intervals = 512;
 /// An opaque layer's optical depth is infinite; nothing shows behind this.
 constexpr double deepest = 60;
 
+/// The paper's number of bands, and what it says that no term beyond exceeds, of the whole sum
+/// (Baeza Rojo et al. 2019, Fig. 9b).
+constexpr std::size_t marked_band = 5;
+constexpr double marked_percent = 5;
+
+/// A Quantity is a sum along a ray, and how its curves are called.
+struct Quantity {
+  scene::RaySum sum;
+  const char* name;   // of its measures
+  const char* title;  // within a sentence
+  const char* symbol;
+  double (*exact)(const groundtruth::RaySums& ray, double d);
+};
+
+constexpr Quantity quantities[] = {
+    {scene::RaySum::optical_depth, "optical_depth", "optical depth", "τ(d)",
+     [](const groundtruth::RaySums& ray, double d) {
+       return std::min(ray.optical_depth(d), deepest);
+     }},
+    {scene::RaySum::importance, "importance", "importance", "G(d)",
+     [](const groundtruth::RaySums& ray, double d) { return ray.importance_sum(d); }}};
+
 std::vector<double> depths() {
   std::vector<double> d;
   for (int i = 0; i <= intervals; ++i) d.push_back(double(i) / intervals);
   return d;
 }
 
-RowCurve depth_curve(const Pixel& pixel, std::vector<double> tau) {
-  return {fmt::format("optical depth {} {}", pixel.x, pixel.y),
+RowCurve depth_curve(const Quantity& quantity, const Pixel& pixel, std::vector<double> values) {
+  return {fmt::format("{} {} {}", quantity.title, pixel.x, pixel.y),
           "",
-          fmt::format("Optical depth along the ray of pixel ({}, {})", pixel.x, pixel.y),
+          fmt::format("Sum of the {} along the ray of pixel ({}, {})", quantity.title, pixel.x,
+                      pixel.y),
           "d",
-          "τ(d)",
+          quantity.symbol,
           depths(),
-          std::move(tau)};
+          std::move(values)};
 }
 
-scene::OpticalDepth exact_depth(const groundtruth::RayProbe& probe, const Pixel& pixel) {
-  const groundtruth::RaySums sums = probe.at(pixel.x + 0.5, pixel.y + 0.5);
-  scene::OpticalDepth result;
-  for (const double d : depths()) result.values.push_back(std::min(sums.optical_depth(d), deepest));
-  return result;
+/// Eq. 5's terms of band k ≥ 1 are at most these parts of the sum's end F(1) = a_0 / 2, in percent:
+/// a_k / (2 π k) and b_k / (2 π k), without their waves.
+struct Term {
+  double a, b;
+
+  double larger() const { return std::max(a, b); }
+};
+
+Term term(const scene::RaySeries& series, std::size_t k) {
+  const double whole = 2 * std::numbers::pi * double(k) * series.harmonics[0].first / 2;
+  const auto percent = [&](double c) { return whole > 0 ? 100 * std::abs(c) / whole : 0; };
+  return {percent(series.harmonics[k].first), percent(series.harmonics[k].second)};
 }
 
 /// Of all rows in one plot: a shorter series has the same coefficients, as far as it goes.
-void add_harmonics(const Pixel& pixel, const scene::OpticalDepth& depth, ResultRow& row) {
-  RowCurve a{fmt::format("coefficients {} {}", pixel.x, pixel.y),
-             "|a_k|",
-             fmt::format("Fourier coefficients of pixel ({}, {})", pixel.x, pixel.y),
-             "k",
-             "|a_k|, |b_k|",
-             {},
-             {}};
-  RowCurve b = a;
-  b.label = "|b_k|";
-  for (std::size_t k = 0; k < depth.harmonics.size(); ++k)
-    for (auto& [curve, value] :
-         {std::pair(&a, depth.harmonics[k].first), std::pair(&b, depth.harmonics[k].second)}) {
-      curve->x.push_back(double(k));
-      curve->y.push_back(std::abs(value));
+void add_terms(const Quantity& quantity, const Pixel& pixel, const scene::RaySeries& series,
+               ResultRow& row) {
+  const auto curve = [&](const char* label) {
+    return RowCurve{fmt::format("terms of the {} {} {}", quantity.title, pixel.x, pixel.y),
+                    label,
+                    fmt::format("Terms of the {}'s series at pixel ({}, {})", quantity.title,
+                                pixel.x, pixel.y),
+                    "k",
+                    "part of the whole sum [%]",
+                    {},
+                    {}};
+  };
+  RowCurve a = curve("|a_k| / (2πk)"), b = curve("|b_k| / (2πk)");
+  RowCurve least = curve("5 %"), marked = curve("m = 5");
+  for (std::size_t k = 1; k < series.harmonics.size(); ++k) {
+    const Term here = term(series, k);
+    for (auto& [of, value] : {std::pair(&a, here.a), std::pair(&b, here.b)}) {
+      of->x.push_back(double(k));
+      of->y.push_back(value);
     }
-  row.curves.push_back(std::move(a));
-  row.curves.push_back(std::move(b));
+  }
+  least.x = {1, a.x.back()};
+  least.y = {marked_percent, marked_percent};
+  marked.x = {double(marked_band), double(marked_band)};
+  marked.y = {0, std::max({marked_percent, a.y.front(), b.y.front()})};
+  for (RowCurve* of : {&a, &b, &least, &marked}) row.curves.push_back(std::move(*of));
+}
+
+/// The largest terms over all probes, as far as a series has them.
+class TermMeasures {
+ public:
+  void add(const scene::RaySeries& series) {
+    for (std::size_t k = marked_band; k < series.harmonics.size(); ++k) {
+      std::optional<double>& largest = k == marked_band ? at_ : beyond_;
+      largest = std::max(largest.value_or(0), term(series, k).larger());
+    }
+  }
+
+  void append_to(const Quantity& quantity, ResultRow& row) const {
+    const auto append = [&](const char* name, const char* title, std::optional<double> percent) {
+      if (percent)
+        row.measures.push_back({fmt::format("{}_{}", quantity.name, name),
+                                fmt::format("{} of the {}'s series", title, quantity.title), "%",
+                                *percent, Better::lower});
+    };
+    append("term_5", "Fifth term", at_);
+    append("terms_beyond_5", "Largest term beyond the fifth", beyond_);
+  }
+
+ private:
+  std::optional<double> at_, beyond_;
+};
+
+scene::RaySeries exact_steps(const Quantity& quantity, const groundtruth::RaySums& ray) {
+  scene::RaySeries steps;
+  for (const double d : depths()) steps.values.push_back(quantity.exact(ray, d));
+  return steps;
+}
+
+/// Whether the reference's row has the exact sums: G is the scene's, whatever is composited.
+bool has_exact(const Quantity& quantity, const Cell& cell, const scene::Scene& scene) {
+  if (!cell.reference) return false;
+  return quantity.sum == scene::RaySum::importance ? has_importance(scene)
+                                                   : cell.call.row->promises.exact;
+}
+
+void check(const Pixel& pixel, const scene::Scene& scene) {
+  if (pixel.x >= scene.width || pixel.y >= scene.height)
+    throw InputError(fmt::format("probe [{}, {}]: outside the picture of {} x {} pixels", pixel.x,
+                                 pixel.y, scene.width, scene.height));
 }
 
 }  // namespace
 
 void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer& renderer,
                     CellMeasurement& measured) {
-  if (cell.probes.empty()) return;
-  const bool exact = cell.reference && cell.call.row->promises.exact;
+  for (const Pixel& pixel : cell.probes) check(pixel, scene);
   std::optional<groundtruth::RayProbe> probe;
-  if (exact) probe.emplace(scene);
-  for (const Pixel& pixel : cell.probes) {
-    if (pixel.x >= scene.width || pixel.y >= scene.height)
-      throw InputError(fmt::format("probe [{}, {}]: outside the picture of {} x {} pixels", pixel.x,
-                                   pixel.y, scene.width, scene.height));
-    const auto depth =
-        probe ? exact_depth(*probe, pixel) : renderer.optical_depth(pixel.x, pixel.y, depths());
-    if (!depth) continue;
-    measured.row.curves.push_back(depth_curve(pixel, depth->values));
-    if (!depth->harmonics.empty()) add_harmonics(pixel, *depth, measured.row);
+  for (const Quantity& quantity : quantities) {
+    const bool exact = has_exact(quantity, cell, scene);
+    if (exact && !cell.probes.empty() && !probe) probe.emplace(scene);
+    TermMeasures terms;
+    for (const Pixel& pixel : cell.probes) {
+      const auto series =
+          exact ? exact_steps(quantity, probe->at(pixel.x + 0.5, pixel.y + 0.5))
+                : renderer.ray_series(quantity.sum, pixel.x, pixel.y, depths());
+      if (!series) continue;
+      measured.row.curves.push_back(depth_curve(quantity, pixel, series->values));
+      if (series->harmonics.size() < 2) continue;
+      add_terms(quantity, pixel, *series, measured.row);
+      terms.add(*series);
+    }
+    terms.append_to(quantity, measured.row);
   }
 }
 

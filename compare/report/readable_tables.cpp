@@ -191,6 +191,7 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
   if (study.opacities)
     text += fmt::format("\nAll composite the opacities of least energy that `{}` finds.\n",
                         study.opacities->text());
+  for (const std::string& note : study.notes) text += fmt::format("\n{}\n", markdown_escaped(note));
   for (const std::string& warning : provenance_warnings(rows))
     text += fmt::format("\n**{}**\n", warning);
   for (const auto& scene : study.scenes) {

@@ -29,7 +29,10 @@ json cost_line_json(const CostLine& line) {
 }  // namespace
 
 json study_json(const Study& study) {
-  json j{{"name", study.name}, {"title", study.title}, {"source", study.source}};
+  json j{{"name", study.name},
+         {"title", study.title},
+         {"source", study.source},
+         {"notes", study.notes}};
   if (study.opacities) j["opacities"] = study.opacities->text();
   return j;
 }

@@ -11,7 +11,7 @@ namespace pellucid::compare {
 
 // What results and the report's page say of a study and its source.
 
-/// Returns {"name", "title", "source"}, and "opacities" where a call optimizes them.
+/// Returns {"name", "title", "source", "notes"}, and "opacities" where a call optimizes them.
 nlohmann::json study_json(const Study& study);
 
 /// Returns each claim with its checks: [{"text", "by", "checks": [{"of", "values": [{"of", "text"}],

@@ -9,6 +9,7 @@
 
 #include "compare/cells/cell.h"
 #include "compare/cells/measure_cell.h"
+#include "compare/measures/layer_pictures.h"
 #include "compare/measures/study_measures.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/error_map.h"
@@ -149,18 +150,6 @@ void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHa
         check_coverage(reference, at_hand.reference_layers(), measured.image, measured.layers);
 }
 
-/// The number of layers per pixel, where a method made its own of them: to be seen beside the
-/// reference's.
-void add_layer_picture(CellMeasurement& measured) {
-  const RowPicture scale{"layers", "Layers per pixel", 1, 100};
-  Image picture(measured.layers.width, measured.layers.height, Rgba(1));
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-    if (const std::uint32_t n = measured.layers.pixels[i])
-      picture.pixels[i] = Rgba(glm::vec3(logarithmic_color(n, scale.min, scale.max)), 1);
-  measured.row.pictures.push_back(scale);
-  measured.further.push_back(std::move(picture));
-}
-
 bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
 
 ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
@@ -172,6 +161,8 @@ ResultRow compute(const Job& job, SceneAtHand& at_hand, const Study& study,
   write_picture(job.files, measured);
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, measured, at_hand);
+  if (makes_layers(job.cell.call) && !job.cell.reference && at_hand.has_reference_layers())
+    add_layer_difference(at_hand.reference_layers(), measured);
   for (const std::string& name : job.cell.measures)
     find_row("measure", name, study_measures())
         .measure(at_hand.scene(), at_hand.reference(), measured);

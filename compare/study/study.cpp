@@ -131,6 +131,10 @@ constexpr StudyKey marks[] = {
 constexpr StudyKey keys[] = {
     {"title", [](const JsonNode& value, Reading& to) { to.study.title = value.string(); }},
     {"source", [](const JsonNode& value, Reading& to) { to.study.source = value.string(); }},
+    {"notes",
+     [](const JsonNode& value, Reading& to) {
+       for (const JsonNode& note : value.elements()) to.study.notes.push_back(note.string());
+     }},
     {"scenes",
      [](const JsonNode& value, Reading& to) { to.study.scenes = read_scenes(value, to.folder()); },
      true},

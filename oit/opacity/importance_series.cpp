@@ -3,6 +3,7 @@
 
 #include "oit/gl/bindings.h"
 #include "oit/opacity/energy_block.h"
+#include "oit/optical_depth/series_readback.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
@@ -50,15 +51,23 @@ const OptionTable<ImportanceOptions>& importance_options() {
 
 ImportanceSeries::ImportanceSeries(Stage& stage, const ImportanceOptions& options,
                                    const SeriesOptions& series, const scene::EnergyWeights& weights)
-    : coefficients_(target(stage, options, series)),
+    : bands_(options.bands),
+      margin_(float(series.margin)),
+      pixels_per_series_(is_half(options) ? 2 : 1),
+      coefficients_(target(stage, options, series)),
       projection_(stage, coefficients_, options.bands, series, projection_defines(options)),
       energy_(energy(weights, series).buffer(stage.gl())),
       defines_{{"IMPORTANCE", 1},
                {"IMPORTANCE_BANDS", options.bands},
                {"IMPORTANCE_PRECISION", series.precision},
-               {"PIXELS_PER_SERIES", is_half(options) ? 2 : 1}} {}
+               {"PIXELS_PER_SERIES", pixels_per_series_}} {}
 
 void ImportanceSeries::project() const { projection_.project(); }
+
+scene::RaySeries ImportanceSeries::at(int x, int y, std::span<const double> d) const {
+  return read_series(coefficients_, bands_, margin_, x / pixels_per_series_,
+                     y / pixels_per_series_, d);
+}
 
 FragmentOpacity ImportanceSeries::fragment_opacity() const {
   Defines defines = defines_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "oit/optical_depth/fourier_projection.h"
+#include "scene/renderer.h"
 #include "scene/opacity_energy.h"
 
 namespace pellucid::oit {
@@ -34,10 +35,15 @@ class ImportanceSeries {
   /// Programs that include importance_series.glsl have these defines, and find these bound.
   const Defines& defines() const { return defines_; }
   Resources resources() const;
+  /// Returns what Renderer::ray_series() does of the importance.
+  scene::RaySeries at(int x, int y, std::span<const double> d) const;
   /// For programs whose fragments have the opacities of least energy, each its own.
   FragmentOpacity fragment_opacity() const;
 
  private:
+  int bands_;
+  float margin_;
+  int pixels_per_series_;  // in either direction
   Texture coefficients_;
   FourierProjection projection_;
   Buffer energy_;

@@ -54,10 +54,10 @@ class OitRenderer final : public scene::Renderer {
     stage_.make_current();
     return method_->findings();
   }
-  std::optional<scene::OpticalDepth> optical_depth(int x, int y,
-                                                   std::span<const double> d) override {
+  std::optional<scene::RaySeries> ray_series(scene::RaySum sum, int x, int y,
+                                             std::span<const double> d) override {
     stage_.make_current();
-    return method_->optical_depth(x, y, d);
+    return method_->ray_series(sum, x, y, d);
   }
   std::optional<scene::OptimizedOpacities> optimized_opacities() override {
     stage_.make_current();

@@ -61,9 +61,9 @@ class OitMethod {
   /// Counts which of the geometry's crossings per pixel the method keeps apart or loses: fills
   /// `stored` and `truncated`.
   virtual void account(const CountImage& /*crossings*/, scene::RenderStats& /*stats*/) const {}
-  /// Returns what Renderer::optical_depth() does.
-  virtual std::optional<scene::OpticalDepth> optical_depth(int /*x*/, int /*y*/,
-                                                           std::span<const double> /*d*/) const {
+  /// Returns what Renderer::ray_series() does.
+  virtual std::optional<scene::RaySeries> ray_series(scene::RaySum /*sum*/, int /*x*/, int /*y*/,
+                                                     std::span<const double> /*d*/) const {
     return std::nullopt;
   }
   /// Returns what Renderer::optimized_opacities() does.

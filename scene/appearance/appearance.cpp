@@ -47,6 +47,14 @@ void fade_by_scalar(const ScalarOpacity& by, geometry::Vertices& vertices) {
   }
 }
 
+void weigh_by_scalar(const std::string& scalar, geometry::Vertices& vertices) {
+  const std::vector<double>& values = find_scalar(vertices, scalar);
+  const Vec2 range = finite_range(values);
+  vertices.importance.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    vertices.importance[i] = static_cast<float>(share_of(values[i], range));
+}
+
 }  // namespace
 
 double fraction_of(double value, const Vec2& range) {
@@ -71,13 +79,10 @@ void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices
     for (Rgba& color : vertices.colors) color.a = static_cast<float>(*opacity);
   if (const auto* by = std::get_if<ScalarOpacity>(&appearance.opacity))
     fade_by_scalar(*by, vertices);
-  if (appearance.importance) {
-    const std::vector<double>& values = find_scalar(vertices, *appearance.importance);
-    const Vec2 range = finite_range(values);
-    vertices.importance.resize(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-      vertices.importance[i] = static_cast<float>(share_of(values[i], range));
-  }
+  if (const auto* g = std::get_if<double>(&appearance.importance))
+    vertices.importance.assign(vertices.positions.size(), static_cast<float>(*g));
+  if (const auto* by = std::get_if<std::string>(&appearance.importance))
+    weigh_by_scalar(*by, vertices);
 }
 
 void ensure_normals(geometry::TriangleMesh& mesh) {

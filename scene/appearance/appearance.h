@@ -32,8 +32,8 @@ struct ScalarOpacity {
 struct Appearance {
   std::variant<std::monostate, Vec3, ScalarColor> color;        // red, green, blue in [0, 1]
   std::variant<std::monostate, double, ScalarOpacity> opacity;  // in [0, 1]
-  std::optional<std::string>
-      importance;  // the scalar that gives g, mapped from its range to [0, 1]
+  /// g of every vertex, in [0, 1]; or the scalar that gives it, mapped from its range to [0, 1].
+  std::variant<std::monostate, double, std::string> importance;
 };
 
 /// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar

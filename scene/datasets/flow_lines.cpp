@@ -37,7 +37,7 @@ Vec3 on_shell(const IndexedRandom& random, double z_from, double phi_width) {
   return random.uniform(2, 0.95, 1) * Vec3(r * std::cos(phi), r * std::sin(phi), z);
 }
 
-// Seeds around the atoms, where the field's critical points are, and around the molecule.
+// Important are the stretches at the twelve atoms, where the paper's picture is red.
 constexpr FlowLines benzene{32'000,
                             "benzene",
                             "stream-lines:turn=8,accuracy=1e-5,length=5,max-steps=120",
@@ -79,6 +79,17 @@ constexpr FlowLines helicopter{
     [](const IndexedRandom& random) {
       return random.in_box(0, {Vec3(-1.4, -1.4, -1.5), Vec3(1.4, 1.4, 0.3)});
     }};
+// Lines of the funnel and of the air around it.
+constexpr FlowLines tornado_lines{400,
+                                  "tornado",
+                                  "stream-lines:turn=5,accuracy=1e-5",
+                                  30,
+                                  FlowQuantity::vorticity,
+                                  "vorticity",
+                                  {.none = 0.5, .full = 0.95},
+                                  [](const IndexedRandom& random) {
+                                    return random.in_box(0, {Vec3(0.1, 0.1, 0.02), Vec3(0.9)});
+                                  }};
 constexpr FlowLines ecmwf{
     1500,
     winds,
@@ -118,6 +129,37 @@ Dataset make(const Parameters& parameters, const Progress& progress) {
   return lines;
 }
 
+/// Each particle starts near the foot of the funnel and has been carried for a time of its own.
+struct TornadoParticlesOptions {
+  static constexpr std::string_view unit = "particles";
+  std::size_t count = 3000;
+  std::uint64_t seed = 1;
+};
+
+Dataset make_tornado_particles(const Parameters& parameters, const Progress& progress) {
+  const auto options = stand_in_options<TornadoParticlesOptions>().read(parameters);
+  const auto field = fields::make_field("tornado");
+  integrators::LineRequest request{
+      .field = field.get(),
+      .seeds = make_elements(options.count, options.seed,
+                             [](const IndexedRandom& random) {
+                               return random.in_box(0, {Vec3(0.4, 0.4, 0.05), Vec3(0.6, 0.6, 0.3)});
+                             }),
+      .duration = 12,
+      .progress = progress};
+  const geometry::LineSet lines =
+      integrators::integrate_lines("stream-lines:turn=5,accuracy=1e-5", request).lines;
+  geometry::PointSet points;
+  for (std::size_t i = 0; i < lines.line_count(); ++i) {
+    const std::size_t first = lines.offsets[i], count = lines.offsets[i + 1] - first;
+    const double share = IndexedRandom(options.seed, i).uniform(3, 0, 1);
+    points.positions.push_back(lines.positions[first + std::size_t(share * double(count))]);
+  }
+  set_importance("vorticity", measure_flow(FlowQuantity::vorticity, *field, points.positions),
+                 {.none = 0.5, .full = 0.95}, points);
+  return points;
+}
+
 }  // namespace
 
 // Each row makes stream lines, path lines or vortex lines of a flow, from random seeds: in place
@@ -150,6 +192,22 @@ const DatasetRow& helicopter_dataset() {
                               "in place of Kutz et al. 2012; field: rotor-wake",
                               stand_in_options<FlowLinesOptions<helicopter>>().specs(),
                               make<helicopter>};
+  return row;
+}
+
+const DatasetRow& tornado_lines_dataset() {
+  static const DatasetRow row{"tornado-lines", "Stream lines of the Crawfis tornado",
+                              "R. A. Crawfis, The Ohio State University; field: tornado",
+                              stand_in_options<FlowLinesOptions<tornado_lines>>().specs(),
+                              make<tornado_lines>};
+  return row;
+}
+
+const DatasetRow& tornado_particles_dataset() {
+  static const DatasetRow row{"tornado-particles", "Particles that the Crawfis tornado carries up",
+                              "R. A. Crawfis, The Ohio State University; field: tornado",
+                              stand_in_options<TornadoParticlesOptions>().specs(),
+                              make_tornado_particles};
   return row;
 }
 

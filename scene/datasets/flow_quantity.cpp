@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/datasets/flow_quantity.h"
 
+#include <limits>
+
 #include "core/parallel.h"
+#include "fields/analytic/flows/benzene.h"
 
 namespace pellucid::scene {
 namespace {
 
+double nearness(const Vec3& x) {
+  static const fields::flow::Benzene molecule{{}};
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& atom : molecule.atoms)
+    least = std::min(least, glm::distance(x, Vec3(atom.x, atom.y, 0)));
+  return -least;
+}
+
 double measure(FlowQuantity quantity, const Vec3& x, fields::FieldSampler& sampler) {
+  if (quantity == FlowQuantity::nearness) return nearness(x);
   Vec3 v;
   Mat3 j;
   if (quantity == FlowQuantity::vorticity) {
@@ -14,7 +26,7 @@ double measure(FlowQuantity quantity, const Vec3& x, fields::FieldSampler& sampl
     return glm::length(Vec3(j[1][2] - j[2][1], j[2][0] - j[0][2], j[0][1] - j[1][0]));
   }
   if (sampler.velocity(x, 0, v) != fields::SampleStatus::ok) return 0;
-  return quantity == FlowQuantity::speed ? glm::length(v) : 1 / (1 + 20 * glm::length(v));
+  return glm::length(v);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace pellucid::scene {
 enum class FlowQuantity {
   speed,      // |v|
   vorticity,  // |curl v|
-  nearness    // 1 / (1 + 20 |v|): 1 at critical points
+  nearness    // minus the distance to the nearest atom of the field `benzene`
 };
 
 /// The quantity at every position, in parallel; 0 where the field has no sample at time 0.

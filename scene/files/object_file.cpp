@@ -48,11 +48,16 @@ std::variant<std::monostate, double, ScalarOpacity> read_opacity(const JsonNode&
   return opacity;
 }
 
+std::variant<std::monostate, double, std::string> read_importance(const JsonNode& node) {
+  if (node.is_string()) return node.string();
+  return node.number(0, 1);
+}
+
 Appearance read_appearance(const JsonNode& node) {
   Appearance appearance;
   if (node.has("color")) appearance.color = read_color(node["color"]);
   if (node.has("opacity")) appearance.opacity = read_opacity(node["opacity"]);
-  if (node.has("importance")) appearance.importance = node["importance"].string();
+  if (node.has("importance")) appearance.importance = read_importance(node["importance"]);
   return appearance;
 }
 

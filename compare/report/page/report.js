@@ -24,6 +24,7 @@ function headSection() {
     make("h1", {}, data.study.title),
     data.study.source && make("p", { class: "source" }, data.study.source),
     make("p", { class: "lead" }, lead),
+    ...data.study.notes.map((note) => make("p", { class: "note" }, note.replaceAll("`", ""))),
     ...data.warnings.map((warning) => make("p", { class: "failed", role: "alert" }, warning)),
     failed > 0 && make("p", { class: "failed" }, `${counted(failed, "cell")} failed; the table says why.`),
   ];

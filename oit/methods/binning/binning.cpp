@@ -28,13 +28,14 @@ class Binning final : public OitMethod {
   }
 
   // As the weight pass does it.
-  std::optional<scene::OpticalDepth> optical_depth(int x, int y,
-                                                   std::span<const double> d) const override {
+  std::optional<scene::RaySeries> ray_series(scene::RaySum sum, int x, int y,
+                                             std::span<const double> d) const override {
+    if (sum != scene::RaySum::optical_depth) return std::nullopt;
     std::vector<float> tau(std::size_t(bins_) + 1);  // at the bins' edges, from d = 0 on
     static_assert(sizeof(float) == sizeof(std::uint32_t));
     passes_.coefficients(0).read_pixel(x, y, bins_, GL_RED_INTEGER, GL_UNSIGNED_INT,
                                        std::size_t(bins_) * sizeof(float), tau.data() + 1);
-    scene::OpticalDepth result;
+    scene::RaySeries result;
     for (const double depth : d) {
       const double at = depth * bins_;
       const std::size_t bin = std::min(std::size_t(at), std::size_t(bins_ - 1));

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/fourier/fourier.h"
 
-#include <glm/vec2.hpp>
-#include <optional>
-
+#include "oit/optical_depth/series_readback.h"
 #include "oit_glsl.h"
-
-namespace pellucid::oit::fourier_glsl {
-
-using namespace glm;
-#include "oit/optical_depth/fourier_series.glsl"
-
-}  // namespace pellucid::oit::fourier_glsl
 
 namespace pellucid::oit {
 namespace {
@@ -21,8 +12,7 @@ class Fourier final : public OitMethod {
   Fourier(Stage& stage, const FourierOptions& options, const FragmentOpacity& opacity = {})
       : bands_(options.bands),
         margin_(float(options.series.margin)),
-        target_(fourier_target(bands_, options.series)),
-        passes_(stage, {{"Fourier coefficients", target_.format, target_.layers}},
+        passes_(stage, {target(options)},
                 weight_program(stage, options, opacity),
                 stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
                                      {{"NORMALIZE", options.normalize}})),
@@ -33,33 +23,13 @@ class Fourier final : public OitMethod {
     passes_.weight_and_composite(frame);
   }
 
-  // As the weight pass does it, in the same formulas.
-  std::optional<scene::OpticalDepth> optical_depth(int x, int y,
-                                                   std::span<const double> d) const override {
-    std::vector<glm::vec2> coefficients(std::size_t(2 * target_.layers));
-    passes_.coefficients(0).read_pixel(x, y, target_.layers, GL_RGBA, GL_FLOAT,
-                                       coefficients.size() * sizeof coefficients[0],
-                                       coefficients.data());
-    scene::OpticalDepth result;
-    for (int k = 0; k <= bands_; ++k)
-      result.harmonics.emplace_back(coefficients[std::size_t(k)].x, coefficients[std::size_t(k)].y);
-    for (const double depth : d)
-      result.values.push_back(tau_at((float(depth) + margin_) / (1 + 2 * margin_), coefficients));
-    return result;
+  std::optional<scene::RaySeries> ray_series(scene::RaySum sum, int x, int y,
+                                             std::span<const double> d) const override {
+    if (sum != scene::RaySum::optical_depth) return std::nullopt;
+    return read_series(passes_.coefficients(0), bands_, margin_, x, y, d);
   }
 
  private:
-  float tau_at(float d, const std::vector<glm::vec2>& coefficients) const {
-    const glm::vec2 one_band = fourier_glsl::first_wave(d);
-    glm::vec2 wave(1, 0);
-    float tau = 0;
-    for (int k = 0; k <= bands_; ++k) {
-      tau += fourier_glsl::fourier_integral(k, coefficients[std::size_t(k)], d, wave);
-      wave = fourier_glsl::add_angles(wave, one_band);
-    }
-    return tau;
-  }
-
   static GeometryProgram weight_program(const Stage& stage, const FourierOptions& options,
                                         const FragmentOpacity& opacity) {
     return fourier_program(stage, oit_glsl::fourier_weight_frag_glsl(),
@@ -69,9 +39,13 @@ class Fourier final : public OitMethod {
                            options.series, opacity);
   }
 
+  static OpticalDepthPasses::Target target(const FourierOptions& options) {
+    const auto [format, layers] = fourier_target(options.bands, options.series);
+    return {"Fourier coefficients", format, layers};
+  }
+
   int bands_;
   float margin_;
-  FourierTarget target_;
   OpticalDepthPasses passes_;
   FourierProjection projection_;
 };

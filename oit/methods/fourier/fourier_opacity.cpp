@@ -39,6 +39,13 @@ class FourierOpacity final : public OitMethod {
     compositing_->draw(frame);
   }
 
+  std::optional<scene::RaySeries> ray_series(scene::RaySum sum, int x, int y,
+                                             std::span<const double> d) const override {
+    if (sum == scene::RaySum::optical_depth) return compositing_->ray_series(sum, x, y, d);
+    if (!importance_) return std::nullopt;
+    return importance_->at(x, y, d);
+  }
+
   std::optional<scene::OptimizedOpacities> optimized_opacities() const override {
     if (!objects_) return std::nullopt;
     return objects_->opacity.found();

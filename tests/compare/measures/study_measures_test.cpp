@@ -138,10 +138,57 @@ TEST(AgreementRayCurves, FourierHasTheSeriesOfItsBands) {
       // depths are floats: ten ulps each.
       EXPECT_NEAR(curve.y[i], exact.up_to(curve.x[i]), 5e-6 + 5.1e-6 * bands)
           << bands << ' ' << curve.x[i];
-    ASSERT_EQ(cell.row.curves.size(), 3u);
-    EXPECT_EQ(cell.row.curves[1].x.size(), std::size_t(bands) + 1);
-    // The same without waves: ten ulps of a float near 7.
-    EXPECT_NEAR(cell.row.curves[1].y[0], 2 * 5 * std::log(2), 1e-5);
+    // Two curves of terms, the line of 5 % and the mark of five bands.
+    ASSERT_EQ(cell.row.curves.size(), 5u);
+    EXPECT_EQ(cell.row.curves[1].x.size(), std::size_t(bands));
+    EXPECT_EQ(cell.row.measures.size(), bands < 5 ? 0u : bands == 5 ? 1u : 2u);
+  }
+}
+
+// Impulses at one depth d have a_k = a_0 cos(2πkd), b_k = a_0 sin(2πkd): of F(1) = a_0 / 2 the terms
+// are 100 |cos| / (πk) and 100 |sin| / (πk) per cent.
+TEST(UnitRayCurves, TermsArePartsOfTheWholeSum) {
+  const scene::Scene scene = stack(1, 3, 3, [](int) { return Rgba(1, 1, 1, 0.5f); });
+  const double d = groundtruth::RayProbe(scene).at(1.5, 1.5).layers.at(0).d;
+  const auto cell = probed(probing_cell("fourier", {{"bands", "7"}}, false), scene);
+  const auto percent = [](double wave, int k) { return 100 * std::abs(wave) / (M_PI * k); };
+  for (int k = 1; k <= 7; ++k) {
+    const double angle = 2 * M_PI * k * d;
+    // Waves are off by 5e-7 k, of 100 / (πk) per cent.
+    EXPECT_NEAR(cell.row.curves[1].y[std::size_t(k) - 1], percent(std::cos(angle), k), 1e-4);
+    EXPECT_NEAR(cell.row.curves[2].y[std::size_t(k) - 1], percent(std::sin(angle), k), 1e-4);
+  }
+  const auto larger = [&](int k) {
+    return std::max(percent(std::cos(2 * M_PI * k * d), k), percent(std::sin(2 * M_PI * k * d), k));
+  };
+  EXPECT_EQ(cell.row.measures.at(0).name, "optical_depth_term_5");
+  EXPECT_NEAR(cell.row.measures.at(0).value, larger(5), 1e-4);
+  EXPECT_EQ(cell.row.measures.at(1).name, "optical_depth_terms_beyond_5");
+  EXPECT_NEAR(cell.row.measures.at(1).value, std::max(larger(6), larger(7)), 1e-4);
+}
+
+// G is the scene's: the row of a reference that optimizes opacities has its exact steps.
+TEST(AgreementRayCurves, ImportanceHasItsStepsAndItsSeries) {
+  scene::Scene scene = five_steps();
+  for (std::size_t i = 0; i < 5; ++i)
+    scene.objects[i].vertices().importance.assign(4, i % 2 ? 1.0f : 0.5f);
+  const groundtruth::RaySums ray = groundtruth::RayProbe(scene).at(1.5, 1.5);
+  const auto exact = probed(probing_cell("decoupled-lists", {}, true), scene).row;
+  ASSERT_EQ(exact.curves.size(), 1u);
+  EXPECT_EQ(exact.curves[0].y_title, "G(d)");
+  groundtruth::FourierSum sums(4);
+  for (const groundtruth::RayLayer& layer : ray.layers)
+    sums.add(layer.importance * layer.importance, layer.d);
+  for (const char* resolution : {"full", "half"}) {
+    const RawOptions options = {{"bands", "4"}, {"importance-resolution", resolution}};
+    const auto row = probed(probing_cell("fourier-opacity", options, false), scene).row;
+    const auto series = std::ranges::find(row.curves, "G(d)", &RowCurve::y_title);
+    ASSERT_NE(series, row.curves.end());
+    for (std::size_t i = 0; i < series->x.size(); ++i) {
+      EXPECT_NEAR(exact.curves[0].y[i], ray.importance_sum(series->x[i]), 1e-12);
+      // As of the optical depth, of a sum below 3.
+      EXPECT_NEAR(series->y[i], sums.up_to(series->x[i]), 2e-5) << series->x[i];
+    }
   }
 }
 

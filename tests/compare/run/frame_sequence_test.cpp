@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compare/methods/optimize_opacities.h"
 #include "core/error.h"
 #include "tests/compare/methods/opacity_scenes.h"
 
@@ -35,15 +36,32 @@ scene::Scene turning(int frames, double degrees) {
 }
 
 std::vector<SequenceFrame> sequence(scene::Scene scene, std::string_view method,
-                                    const RawOptions& options = {}) {
+                                    const RawOptions& options = {},
+                                    const std::optional<MethodCall>& opacities = {}) {
   const scene::MethodRow& row = find_row("method", method, methods());
   std::vector<SequenceFrame> frames;
-  render_sequence(scene, {&row, Parameters(row.name, row.parameters, options)}, {}, {},
+  render_sequence(scene, {&row, Parameters(row.name, row.parameters, options)}, opacities, {},
                   [&](const SequenceFrame& frame) { frames.push_back(frame); });
   return frames;
 }
 
 constexpr const char* optimizing[] = {"fourier-opacity", "decoupled-lists"};
+
+// What is remembered between frames is the stage's, whichever method composites.
+TEST(AgreementFrameSequence, OpacitiesOfAStageOfItsOwnAreThoseOfTheMethod) {
+  const RawOptions keep = {{"keep", "0.5"}};
+  const auto whole = sequence(turning(3, 20), "decoupled-lists", keep);
+  const auto staged =
+      sequence(turning(3, 20), "linked-list", {}, parse_opacities("decoupled-lists:keep=0.5"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_LE(largest_difference(whole[i].rendering.image, staged[i].rendering.image),
+              float_composite);
+    ASSERT_EQ(whole[i].opacity.has_value(), staged[i].opacity.has_value());
+    if (whole[i].opacity) {
+      EXPECT_EQ(whole[i].opacity->largest, staged[i].opacity->largest);
+    }
+  }
+}
 
 TEST(UnitFrameSequence, AStillCameraChangesNothing) {
   for (const char* method : optimizing)

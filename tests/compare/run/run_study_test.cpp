@@ -62,6 +62,8 @@ TEST(UnitRunStudy, LayersOfItsOwnAreShownBesideTheReferences) {
   EXPECT_TRUE(fs::exists(images / "layering.layers.png"));
   EXPECT_TRUE(fs::exists(images / "truth.layers.png"));
   EXPECT_FALSE(fs::exists(images / "shifted.layers.png"));
+  EXPECT_TRUE(fs::exists(images / "layering.layer-difference.png"));
+  EXPECT_FALSE(fs::exists(images / "truth.layer-difference.png"));
   EXPECT_NE(read_image(images / "truth.layers.png").at(2, 0),
             read_image(images / "layering.layers.png").at(2, 0));
 }

@@ -109,7 +109,8 @@ TEST(UnitClaims, ScenesMayBeInOrderForEachCall) {
 TEST(UnitClaims, AMeasureIsClaimedByItsName) {
   std::vector<ResultRow> measured = rows;
   measured[0].measures.push_back({"holes", "Holes", "", 3, Better::lower});
-  Claim holes{"", {nullptr, "holes", Better::lower}, {{"a"}}};
+  Claim holes = claim("rmse", {{"a"}});
+  holes.by = {nullptr, "holes", Better::lower};
   holes.bound = 2;
   const auto checks = check_claim(holes, scenes, measured);
   ASSERT_EQ(checks.size(), 1u);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "compare/cells/cell.h"
 #include "compare/methods/methods.h"
 #include "core/error.h"
 #include "tests/compare/fake_methods.h"
@@ -58,6 +59,38 @@ TEST(UnitStudy, AListIsASweepAndSeveralAreAProduct) {
               ElementsAre("shifted:times=2", "shifted:by=0.125,how=up,often=on",
                           "shifted:by=0.125,how=down,often=on", "shifted:by=1,how=up,often=on",
                           "shifted:by=1,how=down,often=on"));
+}
+
+TEST(UnitStudy, OpacitiesMakeOtherCells) {
+  const StudyFolder folder;
+  const auto load = [&](const std::string& more) {
+    write_text(folder / "optimized.json",
+               R"({"format": "pellucid-study", "version": 1, "scenes": ["one.json"],
+                   "reference": "raytrace", "methods": ["fourier"])" +
+                   more + "}");
+    return load_study(folder / "optimized.json", methods());
+  };
+  const auto fingerprint = [](const Study& study) {
+    return cell_fingerprint(expand_cells(study)[1], study.reference, 1, {});
+  };
+  const Study plain = load(""), optimized = load(R"(, "opacities": "decoupled-lists")"),
+              smoother = load(R"(, "opacities": "decoupled-lists:smooth=30")");
+  EXPECT_FALSE(plain.opacities);
+  EXPECT_EQ(smoother.opacities->text(), "decoupled-lists:smooth=30");
+  EXPECT_NE(fingerprint(plain), fingerprint(optimized));
+  EXPECT_NE(fingerprint(optimized), fingerprint(smoother));
+  const auto refused = [&](const std::string& more) {
+    try {
+      load(more);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refused(R"(, "opacities": "fourier")"),
+              HasSubstr("opacities: 'fourier' finds no opacities of vertices; accepted: "));
+  EXPECT_THAT(refused(R"(, "opacities": "decoupled-lists", "reference_scene": "two.json")"),
+              HasSubstr("accepted: one of the two"));
 }
 
 TEST(UnitStudy, NoCellIsThereTwice) {

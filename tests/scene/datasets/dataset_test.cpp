@@ -87,6 +87,38 @@ TEST(UnitDataset, PointsAreAsManyAsAsked) {
     EXPECT_EQ(vertices(make_dataset(std::string(name) + ":count=1234")).positions.size(), 1234u);
 }
 
+// The twelve atoms lie on two circles around the z axis, the ring of carbons and that of hydrogens.
+TEST(UnitDataset, BenzeneIsImportantAtItsAtoms) {
+  const Dataset data = make_dataset("benzene:count=2000");
+  const geometry::Vertices& lines = vertices(data);
+  int near = 0;
+  for (std::size_t i = 0; i < lines.positions.size(); ++i) {
+    double distance = 10;
+    for (int k = 0; k < 6; ++k)
+      for (const double radius : {1.39, 2.48}) {
+        const double angle = k * std::numbers::pi / 3;
+        const Vec3 atom(radius * std::cos(angle), radius * std::sin(angle), 0);
+        distance = std::min(distance, glm::distance(lines.positions[i], atom));
+      }
+    near += distance < 0.1;
+    if (distance < 0.1) {
+      EXPECT_GT(lines.importance[i], 0.8f) << distance;
+    } else if (distance > 1.5) {
+      EXPECT_EQ(lines.importance[i], 0) << distance;
+    }
+  }
+  EXPECT_GT(near, 100);
+}
+
+TEST(UnitDataset, TornadosParticlesAreInTheFunnel) {
+  const Dataset data = make_dataset("tornado-particles:count=200");
+  ASSERT_EQ(vertices(data).positions.size(), 200u);
+  for (const Vec3& x : vertices(data).positions) {
+    EXPECT_TRUE(glm::all(glm::greaterThanEqual(x, Vec3(0))));
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(x, Vec3(1))));
+  }
+}
+
 // The winds move on spheres: a line's radius is that of its seed up to the integrator's error.
 TEST(UnitDataset, WindsStayOnTheirSphere) {
   const auto lines = std::get<geometry::LineSet>(make_dataset("ecmwf:count=20"));

@@ -39,6 +39,13 @@ TEST_F(UnitSceneFile, EveryKeyIsRead) {
   EXPECT_EQ(scene.objects[0].mesh().importance, (std::vector<float>{0, 0.25f, 0.5f, 1}));
 }
 
+TEST_F(UnitSceneFile, ImportanceMayBeTheSameEverywhere) {
+  const Scene scene = with(R"({"mesh": "sheet.ply", "importance": 0.25})");
+  EXPECT_EQ(scene.objects[0].mesh().importance, std::vector<float>(4, 0.25f));
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "importance": 1.5})"),
+              HasSubstr("objects[0].importance: 1.5; accepted: 0 … 1"));
+}
+
 TEST_F(UnitSceneFile, ColourByScalarRunsThroughTheMap) {
   const Scene scene = with(R"({"mesh": "sheet.ply", "color": {"by": "speed", "map": "magma"}})");
   const auto& colors = scene.objects[0].mesh().colors;

@@ -85,6 +85,22 @@ TEST(UnitViewDepth, WhatIsOutsideOfThePictureDoesNotCount) {
   }
 }
 
+// A file whose points lie elsewhere is named.
+TEST(UnitViewDepth, WhatIsNotInFrontIsNamed) {
+  Scene scene = perspective_scene();
+  for (const char* name : {"a.ply", "b.csv", "c.obj", "d.vtp"})
+    scene.objects.push_back({name, rectangle(0, 1, 0, 1, 3, Rgba(1))});
+  scene.provenance["b.csv"] = "points of wake.csv";
+  try {
+    depth_range(scene);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("nothing of a.ply, b.csv (points of wake.csv), c.obj and 1 more is in"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 // The range of all that is in front: a picture of nothing is still a picture.
 TEST(UnitViewDepth, NothingInThePictureIsNoError) {
   Scene scene = perspective_scene();
