@@ -138,7 +138,8 @@ std::string names_of_objects(const Scene& scene) {
   std::string names;
   for (std::size_t i = 0; i < std::min(scene.objects.size(), most); ++i)
     names += (i > 0 ? ", " : "") + origin_of(scene.objects[i], scene);
-  if (scene.objects.size() > most) names += fmt::format(" and {} more", scene.objects.size() - most);
+  if (scene.objects.size() > most)
+    names += fmt::format(" and {} more", scene.objects.size() - most);
   return names;
 }
 
@@ -157,9 +158,10 @@ DepthRange depth_range(const Scene& scene) {
   for (const SceneObject& object : scene.objects) std::visit(depths, object.shape);
   check_size(scene);
   if (!(depths.everywhere().max > 0))
-    throw InputError(fmt::format("camera: nothing of {} is in front of it; accepted: an eye and a "
-                                 "target that see the objects",
-                                 names_of_objects(scene)));
+    throw InputError(
+        fmt::format("camera: nothing of {} is in front of it; accepted: an eye and a "
+                    "target that see the objects",
+                    names_of_objects(scene)));
   DepthInterval bounds = depths.in_picture();
   if (!(bounds.max > 0)) bounds = depths.everywhere();
   // Geometry that reaches behind the eye is seen from the eye on.

@@ -18,8 +18,8 @@ struct Cell {
   std::string scene;
   MethodCall call;
   bool reference = false;
-  std::vector<std::string> measures = {};  // names of StudyMeasure
-  std::vector<Pixel> probes = {};          // rays to look along
+  std::vector<std::string> measures = {};              // names of StudyMeasure
+  std::vector<Pixel> probes = {};                      // rays to look along
   std::optional<MethodCall> opacities = std::nullopt;  // see Study
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.
@@ -57,9 +57,9 @@ class CellFiles {
 ResultRow identity_row(const Cell& cell);
 
 /// Returns a hash of what a cell is asked to do: the scene's text, the method and the reference
-/// with all their parameters, what optimizes opacities, its measures and probes, the number of repeats, and where OpenGL
-/// runs. What it reads beside the scene's file, its row lists. Throws InputError when the scene's
-/// file cannot be read.
+/// with all their parameters, what optimizes opacities, its measures and probes, the number of
+/// repeats, and where OpenGL runs. What it reads beside the scene's file, its row lists. Throws
+/// InputError when the scene's file cannot be read.
 std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int repeats,
                              const scene::RenderContext& context);
 

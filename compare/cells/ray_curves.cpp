@@ -76,14 +76,14 @@ Term term(const scene::RaySeries& series, std::size_t k) {
 void add_terms(const Quantity& quantity, const Pixel& pixel, const scene::RaySeries& series,
                ResultRow& row) {
   const auto curve = [&](const char* label) {
-    return RowCurve{fmt::format("terms of the {} {} {}", quantity.title, pixel.x, pixel.y),
-                    label,
-                    fmt::format("Terms of the {}'s series at pixel ({}, {})", quantity.title,
-                                pixel.x, pixel.y),
-                    "k",
-                    "part of the whole sum [%]",
-                    {},
-                    {}};
+    return RowCurve{
+        fmt::format("terms of the {} {} {}", quantity.title, pixel.x, pixel.y),
+        label,
+        fmt::format("Terms of the {}'s series at pixel ({}, {})", quantity.title, pixel.x, pixel.y),
+        "k",
+        "part of the whole sum [%]",
+        {},
+        {}};
   };
   RowCurve a = curve("|a_k| / (2πk)"), b = curve("|b_k| / (2πk)");
   RowCurve least = curve("5 %"), marked = curve("m = 5");
@@ -156,9 +156,8 @@ void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer
     if (exact && !cell.probes.empty() && !probe) probe.emplace(scene);
     TermMeasures terms;
     for (const Pixel& pixel : cell.probes) {
-      const auto series =
-          exact ? exact_steps(quantity, probe->at(pixel.x + 0.5, pixel.y + 0.5))
-                : renderer.ray_series(quantity.sum, pixel.x, pixel.y, depths());
+      const auto series = exact ? exact_steps(quantity, probe->at(pixel.x + 0.5, pixel.y + 0.5))
+                                : renderer.ray_series(quantity.sum, pixel.x, pixel.y, depths());
       if (!series) continue;
       measured.row.curves.push_back(depth_curve(quantity, pixel, series->values));
       if (series->harmonics.size() < 2) continue;

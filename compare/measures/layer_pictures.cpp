@@ -11,7 +11,7 @@
 namespace pellucid::compare {
 namespace {
 
-constexpr double most_layers = 32;  // that the scale tells apart
+constexpr double most_layers = 32;     // that the scale tells apart
 constexpr std::int64_t farthest = 16;  // difference of the histogram: the last bars have all beyond
 
 /// Colours of numbers by pixel on a logarithmic scale; 0 is white.

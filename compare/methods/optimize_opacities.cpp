@@ -40,18 +40,20 @@ std::optional<MethodCall> parse_opacities(const std::string& text) {
 void optimize_opacities(const MethodCall& call, const scene::RenderContext& context,
                         scene::Scene& scene) {
   if (!scene::has_importance(scene))
-    throw InputError(fmt::format("{}: opacities cannot be optimized: nothing in the scene has "
-                                 "importance above 0",
-                                 scene.name));
+    throw InputError(
+        fmt::format("{}: opacities cannot be optimized: nothing in the scene has "
+                    "importance above 0",
+                    scene.name));
   const int samples = std::exchange(scene.samples, 1);
   const auto renderer = call.row->make(scene, call.parameters, context);
   renderer->render({});
   const std::optional<scene::OptimizedOpacities> found = renderer->optimized_opacities();
   scene.samples = samples;
   if (!found)
-    throw InputError(fmt::format("opacities: '{}' finds those of fragments, which no other method "
-                                 "can composite; accepted: per=element",
-                                 call.text()));
+    throw InputError(
+        fmt::format("opacities: '{}' finds those of fragments, which no other method "
+                    "can composite; accepted: per=element",
+                    call.text()));
   scene::apply(*found, call.text(), scene);
 }
 

@@ -76,12 +76,11 @@ std::string csv_table(std::span<const ResultRow> rows) {
 std::string results_json(const Study& study, std::span<const ResultRow> rows) {
   nlohmann::json list = nlohmann::json::array();
   for (const ResultRow& row : rows) list.push_back(to_json(row));
-  const nlohmann::json json = {
-      {"format", "pellucid-results"},
-      {"version", 1},
-      {"study", study_json(study)},
-      {"warnings", provenance_warnings(rows)},
-      {"rows", list}};
+  const nlohmann::json json = {{"format", "pellucid-results"},
+                               {"version", 1},
+                               {"study", study_json(study)},
+                               {"warnings", provenance_warnings(rows)},
+                               {"rows", list}};
   return json_text(json, 1) + "\n";
 }
 

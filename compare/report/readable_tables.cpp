@@ -117,7 +117,8 @@ std::string markdown_claim(const Claim& claim, const Study& study,
   const std::vector<ClaimCheck> checks = check_claim(claim, scene_names(study), rows);
   for (const ClaimCheck& check : checks) {
     text += fmt::format("- {}:", check.of);
-    for (const auto& [of, value] : check.values) text += fmt::format(" {} {},", of, claim.by.text(value));
+    for (const auto& [of, value] : check.values)
+      text += fmt::format(" {} {},", of, claim.by.text(value));
     text.back() = ';';
     text += check.against.empty() ? " the same here" : " otherwise here:";
     for (const std::string& words : check.against) text += fmt::format(" {};", words);

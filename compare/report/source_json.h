@@ -14,8 +14,8 @@ namespace pellucid::compare {
 /// Returns {"name", "title", "source", "notes"}, and "opacities" where a call optimizes them.
 nlohmann::json study_json(const Study& study);
 
-/// Returns each claim with its checks: [{"text", "by", "checks": [{"of", "values": [{"of", "text"}],
-/// "against"}]}].
+/// Returns each claim with its checks: [{"text", "by", "checks": [{"of", "values": [{"of",
+/// "text"}], "against"}]}].
 nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);
 
 /// Returns {"tables": […], "ratios": […], "reference": CALL}: times in milliseconds, bytes as they

@@ -51,9 +51,9 @@ struct ClaimCheck {
 };
 
 /// Returns a check for each scene of which all the claim's rows are there, in the order of
-/// `scenes`, and after them, for more than one scene, that of the mean over those scenes. Of a claim
-/// that orders scenes, it returns a check for each call that has all of them. Empty where no row
-/// says anything.
+/// `scenes`, and after them, for more than one scene, that of the mean over those scenes. Of a
+/// claim that orders scenes, it returns a check for each call that has all of them. Empty where no
+/// row says anything.
 std::vector<ClaimCheck> check_claim(const Claim& claim, std::span<const std::string> scenes,
                                     std::span<const ResultRow> rows);
 

@@ -50,7 +50,8 @@ PublishedCost read_cost(const JsonNode& node, const Study& study,
 ClaimedNumber read_number(const JsonNode& node) {
   if (node.has("measure")) {
     ClaimedNumber number{nullptr, node["measure"].string()};
-    if (node.has("better")) number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
+    if (node.has("better"))
+      number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
     return number;
   }
   const Column& column = at_place(node["by"], [&]() -> const Column& {

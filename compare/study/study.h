@@ -31,7 +31,7 @@ struct Crop {
 struct Study {
   std::string name;  // the file's stem
   std::string title;
-  std::string source;  // the figure or table that it reproduces
+  std::string source;              // the figure or table that it reproduces
   std::vector<std::string> notes;  // what a reader of its results has to know, a paragraph each
   std::filesystem::path file;
   std::vector<std::filesystem::path> scenes;

@@ -34,6 +34,8 @@ std::array<double, 2> within(const Box3& box, const WorldRay& ray) {
   return {begin, end};
 }
 
+bool is_inside(const std::optional<double>& height) { return height && *height >= 0; }
+
 bool differ(const std::optional<double>& a, const std::optional<double>& b) {
   return a && b && (*a < 0) != (*b < 0);
 }
@@ -77,8 +79,15 @@ std::optional<double> LevelMarch::height_at(const Vec3& x,
   return sum / weight;
 }
 
+bool LevelMarch::is_hit(const Sample& a, const Sample& b) const {
+  if (options_.refinement == HitRefinement::sample)
+    return !is_inside(a.height) && is_inside(b.height);
+  return differ(a.height, b.height);
+}
+
 double LevelMarch::refined(const WorldRay& ray, std::span<const std::uint32_t> levels,
                            const Sample& a, const Sample& b) const {
+  if (options_.refinement == HitRefinement::sample) return b.t;
   if (options_.refinement == HitRefinement::linear)
     return a.t + (b.t - a.t) * (*a.height / (*a.height - *b.height));
   double low = a.t, high = b.t;
@@ -118,8 +127,10 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
     const double width = field_.levels()[part.levels.front()].width;
     const double step = width / options_.steps_per_cell / glm::length(ray.direction);
     Sample at{part.begin, height_at(ray.at(part.begin), part.levels)};
-    // A reconstruction that jumps crosses on the face.
-    if (last.t == at.t && differ(last.height, at.height) && !visit(at.t)) return;
+    // A reconstruction that jumps crosses on the face; a field that begins inside is a hit to the
+    // report.
+    const bool may_begin_inside = options_.refinement == HitRefinement::sample;
+    if ((last.t == at.t || may_begin_inside) && is_hit(last, at) && !visit(at.t)) return;
     Stretch stretch{false, blocks_.empty() ? infinity : part.begin};
     for (double i = 0; at.t < part.end; ++i) {
       last = at;
@@ -131,7 +142,7 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
       }
       at.t = std::min(part.begin + step * (i + 1), part.end);
       at.height = height_at(ray.at(at.t), part.levels);
-      if (differ(last.height, at.height) && !visit(refined(ray, part.levels, last, at))) return;
+      if (is_hit(last, at) && !visit(refined(ray, part.levels, last, at))) return;
     }
     last = at;
   }

@@ -11,9 +11,10 @@
 
 namespace pellucid::groundtruth {
 
-/// A HitRefinement says how a crossing between two samples is placed: by the line through both, or
-/// by bisection of the field.
-enum class HitRefinement { linear, bisection };
+/// A HitRefinement says how a crossing between two samples is placed: by the line through both, by
+/// bisection of the field, or, as in the report, at the first sample inside, where the field is
+/// above the value; ways out do not count then.
+enum class HitRefinement { linear, bisection, sample };
 
 /// MarchOptions are the parameters of a march.
 struct MarchOptions {
@@ -37,7 +38,8 @@ struct MarchOptions {
 ///
 /// It differs from the report: steps start anew where the levels that take part change, so that the
 /// samples of k steps a cell are among those of 2k; where the report counts the first sample
-/// inside as the hit, this one is refined; both ways through the surface count. Empty space is
+/// inside as the hit, this one is refined and both ways through the surface count, unless
+/// HitRefinement::sample is chosen. Empty space is
 /// passed over in blocks of 4³ lattice cells without a change of the samples that a march takes
 /// elsewhere: every crossing stays.
 class LevelMarch {
@@ -58,6 +60,8 @@ class LevelMarch {
   };
 
   std::optional<double> height_at(const Vec3& x, std::span<const std::uint32_t> levels) const;
+  /// Whether the surface is crossed from one sample to the next.
+  bool is_hit(const Sample& a, const Sample& b) const;
   double refined(const WorldRay& ray, std::span<const std::uint32_t> levels, const Sample& a,
                  const Sample& b) const;
   /// A Stretch is the part of a ray within the same blocks of all levels that take part.

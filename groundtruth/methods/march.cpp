@@ -43,9 +43,13 @@ const OptionTable<MarchOptions>& level_march_options() {
               .unit = "1/cell",
               .help = "steps across the finest cell that takes part",
               .whole = true}),
-      choice("refine", &MarchOptions::refinement,
-             {{"linear", HitRefinement::linear}, {"bisection", HitRefinement::bisection}},
-             "where between two samples the surface is: on the line through both, or by bisection"),
+      choice(
+          "refine", &MarchOptions::refinement,
+          {{"linear", HitRefinement::linear},
+           {"bisection", HitRefinement::bisection},
+           {"sample", HitRefinement::sample}},
+          "where between two samples the surface is: on the line through both, by bisection, or, "
+          "as in the report, at the first sample inside; ways out do not count then"),
       choice("skip", &MarchOptions::skip_empty, {{"blocks", true}, {"none", false}},
              "blocks: pass over 4 x 4 x 4 cells without the value; the picture stays the same"),
       written("filter", &MarchOptions::dilate, dilation_text, dilation,

@@ -129,9 +129,7 @@ std::vector<float> ElementOpacity::of_lines() const {
       *segments_, {smoothed_.begin() + std::ptrdiff_t(patches_->count()), smoothed_.end()});
 }
 
-void ElementOpacity::upload_interpolated() const {
-  stage_.set_opacities(of_meshes(), of_lines());
-}
+void ElementOpacity::upload_interpolated() const { stage_.set_opacities(of_meshes(), of_lines()); }
 
 scene::OptimizedOpacities ElementOpacity::found() const {
   std::vector<float> all(smoothed_.size() + points_);

@@ -65,8 +65,8 @@ ImportanceSeries::ImportanceSeries(Stage& stage, const ImportanceOptions& option
 void ImportanceSeries::project() const { projection_.project(); }
 
 scene::RaySeries ImportanceSeries::at(int x, int y, std::span<const double> d) const {
-  return read_series(coefficients_, bands_, margin_, x / pixels_per_series_,
-                     y / pixels_per_series_, d);
+  return read_series(coefficients_, bands_, margin_, x / pixels_per_series_, y / pixels_per_series_,
+                     d);
 }
 
 FragmentOpacity ImportanceSeries::fragment_opacity() const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "oit/optical_depth/fourier_projection.h"
-#include "scene/renderer.h"
 #include "scene/opacity_energy.h"
+#include "scene/renderer.h"
 
 namespace pellucid::oit {
 

@@ -21,6 +21,7 @@ const DatasetRow& trefoil_dataset();
 const DatasetRow& ecmwf_dataset();
 const DatasetRow& helicopter_dataset();
 const DatasetRow& tornado_dataset();
+const DatasetRow& helicopter_forward_dataset();
 const DatasetRow& tornado_lines_dataset();
 const DatasetRow& tornado_particles_dataset();
 const DatasetRow& delta_wing_dataset();
@@ -38,11 +39,23 @@ std::string names_on_levels() {
 }  // namespace
 
 std::span<const DatasetRow> datasets() {
-  static const DatasetRow rows[] = {
-      stack_dataset(),      dark_sky_dataset(),     ctbl_dataset(),       viscous_fingers_dataset(),
-      benzene_dataset(),    dt_mri_dataset(),       bfs_dataset(),        icon_dataset(),
-      trefoil_dataset(),    ecmwf_dataset(),        helicopter_dataset(), tornado_dataset(), tornado_lines_dataset(), tornado_particles_dataset(),
-      delta_wing_dataset(), sphere_levels_dataset()};
+  static const DatasetRow rows[] = {stack_dataset(),
+                                    dark_sky_dataset(),
+                                    ctbl_dataset(),
+                                    viscous_fingers_dataset(),
+                                    benzene_dataset(),
+                                    dt_mri_dataset(),
+                                    bfs_dataset(),
+                                    icon_dataset(),
+                                    trefoil_dataset(),
+                                    ecmwf_dataset(),
+                                    helicopter_dataset(),
+                                    helicopter_forward_dataset(),
+                                    tornado_dataset(),
+                                    tornado_lines_dataset(),
+                                    tornado_particles_dataset(),
+                                    delta_wing_dataset(),
+                                    sphere_levels_dataset()};
   return rows;
 }
 

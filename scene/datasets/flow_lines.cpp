@@ -31,6 +31,40 @@ constexpr std::string_view winds =
     "-x*(4*z^2*(1-z^2)-0.2+0.7*z*(x^5-10*x^3*y^2+5*x*y^4)),"
     "w=0.35*z^2*(x*(20*x*y^3-20*x^3*y)-y*(5*x^4-30*x^2*y^2+5*y^4))";
 
+// A rotor of radius 1 in forward flight at a height of 1 above the ground, z = 0, in wind of speed
+// 1: a Lamb-Oseen vortex of circulation g trails from either side, y = 1 and -1, and sinks; a
+// vortex across the wind lies on the ground before the rotor; images below the ground keep the wind
+// along it. With b = g / (2π) = 0.45 (1 + tanh 3x) and h = 0.95 - 0.06 x, each vortex adds b (1 -
+// exp(-s / 0.02)) / s times the distances from its axis, s their squares' sum.
+constexpr std::string_view forward_flight =
+    "formula:u=1+0.35*exp(-y^4)*((z-0.35)*(1-exp(-((x+1.2)^2+(z-0.35)^2)/0.02))"
+    "/((x+1.2)^2+(z-0.35)^2+1e-9)-(z+0.35)/((x+1.2)^2+(z+0.35)^2+1e-9)),"
+    "v=0.45*(1+tanh(3*x))*(-(z-0.95+0.06*x)*(1-exp(-((y-1)^2+(z-0.95+0.06*x)^2)/0.02))"
+    "/((y-1)^2+(z-0.95+0.06*x)^2+1e-9)"
+    "+(z-0.95+0.06*x)*(1-exp(-((y+1)^2+(z-0.95+0.06*x)^2)/0.02))"
+    "/((y+1)^2+(z-0.95+0.06*x)^2+1e-9)"
+    "+(z+0.95-0.06*x)/((y-1)^2+(z+0.95-0.06*x)^2)"
+    "-(z+0.95-0.06*x)/((y+1)^2+(z+0.95-0.06*x)^2)),"
+    "w=-0.35*exp(-y^4)*((x+1.2)*(1-exp(-((x+1.2)^2+(z-0.35)^2)/0.02))"
+    "/((x+1.2)^2+(z-0.35)^2+1e-9)-(x+1.2)/((x+1.2)^2+(z+0.35)^2+1e-9))"
+    "+0.45*(1+tanh(3*x))*((y-1)*(1-exp(-((y-1)^2+(z-0.95+0.06*x)^2)/0.02))"
+    "/((y-1)^2+(z-0.95+0.06*x)^2+1e-9)"
+    "-(y+1)*(1-exp(-((y+1)^2+(z-0.95+0.06*x)^2)/0.02))"
+    "/((y+1)^2+(z-0.95+0.06*x)^2+1e-9)"
+    "-(y-1)/((y-1)^2+(z+0.95-0.06*x)^2)"
+    "+(y+1)/((y+1)^2+(z+0.95-0.06*x)^2))";
+
+/// Half of the lines start around the vortices, the others in the wind.
+Vec3 around_rotor(const IndexedRandom& random) {
+  const double kind = random.uniform(0, 0, 1);
+  if (kind < 0.2)  // before the rotor
+    return random.in_box(1, {Vec3(-1.5, -0.9, 0.1), Vec3(-0.9, 0.9, 0.6)});
+  if (kind < 0.5)  // beside it
+    return random.in_box(1, {Vec3(0, -0.12, -0.12), Vec3(0.4, 0.12, 0.12)}) +
+           Vec3(0, kind < 0.35 ? -1 : 1, 0.95);
+  return random.in_box(1, {Vec3(-2.5, -2, 0.05), Vec3(2.5, 2, 1.8)});
+}
+
 Vec3 on_shell(const IndexedRandom& random, double z_from, double phi_width) {
   const double z = random.uniform(0, z_from, 1), r = std::sqrt(1 - z * z);
   const double phi = random.uniform(1, -phi_width, phi_width);
@@ -44,7 +78,7 @@ constexpr FlowLines benzene{32'000,
                             1e3,
                             FlowQuantity::nearness,
                             "nearness",
-                            {.none = 0.6, .full = 0.97},
+                            {.none = 0.6, .full = 0.9},
                             [](const IndexedRandom& random) {
                               return random.in_box(0, {Vec3(-3.5, -3.5, -2), Vec3(3.5, 3.5, 2)});
                             }};
@@ -79,6 +113,14 @@ constexpr FlowLines helicopter{
     [](const IndexedRandom& random) {
       return random.in_box(0, {Vec3(-1.4, -1.4, -1.5), Vec3(1.4, 1.4, 0.3)});
     }};
+constexpr FlowLines helicopter_forward{700,
+                                       forward_flight,
+                                       "stream-lines:turn=6,accuracy=1e-5,length=5",
+                                       60,
+                                       FlowQuantity::vorticity,
+                                       "vorticity",
+                                       {.none = 0.6, .full = 0.85},
+                                       around_rotor};
 // Lines of the funnel and of the air around it.
 constexpr FlowLines tornado_lines{400,
                                   "tornado",
@@ -192,6 +234,15 @@ const DatasetRow& helicopter_dataset() {
                               "in place of Kutz et al. 2012; field: rotor-wake",
                               stand_in_options<FlowLinesOptions<helicopter>>().specs(),
                               make<helicopter>};
+  return row;
+}
+
+const DatasetRow& helicopter_forward_dataset() {
+  static const DatasetRow row{
+      "helicopter-forward",
+      "Stream lines around a rotor in forward flight near the ground (stand-in: line vortices)",
+      "in place of Kutz et al. 2012; formula in its source",
+      stand_in_options<FlowLinesOptions<helicopter_forward>>().specs(), make<helicopter_forward>};
   return row;
 }
 

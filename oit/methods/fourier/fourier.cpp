@@ -12,8 +12,7 @@ class Fourier final : public OitMethod {
   Fourier(Stage& stage, const FourierOptions& options, const FragmentOpacity& opacity = {})
       : bands_(options.bands),
         margin_(float(options.series.margin)),
-        passes_(stage, {target(options)},
-                weight_program(stage, options, opacity),
+        passes_(stage, {target(options)}, weight_program(stage, options, opacity),
                 stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
                                      {{"NORMALIZE", options.normalize}})),
         projection_(stage, passes_.coefficients(0), bands_, options.series, {}, opacity) {}

@@ -45,10 +45,9 @@ class DecoupledLists final : public OitMethod {
     const bool fragments = important_ && options.per == OpacityUnit::fragment;
     if (important_) stage.upload_importance();
     if (important_ && !fragments) elements_.emplace(stage, options.elements, energy);
-    build_ = stage.geometry_program(oit_glsl::list_build_frag_glsl(),
-                                    fragments ? Defines{{"IMPORTANCE", 1}} : Defines{},
-                                    elements_ ? ElementOpacity::fragment_opacity()
-                                              : FragmentOpacity{});
+    build_ = stage.geometry_program(
+        oit_glsl::list_build_frag_glsl(), fragments ? Defines{{"IMPORTANCE", 1}} : Defines{},
+        elements_ ? ElementOpacity::fragment_opacity() : FragmentOpacity{});
     if (fragments)
       composite_.emplace(stage, Defines{{"OPTIMIZE_FRAGMENTS", 1}}, Resources{energy});
     else

@@ -19,8 +19,8 @@ struct DecoupledListsOptions {
 const OptionTable<DecoupledListsOptions>& decoupled_lists_options();
 
 /// Decoupled opacity optimization (Günther, Theisel and Gross 2017, "Decoupled opacity optimization
-/// for points, lines and surfaces", CGF 36(2); equation and section numbers of Baeza Rojo, Gross and
-/// Günther 2019, TVCG) as it is there: exact sums of the importance from sorted lists of all
+/// for points, lines and surfaces", CGF 36(2); equation and section numbers of Baeza Rojo, Gross
+/// and Günther 2019, TVCG) as it is there: exact sums of the importance from sorted lists of all
 /// fragments (Eq. 2), the least opacity of each segment, patch or point, smoothed in object space
 /// (section 2.2.4), and exact compositing by lists (Eq. 12). `fourier-opacity` differs from it by
 /// its two series and by nothing else.

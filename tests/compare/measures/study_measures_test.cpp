@@ -145,8 +145,8 @@ TEST(AgreementRayCurves, FourierHasTheSeriesOfItsBands) {
   }
 }
 
-// Impulses at one depth d have a_k = a_0 cos(2πkd), b_k = a_0 sin(2πkd): of F(1) = a_0 / 2 the terms
-// are 100 |cos| / (πk) and 100 |sin| / (πk) per cent.
+// Impulses at one depth d have a_k = a_0 cos(2πkd), b_k = a_0 sin(2πkd): of F(1) = a_0 / 2 the
+// terms are 100 |cos| / (πk) and 100 |sin| / (πk) per cent.
 TEST(UnitRayCurves, TermsArePartsOfTheWholeSum) {
   const scene::Scene scene = stack(1, 3, 3, [](int) { return Rgba(1, 1, 1, 0.5f); });
   const double d = groundtruth::RayProbe(scene).at(1.5, 1.5).layers.at(0).d;

@@ -153,8 +153,9 @@ TEST(UnitClaims, AStudyNamesCallsThatItHas) {
 TEST(UnitClaims, ABoundIsOnTheWorseSide) {
   EXPECT_EQ(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_most": 0.1})"),
             "no error");
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_least": 0.1})"),
-              HasSubstr("claims[0].at_least: 'RMSE' is better when it is lower; accepted: at_most"));
+  EXPECT_THAT(
+      error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_least": 0.1})"),
+      HasSubstr("claims[0].at_least: 'RMSE' is better when it is lower; accepted: at_most"));
   EXPECT_THAT(error_of(R"({"claim": "x", "measure": "m", "better": "higher", "of": ["broken"],
                            "at_most": 1})"),
               HasSubstr("accepted: at_least"));

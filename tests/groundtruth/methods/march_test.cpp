@@ -111,6 +111,24 @@ TEST(UnitMarch, ASphereIsEnteredAndLeft) {
   }
 }
 
+// The field is 4 - x, above 2 from the volume's face to x = 2 and below beyond; then the same the
+// other way round, which the ray enters between two samples.
+TEST(UnitMarch, TheReportsHitIsTheFirstSampleInside) {
+  const auto falling = [](const Vec3& x) { return 4 - x.x; };
+  const auto rising = [](const Vec3& x) { return x.x; };
+  const MarchOptions as_reported{.steps_per_cell = 2, .refinement = HitRefinement::sample};
+  const WorldRay ray{Vec3(-2, 4, 4), Vec3(1, 0, 0)};
+  const fields::ReconstructionRow& trilinear = fields::find_reconstruction("trilinear");
+  const fields::LevelField falls({sampled(Vec3(0), 1, 9, falling)}, trilinear),
+      rises({sampled(Vec3(0), 1, 9, rising)}, trilinear);
+  const auto inside_at_first = marched(falls, 2, ray, as_reported);
+  ASSERT_EQ(inside_at_first.size(), 1u);  // the way out does not count
+  EXPECT_NEAR(inside_at_first[0], 2, 1e-12);
+  const auto entered = marched(rises, 2.1, ray, as_reported);
+  ASSERT_EQ(entered.size(), 1u);
+  EXPECT_NEAR(entered[0], 4.5, 1e-12);  // samples at x = 2 and 2.5
+}
+
 TEST(UnitMarch, LinearPlacementConvergesAtOrderTwo) {
   // x y z is its own reconstruction, without a kink within the cell that the rays stay in, and
   // grows along rays of positive direction: the line through two samples a step h apart errs by

@@ -95,7 +95,8 @@ TEST(UnitViewDepth, WhatIsNotInFrontIsNamed) {
     depth_range(scene);
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("nothing of a.ply, b.csv (points of wake.csv), c.obj and 1 more is in"),
+    EXPECT_NE(std::string(error.what())
+                  .find("nothing of a.ply, b.csv (points of wake.csv), c.obj and 1 more is in"),
               std::string::npos)
         << error.what();
   }
