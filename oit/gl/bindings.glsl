@@ -16,7 +16,7 @@
 //   averages of bins   sums        counts                    locks
 //   dual peeling       ends        nearest      farthest     locks
 //   driver check       head        stores
-//   trees of layers                                          trees  layers  links       colours
+//   trees of layers                                          trees  layers  links       colours     normals
 //   opacity                                                                 importance  elements
 //
 // A picture's passes are those of one of the first seven families: they never meet each other. Trees of
@@ -60,6 +60,7 @@ const int trees_image = 3;
 const int layers_image = 4;
 const int layer_links_image = 5;
 const int layer_colors_image = 6;
+const int layer_normals_image = 7;
 // Opacity.
 const int importance_image = 6;
 const int element_opacities_image = 7;

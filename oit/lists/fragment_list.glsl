@@ -3,6 +3,6 @@
 #include "oit/gl/bindings.glsl"
 
 layout(binding = heads_image, r32ui) coherent uniform uimage2D heads;
-// Next, bits of d, order of submission, bits of the importance where a program lists it.
+// Next, bits of d, order of submission, bits of the importance or of the normal where a program lists one.
 layout(binding = nodes_image, rgba32ui) uniform uimageBuffer nodes;
 layout(binding = node_colors_image, rgba32f) uniform imageBuffer colors;  // straight colour, opacity

@@ -10,6 +10,10 @@ layout(binding = layers_image, rgba32ui) uniform uimageBuffer layers;
 layout(binding = layer_links_image, rg32ui) uniform uimageBuffer layer_links;
 // Mean straight colour, mean opacity.
 layout(binding = layer_colors_image, rgba32f) uniform imageBuffer layer_colors;
+#ifdef AVERAGE_ATTRIBUTES
+// Mean normal, view frame, not of unit length; colours are not lit then.
+layout(binding = layer_normals_image, rgba32f) uniform imageBuffer layer_normals;
+#endif
 
 Tree load_tree(ivec2 pixel) {
   uvec2 texel = imageLoad(trees, pixel).rg;

@@ -35,7 +35,10 @@ const OptionTable<LayerRule>& layer_rule_options() {
              "picture being 1"),
       choice("merge", &LayerRule::merge,
              {{"nearest", LayerMerge::nearest}, {"first", LayerMerge::first_met}},
-             "into the nearest layer within epsilon, or the first met on the search path")};
+             "into the nearest layer within epsilon, or the first met on the search path"),
+      choice("average", &LayerRule::average,
+             {{"color", LayerAverage::color}, {"attributes", LayerAverage::attributes}},
+             "of a layer's fragments: their lit colours, or colours and normals, lit afterwards")};
   return table;
 }
 
@@ -48,8 +51,10 @@ Epsilon epsilon_of(const LayerRule& rule, const scene::DepthRange& range) {
   return {normalized2 * length * length, normalized2};
 }
 
-LayerTrees::LayerTrees(Stage& stage, double epsilon2, LayerMerge merge)
+LayerTrees::LayerTrees(Stage& stage, double epsilon2, const LayerRule& rule)
     : stage_(stage),
+      has_normals_(rule.average == LayerAverage::attributes &&
+                   stage.scene().lighting != scene::Lighting::none),
       heads_(stage.target("list heads", GL_R32UI)),
       trees_(stage.target("trees", GL_RG32UI)),
       fragment_count_(stage.gl(), sizeof(std::uint32_t)),
@@ -57,14 +62,22 @@ LayerTrees::LayerTrees(Stage& stage, double epsilon2, LayerMerge merge)
       unfinished_(stage.gl(), sizeof(std::uint32_t)),
       pool_(make_fragment_pool(stage.gl(), "tree", 0)),
       no_targets_(stage.gl(), stage.width(), stage.height()),
-      build_(stage.geometry_program(oit_glsl::list_build_frag_glsl())),
-      insert_(stage.screen_program(oit_glsl::tree_insert_frag_glsl())),
-      composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl())) {
+      build_(stage.geometry_program(oit_glsl::list_build_frag_glsl(),
+                                    has_normals_ ? Defines{{"LIT_LATER", 1}} : Defines{})),
+      insert_(stage.screen_program(oit_glsl::tree_insert_frag_glsl(), defines())),
+      composite_(stage.screen_program(oit_glsl::tree_composite_frag_glsl(), defines())) {
   stage.record("counters", fragment_count_.bytes() + layer_count_.bytes() + unfinished_.bytes());
   insert_.set("epsilon2", float(epsilon2));
-  insert_.set("first_met", int(merge == LayerMerge::first_met));
+  insert_.set("first_met", int(rule.merge == LayerMerge::first_met));
   insert_.set("most_steps", most_steps);
   reserve(1);
+}
+
+Defines LayerTrees::defines() const {
+  if (!has_normals_) return {};
+  Defines defines = stage_.geometry().defines();
+  defines.emplace_back("AVERAGE_ATTRIBUTES", 1);
+  return defines;
 }
 
 void LayerTrees::clear() {
@@ -103,7 +116,8 @@ void LayerTrees::reserve(std::uint64_t layers) {
   grow(stage_.gl(), GL_RGBA32UI, 16 * n, nodes_);
   grow(stage_.gl(), GL_RG32UI, 8 * n, links_);
   grow(stage_.gl(), GL_RGBA32F, 16 * n, colors_);
-  stage_.record("layers", nodes_.bytes() + links_.bytes() + colors_.bytes());
+  if (has_normals_) grow(stage_.gl(), GL_RGBA32F, 16 * n, normals_);
+  stage_.record("layers", nodes_.bytes() + links_.bytes() + colors_.bytes() + normals_.bytes());
 }
 
 // How many fragments become layers is not known before they are merged: a pixel without room for
@@ -126,7 +140,8 @@ void LayerTrees::insert() {
 
 void LayerTrees::composite(const Framebuffer& picture) const {
   unfinished_.clear(0);
-  stage_.draw_screen({picture, {Blend::replace}, trees()}, composite_);
+  const Resources view = has_normals_ ? stage_.geometry().resources() : Resources{};
+  stage_.draw_screen({picture, {Blend::replace}, trees() + view}, composite_);
   finish_stores();
   if (unfinished_.read_word(0) > 0)
     throw WorkError("tree: a pixel has more than 500000 layers; draw a smaller picture");
@@ -137,10 +152,12 @@ Resources LayerTrees::lists() const {
 }
 
 Resources LayerTrees::trees() const {
-  return {trees_.as_image(bindings::trees_image), nodes_.as_image(bindings::layers_image),
-          links_.as_image(bindings::layer_links_image),
-          colors_.as_image(bindings::layer_colors_image),
-          unfinished_.as_storage_block(bindings::unfinished_storage)};
+  Resources all{trees_.as_image(bindings::trees_image), nodes_.as_image(bindings::layers_image),
+                links_.as_image(bindings::layer_links_image),
+                colors_.as_image(bindings::layer_colors_image),
+                unfinished_.as_storage_block(bindings::unfinished_storage)};
+  if (has_normals_) all.add(normals_.as_image(bindings::layer_normals_image));
+  return all;
 }
 
 void LayerTrees::finish_stores() const {

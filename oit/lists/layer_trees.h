@@ -14,6 +14,10 @@ namespace pellucid::oit {
 /// layer_tree.glsl.
 enum class LayerMerge { nearest, first_met };
 
+/// A LayerAverage says what a layer's means are of: of lit colours; or, as published, of colours
+/// and normals, so that layers are lit after they are merged.
+enum class LayerAverage { color, attributes };
+
 /// An EpsilonUnit is what the depths are measured in whose squared difference ε² bounds: world
 /// units along the viewing axis, or d.
 enum class EpsilonUnit { view, normalized };
@@ -26,6 +30,7 @@ struct LayerRule {
   std::optional<double> epsilon2;
   EpsilonUnit unit = EpsilonUnit::view;
   LayerMerge merge = LayerMerge::nearest;
+  LayerAverage average = LayerAverage::color;
 
   static constexpr double default_epsilon2 = 1e-6;  // of d
 
@@ -46,8 +51,9 @@ const OptionTable<LayerRule>& layer_rule_options();
 /// adds.
 class LayerTrees {
  public:
-  /// Merges what lies within `epsilon2`, a squared difference of d, as `merge` says.
-  LayerTrees(Stage& stage, double epsilon2, LayerMerge merge);
+  /// Merges what lies within `epsilon2`, a squared difference of d, as the rule says, whose own
+  /// ε² is not looked at.
+  LayerTrees(Stage& stage, double epsilon2, const LayerRule& rule);
 
   /// Empties all trees.
   void clear();
@@ -73,17 +79,19 @@ class LayerTrees {
   Counts count() const;
 
  private:
+  Defines defines() const;
   void reserve(std::uint64_t layers);
   Resources lists() const;
   Resources trees() const;
   void finish_stores() const;
 
   Stage& stage_;
+  bool has_normals_;
   Texture heads_, trees_;
   Buffer fragment_count_, layer_count_, unfinished_;
   FragmentPool pool_;
-  BufferTexture nodes_, links_, colors_;  // see layer_nodes.glsl
-  std::uint64_t capacity_ = 0;            // of these, without layer 0
+  BufferTexture nodes_, links_, colors_, normals_;  // see layer_nodes.glsl
+  std::uint64_t capacity_ = 0;                      // of these, without layer 0
   Framebuffer no_targets_;
   GeometryProgram build_;
   Program insert_, composite_;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Building the lists. After fragment.glsl.
 #include "oit/lists/fragment_list.glsl"
+#ifdef LIT_LATER
+#include "oit/lists/normal_bits.glsl"
+#include "oit/shapes/pixel_ray.glsl"
+#endif
 
 layout(binding = node_counter) uniform atomic_uint node_count;
 
@@ -8,12 +12,14 @@ layout(binding = node_counter) uniform atomic_uint node_count;
 void append_fragment(Fragment f, vec4 content) {
   int node = int(atomicCounterIncrement(node_count)) + 1;
   uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
-#ifdef IMPORTANCE
-  uint importance_bits = floatBitsToUint(importance());
+#if defined(IMPORTANCE)
+  uint more = floatBitsToUint(importance());
+#elif defined(LIT_LATER)
+  uint more = pack_normal(shading_normal(pixel_ray(imageSize(heads))));
 #else
-  uint importance_bits = 0u;
+  uint more = 0u;
 #endif
   imageStore(nodes, node,
-             uvec4(next, floatBitsToUint(f.depth), primitive_order(), importance_bits));
+             uvec4(next, floatBitsToUint(f.depth), primitive_order(), more));
   imageStore(colors, node, content);
 }

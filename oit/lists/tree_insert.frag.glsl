@@ -13,20 +13,36 @@ uniform bool first_met;
 uniform int most_steps;
 uniform uint capacity;  // layers that there is room for
 
-void merge(uint id, float depth, vec4 color) {
+#ifdef AVERAGE_ATTRIBUTES
+#include "oit/lists/normal_bits.glsl"
+
+void add_normal(uint id, uint bits, float count) {
+  vec4 n = vec4(unpack_normal(bits), 0.0);
+  vec4 mean = count > 1.0 ? imageLoad(layer_normals, int(id)) : n;
+  // A surface has two sides, and no fragment knows which of them is the layer's.
+  if (dot(mean, n) < 0.0) n = -n;
+  imageStore(layer_normals, int(id), running_mean(mean, n, count));
+}
+#else
+void add_normal(uint id, uint bits, float count) {}
+#endif
+
+void merge(uint id, float depth, vec4 color, uint normal) {
   uint count = load_count(id) + 1u;
   store_count(id, count);
   imageStore(layer_colors, int(id),
              running_mean(imageLoad(layer_colors, int(id)), color, float(count)));
+  add_normal(id, normal, float(count));
   Layer layer = load_layer(id);
   layer.depth = running_mean(layer.depth, depth, float(count));
   store_layer(id, layer);
 }
 
-Tree add(Tree tree, Entry entry, Place place, uint id, vec4 color) {
+Tree add(Tree tree, Entry entry, Place place, uint id, vec4 color, uint normal) {
   tree = insert_layer(tree, entry, place, id);
   store_count(id, crossings ? entry.order : 1u);
   imageStore(layer_colors, int(id), color);
+  add_normal(id, normal, 1.0);
   return tree;
 }
 
@@ -41,11 +57,11 @@ void main() {
     Entry entry = Entry(uintBitsToFloat(texel.y), crossings, crossings ? texel.z : 0u);
     Place place = find_place(tree, entry, epsilon2, first_met);
     if (place.nearest != 0u)
-      merge(place.nearest, entry.depth, color);
+      merge(place.nearest, entry.depth, color, texel.w);
     else {
       uint id = atomicCounterIncrement(layer_count) + 1u;
       if (id > capacity) break;  // it stays in the list
-      tree = add(tree, entry, place, id, color);
+      tree = add(tree, entry, place, id, color, texel.w);
     }
     fragment = texel.x;
     // The search, as many steps at most to split, and this.

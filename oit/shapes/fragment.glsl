@@ -59,6 +59,20 @@ float facing() { return abs(dot(normalize(vertex_direction), view_direction()));
 #endif
 #endif
 
+#ifdef LIT_LATER
+// A normal in the view frame: a mesh's, or one that the ray `v` meets at the angle of what a ribbon or
+// a disc stands for.
+vec3 shading_normal(vec3 v) {
+#if defined(DISC) || defined(RIBBON)
+  float c = facing();
+  vec3 across = normalize(cross(v, abs(v.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
+  return c * v + sqrt(max(1.0 - c * c, 0.0)) * across;
+#else
+  return normalize(vertex_direction);
+#endif
+}
+#endif
+
 #ifdef IMPORTANCE
 float importance() { return clamp(vertex_importance, 0.0, 1.0); }
 #endif
@@ -75,7 +89,7 @@ Fragment fragment() {
   // Interpolation may round an opacity or a depth of 1 to just above it.
   Fragment f = Fragment(vertex_color.rgb, clamp(vertex_color.a, 0.0, 1.0),
                         clamp(vertex_depth, 0.0, 1.0));
-#ifdef LIT
+#if defined(LIT) && !defined(LIT_LATER)
   f.color = lit(f.color, facing());
 #endif
 #ifdef OPAQUE_CONTEXT

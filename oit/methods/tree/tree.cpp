@@ -45,7 +45,7 @@ class Tree final : public OitMethod {
         options_(options),
         range_(scene::depth_range(stage.scene())),
         epsilon_(epsilon_of(options.rule, range_)),
-        trees_(stage, epsilon_.normalized2, options.rule.merge) {
+        trees_(stage, epsilon_.normalized2, options.rule) {
     const std::vector<PrimitiveRange> places = primitive_ranges(stage.scene());
     std::vector<scene::SceneObject> others;
     std::vector<PrimitiveRange> places_of_others;

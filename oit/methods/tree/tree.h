@@ -49,9 +49,10 @@ const OptionTable<TreeOptions>& tree_options();
 /// scene of any unit is drawn alike. Lines that the scene holds are rasterized as the ribbons they
 /// are, frame by frame. Beyond the paper: lines of an integrated surface are strips in its tangent
 /// plane (surface_strips.h); the tree is balanced and linked from front to back (layer_tree.glsl).
-/// Colours are averaged after lighting; the means of uv and normals are left out. Other objects are
-/// no samples of a surface: their triangles and points are inserted once, each fragment a layer
-/// that nothing is merged with, unless `sampled` says otherwise.
+/// Colours are averaged after lighting, unless `average=attributes` averages colours and normals
+/// and lights the layers, as published; means of uv, which nothing is drawn by, are left out. Other
+/// objects are no samples of a surface: their triangles and points are inserted once, each fragment
+/// a layer that nothing is merged with, unless `sampled` says otherwise.
 ///
 /// Accuracy: exact for scenes without lines and integrated surfaces; for these no bound, see the
 /// studies tree-epsilon and progressive-oit.
