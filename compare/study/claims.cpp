@@ -47,10 +47,12 @@ void check_order(const Claim& claim, std::span<const std::size_t> groups, ClaimC
 }
 
 void check_bound(const Claim& claim, ClaimCheck& check) {
-  for (const auto& [call, value] : check.values)
-    if (!(claim.by.better == Better::lower ? value <= *claim.bound : value >= *claim.bound))
-      check.against.push_back(
-          fmt::format("{} {}, not {}", call, claim.by.text(value), claim.by.text(*claim.bound)));
+  for (const auto& [call, value] : check.values) {
+    if (claim.by.better == Better::lower ? value <= *claim.bound : value >= *claim.bound) continue;
+    const std::string of = check.values.size() > 1 ? call + " " : "";
+    check.against.push_back(
+        fmt::format("{}{}, not {}", of, claim.by.text(value), claim.by.text(*claim.bound)));
+  }
 }
 
 void hold_against(const Claim& claim, ClaimCheck& check) {

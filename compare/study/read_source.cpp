@@ -25,6 +25,7 @@ std::vector<std::string> read_group(const JsonNode& node, const Study& study) {
   if (!node.is_array()) return {read_known_call(node, study)};
   std::vector<std::string> group;
   for (const JsonNode& element : node.elements()) group.push_back(read_known_call(element, study));
+  if (group.empty()) node.fail("[]; accepted: at least one call");
   return group;
 }
 
@@ -47,7 +48,16 @@ PublishedCost read_cost(const JsonNode& node, const Study& study,
   return cost;
 }
 
+/// A key that would say nothing beside another one is an error.
+void refuse_beside(const JsonNode& node, std::string_view key,
+                   std::initializer_list<std::string_view> others) {
+  for (const std::string_view other : others)
+    if (node.has(key) && node.has(other))
+      node[other].fail(fmt::format("beside '{}'; accepted: one of the two", key));
+}
+
 ClaimedNumber read_number(const JsonNode& node) {
+  refuse_beside(node, "by", {"measure", "better"});
   if (node.has("measure")) {
     ClaimedNumber number{nullptr, node["measure"].string()};
     if (node.has("better"))
@@ -106,6 +116,9 @@ void read_bound(const JsonNode& node, Claim& claim) {
 Claim read_claim(const JsonNode& node, const Study& study) {
   node.accept_keys({"claim", "by", "measure", "better", "order", "factor", "of", "at_most",
                     "at_least", "scenes", "scene_order"});
+  refuse_beside(node, "order", {"of", "at_most", "at_least", "scene_order"});
+  refuse_beside(node, "of", {"factor"});
+  refuse_beside(node, "scene_order", {"at_most", "at_least", "scenes"});
   Claim claim{node["claim"].string(), read_number(node), {}};
   if (node.has("order")) {
     read_order(node, study, claim);

@@ -114,7 +114,7 @@ TEST(UnitClaims, AMeasureIsClaimedByItsName) {
   holes.bound = 2;
   const auto checks = check_claim(holes, scenes, measured);
   ASSERT_EQ(checks.size(), 1u);
-  EXPECT_THAT(checks[0].against, ElementsAre("a 3, not 2"));
+  EXPECT_THAT(checks[0].against, ElementsAre("3, not 2"));
 }
 
 TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
@@ -161,6 +161,20 @@ TEST(UnitClaims, ABoundIsOnTheWorseSide) {
               HasSubstr("accepted: at_least"));
   EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "scene_order": ["s"]})"),
               HasSubstr("claims[0].scene_order[0]: unknown scene 's'"));
+}
+
+TEST(UnitClaims, KeysThatWouldSayNothingAreRefused) {
+  const std::string start = R"({"claim": "x", "by": "rmse", )";
+  for (const auto& [rest, key] :
+       {std::pair(R"("order": ["truth", "broken"], "of": "broken"})", "of"),
+        {R"("order": ["truth", "broken"], "at_most": 1})", "at_most"},
+        {R"("of": "broken", "at_most": 1, "factor": 2})", "factor"},
+        {R"("of": "broken", "scene_order": ["one", "two"], "at_most": 1})", "at_most"},
+        {R"("of": "broken", "at_most": 1, "measure": "m"})", "measure"}})
+    EXPECT_THAT(error_of(start + rest), AllOf(HasSubstr(std::string("claims[0].") + key),
+                                              HasSubstr("accepted: one of the two")))
+        << rest;
+  EXPECT_THAT(error_of(start + R"("of": [], "at_most": 1})"), HasSubstr("at least one call"));
 }
 
 TEST(UnitClaims, WhatNoRowSaysIsSaid) {
