@@ -50,8 +50,10 @@ void check_bound(const Claim& claim, ClaimCheck& check) {
   for (const auto& [call, value] : check.values) {
     if (claim.by.better == Better::lower ? value <= *claim.bound : value >= *claim.bound) continue;
     const std::string of = check.values.size() > 1 ? call + " " : "";
-    check.against.push_back(
-        fmt::format("{}{}, not {}", of, claim.by.text(value), claim.by.text(*claim.bound)));
+    const std::string here = claim.by.text(value), claimed = claim.by.text(*claim.bound);
+    check.against.push_back(here == claimed  // but for digits that people are not shown
+                                ? fmt::format("{}{}, not {}", of, value, *claim.bound)
+                                : fmt::format("{}{}, not {}", of, here, claimed));
   }
 }
 

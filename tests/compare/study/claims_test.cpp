@@ -81,6 +81,9 @@ TEST(UnitClaims, ABoundHoldsForEveryCall) {
   EXPECT_THAT(check_claim(most, scenes, rows)[0].against, IsEmpty());  // the bound itself holds
   EXPECT_THAT(check_claim(most, scenes, rows)[1].against,
               ElementsAre("a 4.00e-01, not 2.00e-01", "b 2.50e-01, not 2.00e-01"));
+  most.order = {{"a"}};
+  most.bound = 0.39999;
+  EXPECT_THAT(check_claim(most, scenes, rows)[1].against, ElementsAre("0.4, not 0.39999"));
   Claim least = claim("ssim", {{"a"}});
   least.bound = 0.7;
   EXPECT_THAT(check_claim(least, scenes, rows)[0].against, IsEmpty());
