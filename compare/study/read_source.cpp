@@ -14,7 +14,7 @@ namespace {
 std::string read_known_call(const JsonNode& node, const Study& study) {
   std::vector<std::string> texts{study.reference.text()};
   for (const MethodCall& call : study.methods) texts.push_back(call.text());
-  const std::string text = node.string();
+  std::string text = node.string();
   if (std::find(texts.begin(), texts.end(), text) == texts.end())
     node.fail(
         unknown_name("call", text, std::vector<std::string_view>(texts.begin(), texts.end())));

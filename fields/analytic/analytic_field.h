@@ -76,7 +76,10 @@ class AnalyticField final : public VectorField {
   static std::string describe(const Parameters& parameters) {
     std::string text(Flow::facts.name);
     for (const auto& [key, value] : parameters.all())
-      text += (text.size() == Flow::facts.name.size() ? ":" : ",") + key + "=" + value;
+      text.append(text.size() == Flow::facts.name.size() ? ":" : ",")
+          .append(key)
+          .append("=")
+          .append(value);
     return text;
   }
 

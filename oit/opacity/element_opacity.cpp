@@ -30,7 +30,7 @@ std::shared_ptr<const scene::Elements> remembered(
     scene::Elements (*cut)(const scene::Scene&, std::size_t), const scene::Scene& scene,
     int count) {
   if (memory && memory->*kind) return memory->*kind;
-  const auto elements = std::make_shared<const scene::Elements>(cut(scene, std::size_t(count)));
+  auto elements = std::make_shared<const scene::Elements>(cut(scene, std::size_t(count)));
   if (memory) memory->*kind = elements;
   return elements;
 }
