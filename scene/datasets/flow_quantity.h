@@ -11,7 +11,7 @@ namespace pellucid::scene {
 enum class FlowQuantity {
   speed,      // |v|
   vorticity,  // |curl v|
-  nearness    // minus the distance to the nearest atom of the field `benzene`
+  nearness    // minus the distance, Å, to the nearest atom of the field `benzene`
 };
 
 /// The quantity at every position, in parallel; 0 where the field has no sample at time 0.

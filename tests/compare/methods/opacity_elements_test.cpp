@@ -45,7 +45,8 @@ TEST(AgreementDecoupledLists, FragmentsAreThoseOfTheRayTracer) {
 }
 
 // Fragments of one triangle have opacities of their own. Pixels at edges may have a layer more or
-// less; the others agree as of sheets.
+// less: they are left out, and few. Importance and depth are interpolated in float, to some 1e-6,
+// of which weights up to 100 make 1e-4.
 TEST(AgreementDecoupledLists, FragmentsOfCrossingTrianglesAreThoseOfTheRayTracer) {
   const scene::Scene scene = with_importance(triangle_cloud(60, 40, 60, 15));
   const scene::Rendering exact = draw("decoupled", scene),
@@ -81,21 +82,9 @@ scene::Scene half_important(const scene::SceneObject& in_front) {
   return scene;
 }
 
-/// A red line from one side of the picture to the other, of 16 segments.
-scene::SceneObject long_line() {
-  scene::LineObject lines;
-  lines.radius = 0.4;
-  for (int i = 0; i <= 16; ++i) {
-    lines.set.positions.emplace_back(-1 + i / 8.0, 0, 1);
-    lines.set.colors.emplace_back(1, 0, 0, 1);
-  }
-  lines.set.offsets = {0, 17};
-  return {"line", lines};
-}
-
 // q = 3 takes the line's opacity to 1/4 where it is in front of what is important.
 TEST(UnitOpacityElements, AnElementHasTheLeastOpacityOfItsFragments) {
-  const scene::Scene scene = half_important(long_line());
+  const scene::Scene scene = half_important({"line", long_line(0.4, 1)});
   const auto left = [&](const char* method, const char* segments, const char* smooth, int x) {
     return draw(method, scene, {{"q", "3"}, {"r", "0"}, {"segments", segments}, {"smooth", smooth}})
         .image.at(x, 8)
@@ -166,7 +155,7 @@ TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) 
 
 // The sheet begins between two blocks of 2 x 2 pixels: each block has one importance.
 TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceKeepsItsPlace) {
-  const scene::Scene scene = half_important(long_line());
+  const scene::Scene scene = half_important({"line", long_line(0.4, 1)});
   const RawOptions full = {{"smooth", "0"}, {"q", "5"}};
   RawOptions half = full;
   half["importance-resolution"] = "half";
@@ -174,6 +163,24 @@ TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceKeepsItsPlace) {
   EXPECT_LE(largest_difference(draw("fourier-opacity", scene, full).image,
                                draw("fourier-opacity", scene, half).image),
             1e-6);
+}
+
+// Of the important sheet behind the right half, G(1) is 1 there and 0 elsewhere, in the last row
+// too.
+TEST(UnitFourierOpacity, ASeriesIsReadWhereItsPixelIs) {
+  const scene::Scene scene = half_important({"line", long_line(0.4, 1)});
+  const scene::MethodRow& row = find_row("method", "fourier-opacity", methods());
+  for (const char* resolution : {"full", "half"}) {
+    const Parameters parameters(row.name, row.parameters, {{"importance-resolution", resolution}});
+    const auto renderer = row.make(scene, parameters, {});
+    renderer->render({});
+    const double end[] = {1};
+    for (const auto& [x, y] : {std::pair(2, 8), {13, 8}, {2, 15}, {13, 15}})
+      // The whole sum is exact in a series (Eq. 7), up to a few roundings of waves near 1.
+      EXPECT_NEAR(renderer->ray_series(scene::RaySum::importance, x, y, end)->values[0], x > 8,
+                  1e-5)
+          << resolution << ' ' << x << ' ' << y;
+  }
 }
 
 }  // namespace

@@ -21,6 +21,18 @@ inline scene::Rendering draw(std::string_view method, const scene::Scene& scene,
   return render(find_row("method", method, methods()), scene, options, true);
 }
 
+/// A red line from one side of the picture to the other at z = 1, of 16 segments.
+inline scene::LineObject long_line(double radius, float opacity) {
+  scene::LineObject lines;
+  lines.radius = radius;
+  for (int i = 0; i <= 16; ++i) {
+    lines.set.positions.emplace_back(-1 + i / 8.0, 0, 1);
+    lines.set.colors.emplace_back(1, 0, 0, opacity);
+  }
+  lines.set.offsets = {0, 17};
+  return lines;
+}
+
 /// Sheets of opacity 1/2 over the whole picture, importance from 0 to 1, front to back.
 struct Sheets {
   std::vector<double> d, g;

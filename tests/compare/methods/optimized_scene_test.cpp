@@ -44,25 +44,19 @@ scene::Scene shapes_of_every_kind() {
   scene::Scene scene = orthographic_scene(16, 16);
   geometry::TriangleMesh sheet = rectangle(0, 1.5, -1.5, 1.5, -1, Rgba(0, 0, 1, 1));
   sheet.importance.assign(4, 1);
-  scene::LineObject lines;
-  lines.radius = 0.2;
-  for (int i = 0; i <= 16; ++i) {
-    lines.set.positions.emplace_back(-1 + i / 8.0, 0, 1);
-    lines.set.colors.emplace_back(1, 0, 0, 0.8);
-  }
-  lines.set.offsets = {0, 17};
   scene::PointObject points;
   points.radius = 0.2;
   points.set.positions = {{-0.6, 0.6, 1}, {0.6, 0.6, 1}};
   points.set.colors.assign(2, {0, 1, 0, 0.8});
   scene.objects = {{"context", full_layer(-2, Rgba(1)), true},
                    {"important", sheet},
-                   {"line", lines},
+                   {"line", long_line(0.2, 0.8f)},
                    {"points", points}};
   return scene;
 }
 
-// q = 3 takes to 1/4 what is in front of what is important.
+// q = 3 takes to 1/4 what is in front of what is important: numbers that floats hold but for 0.8
+// and its parts, 1e-7 each.
 TEST(UnitOptimizedScene, VerticesOfEveryKindHaveTheirs) {
   const scene::Scene after =
       optimized(shapes_of_every_kind(), "decoupled-lists:q=3,r=0,segments=2,smooth=0");

@@ -88,6 +88,8 @@ TEST(UnitDataset, PointsAreAsManyAsAsked) {
 }
 
 // The twelve atoms lie on two circles around the z axis, the ring of carbons and that of hydrogens.
+// A tenth of the vertices, the nearest, are wholly important, and the farther six tenths not at
+// all.
 TEST(UnitDataset, BenzeneIsImportantAtItsAtoms) {
   const Dataset data = make_dataset("benzene:count=2000");
   const geometry::Vertices& lines = vertices(data);
