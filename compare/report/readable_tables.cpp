@@ -127,6 +127,21 @@ std::string markdown_claim(const Claim& claim, const Study& study,
   return checks.empty() ? text + "- no scene has all of its numbers\n" : text;
 }
 
+/// The first scene of each ladder at which a method breaks, a line for each method.
+std::string markdown_ladders(const Study& study, std::span<const ResultRow> rows) {
+  const LadderTable table = ladder_table(study.ladders, rows);
+  if (table.lines.empty()) return "";
+  std::string text = "\n## Where each method breaks\n\n| Method |", rule = "|---|";
+  for (const std::string& head : table.heads) {
+    text += fmt::format(" {} |", markdown_escaped(head));
+    rule += "---|";
+  }
+  text += '\n' + rule + '\n';
+  for (const auto& [call, cells] : table.lines)
+    text += fmt::format("| {} | {} |\n", call, fmt::join(cells, " | "));
+  return text;
+}
+
 /// 1.23e-04 as $1.23\cdot10^{-4}$.
 std::string latex_number(const std::string& text) {
   if (text == "∞") return "$\\infty$";
@@ -201,7 +216,7 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
   }
   if (!study.claims.empty()) text += "\n## What the source found\n";
   for (const Claim& claim : study.claims) text += markdown_claim(claim, study, rows);
-  return text + markdown_costs(study, rows);
+  return text + markdown_ladders(study, rows) + markdown_costs(study, rows);
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {

@@ -178,6 +178,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
           {"scenes", scenes},
           {"methods", methods_json(study)},
           {"claims", claims_json(study, rows)},
+          {"ladders", ladders_json(study, rows)},
           {"costs", costs_json(study, rows)},
           {"error_scale", error_scale_json()}};
 }

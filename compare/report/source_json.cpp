@@ -48,6 +48,13 @@ json claims_json(const Study& study, std::span<const ResultRow> rows) {
   return claims;
 }
 
+json ladders_json(const Study& study, std::span<const ResultRow> rows) {
+  const LadderTable table = ladder_table(study.ladders, rows);
+  json lines = json::array();
+  for (const auto& [call, cells] : table.lines) lines.push_back({{"call", call}, {"cells", cells}});
+  return {{"heads", table.heads}, {"lines", lines}};
+}
+
 json costs_json(const Study& study, std::span<const ResultRow> rows) {
   json tables = json::array(), ratios = json::array();
   for (const CostTable& table : cost_tables(study, rows)) {

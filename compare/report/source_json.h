@@ -18,6 +18,10 @@ nlohmann::json study_json(const Study& study);
 /// "text"}], "against"}]}].
 nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);
 
+/// Returns where each call breaks: {"heads": […], "lines": [{"call", "cells": […]}]}; no lines where
+/// the study has no ladders.
+nlohmann::json ladders_json(const Study& study, std::span<const ResultRow> rows);
+
 /// Returns {"tables": […], "ratios": […], "reference": CALL}: times in milliseconds, bytes as they
 /// are; empty lists where the study has no costs of its source.
 nlohmann::json costs_json(const Study& study, std::span<const ResultRow> rows);

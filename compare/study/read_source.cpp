@@ -133,6 +133,15 @@ Claim read_claim(const JsonNode& node, const Study& study) {
   return claim;
 }
 
+Ladder read_ladder(const JsonNode& node, const Study& study) {
+  node.accept_keys({"title", "by", "measure", "better", "bound", "scenes"});
+  constexpr double most = 1e300;
+  Ladder ladder{node["title"].string(), read_number(node), node["bound"].number(-most, most),
+                read_claimed_scenes(node["scenes"], study)};
+  if (ladder.scenes.empty()) node["scenes"].fail("[]; accepted: names of the study's scenes");
+  return ladder;
+}
+
 PublishedCosts read_published(const JsonNode& node, const Study& study) {
   node.accept_keys({"machine", "steps", "rows"});
   PublishedCosts costs{node["machine"].string(), {}, {}};

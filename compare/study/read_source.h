@@ -6,12 +6,16 @@
 
 namespace pellucid::compare {
 
-// What a study file says of its source. It names scenes and calls of the study, which are read
-// before.
+// What a study file says of its source and asks of its rows. It names scenes and calls of the
+// study, which are read before.
 
 /// Reads {"claim": text, "by": column, "order": [call or [calls], …]}. Throws InputError for calls
 /// that the study lacks, and for a column in which no way is better.
 Claim read_claim(const JsonNode& node, const Study& study);
+
+/// Reads {"title": text, "by": column, "bound": X, "scenes": [names]}; "measure" may stand for "by"
+/// as in a claim. Throws InputError for scenes that the study lacks.
+Ladder read_ladder(const JsonNode& node, const Study& study);
 
 /// Reads {"machine": text, "steps": [names], "rows": [{"scene", "method", "ms", "bytes",
 /// "steps"}]}: milliseconds and bytes as the source printed them. Throws InputError for scenes and

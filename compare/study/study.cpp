@@ -168,6 +168,11 @@ constexpr StudyKey keys[] = {
        for (const JsonNode& element : value.elements())
          to.study.claims.push_back(read_claim(element, to.study));
      }},
+    {"ladders",
+     [](const JsonNode& value, Reading& to) {
+       for (const JsonNode& element : value.elements())
+         to.study.ladders.push_back(read_ladder(element, to.study));
+     }},
     {"published", [](const JsonNode& value, Reading& to) {
        to.study.published = read_published(value, to.study);
      }}};

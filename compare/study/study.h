@@ -13,6 +13,7 @@
 #include "compare/methods/surface_methods.h"
 #include "compare/study/claims.h"
 #include "compare/study/costs.h"
+#include "compare/study/ladders.h"
 #include "scene/renderer.h"
 
 namespace pellucid::compare {
@@ -46,6 +47,7 @@ struct Study {
   int repeats = 3;
   std::map<std::string, Crop> crops;                 // by scene
   std::vector<Claim> claims;                         // of the source
+  std::vector<Ladder> ladders;                       // where does each method break?
   std::vector<std::string> measures;                 // names of StudyMeasure, for each picture
   std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
   std::optional<PublishedCosts> published;           // times and bytes that the source printed

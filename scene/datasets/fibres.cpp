@@ -2,13 +2,16 @@
 #include "scene/datasets/dataset.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/datasets/stand_in.h"
 
 // White matter as bundles of arcs in an ellipsoid, x to the right, y to the front, z up. Fibres of
 // the corpus callosum leave one hemisphere, cross the middle plane and end in the other:
 // important. Association fibres join the front and the back of a hemisphere, projection fibres rise
-// from the stem and fan out: context. Each is a Bézier curve whose control points are jittered.
+// from the stem and fan out: context. Each runs along a Bézier curve whose control points are
+// jittered, over the part of it that tracking got through: 0.25 to 0.55 of the way from grey matter
+// to grey matter, since it ends where bundles meet or anisotropy is low.
 
 namespace pellucid::scene {
 namespace {
@@ -25,6 +28,7 @@ constexpr double share_of_callosum = 0.2, share_of_association = 0.45;
 struct Fibre {
   Vec3 p0{0}, p1{0}, p2{0}, p3{0};
   double importance = 0;
+  double from = 0, to = 1;  // the part that was tracked
 
   Vec3 at(double t) const {
     const double s = 1 - t;
@@ -37,6 +41,16 @@ Fibre jittered(Fibre fibre, const IndexedRandom& random) {
   fibre.p1 += 0.05 * random.normal3(16);
   fibre.p2 += 0.05 * random.normal3(22);
   fibre.p3 += 0.05 * random.normal3(28);
+  return fibre;
+}
+
+/// The part's middle is at most `off_middle` of what there is from the curve's own.
+Fibre tracked(Fibre fibre, double off_middle, const IndexedRandom& random) {
+  const double length = random.uniform(40, 0.25, 0.55);
+  const double off = off_middle * (0.5 - length / 2);
+  const double middle = random.uniform(41, 0.5 - off, 0.5 + off);
+  fibre.from = middle - length / 2;
+  fibre.to = middle + length / 2;
   return fibre;
 }
 
@@ -63,9 +77,11 @@ Fibre projecting(const IndexedRandom& random) {
 
 Fibre make_fibre(const IndexedRandom& random) {
   const double kind = random.uniform(0);
-  if (kind < share_of_callosum) return jittered(callosal(random), random);
-  if (kind < share_of_callosum + share_of_association) return jittered(associating(random), random);
-  return jittered(projecting(random), random);
+  // Callosal fibres cross the middle plane, so the middle of theirs is tracked.
+  if (kind < share_of_callosum) return tracked(jittered(callosal(random), random), 0.3, random);
+  if (kind < share_of_callosum + share_of_association)
+    return tracked(jittered(associating(random), random), 1, random);
+  return tracked(jittered(projecting(random), random), 1, random);
 }
 
 Dataset make(const Parameters& parameters, const Progress&) {
@@ -75,7 +91,8 @@ Dataset make(const Parameters& parameters, const Progress&) {
   std::vector<double> connection;
   for (const Fibre& fibre : fibres) {
     for (int i = 0; i < points_per_fibre; ++i)
-      lines.positions.push_back(fibre.at(double(i) / (points_per_fibre - 1)));
+      lines.positions.push_back(
+          fibre.at(std::lerp(fibre.from, fibre.to, double(i) / (points_per_fibre - 1))));
     lines.offsets.push_back(lines.positions.size());
     connection.insert(connection.end(), points_per_fibre, fibre.importance);
   }

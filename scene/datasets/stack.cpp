@@ -22,7 +22,9 @@ enum class Order { front, back, shuffled };  // which sheets' triangles come fir
 enum class Sheet {
   square,  // two triangles
   grid,    // 64 x 64 x 2
-  needles  // a fan of 64 slivers and a triangle of no area
+  needles,  // a fan of 64 slivers and a triangle of no area
+  line,     // a segment, to be drawn as a ribbon of radius 2
+  point     // a point, to be drawn as a disc of radius 3
 };
 
 struct StackOptions {
@@ -48,9 +50,11 @@ const OptionTable<StackOptions>& stack_options() {
              {{"front", Order::front}, {"back", Order::back}, {"shuffled", Order::shuffled}},
              "of the triangles: the front sheet first, the back sheet first, or by `seed`"),
       choice("sheet", &Options::sheet,
-             {{"square", Sheet::square}, {"grid", Sheet::grid}, {"needles", Sheet::needles}},
-             "a sheet's triangles: two; 64 x 64 x 2, whose edges meet the centres of a picture of "
-             "128 pixels; or a fan of 64 slivers and a triangle of no area"),
+             {{"square", Sheet::square}, {"grid", Sheet::grid}, {"needles", Sheet::needles},
+              {"line", Sheet::line}, {"point", Sheet::point}},
+             "a sheet: two triangles; 64 x 64 x 2, whose edges meet the centres of a picture of "
+             "128 pixels; a fan of 64 slivers and a triangle of no area; or a line or a point, "
+             "which cover what the camera sees as a ribbon of radius 2 `scale` or a disc of 3"),
       number("scale", &Options::scale, {.min = 1e-30, .max = 1e30, .unit = "world units"}),
       number("shift", &Options::shift,
              {.min = -1e30,
@@ -113,6 +117,9 @@ void add_sheet(Sheet sheet, geometry::TriangleMesh& mesh) {
       return add_grid(first, mesh);
     case Sheet::needles:
       return add_fan(first, mesh);
+    case Sheet::line:
+    case Sheet::point:
+      return;  // are no triangles
   }
 }
 
@@ -128,8 +135,33 @@ std::vector<int> drawing_order(const StackOptions& options) {
   return order;
 }
 
+/// Adds sheet i's vertices, at the corners of what it is made of.
+void add_vertex(const StackOptions& options, const Vec2& at, int i, geometry::Vertices& to) {
+  const double z = depth_of(options.depths, i, options.layers);
+  to.positions.push_back(options.scale * Vec3(at, z) + Vec3(options.shift));
+  to.colors.push_back(stack_color(i, options.alpha));
+}
+
+geometry::LineSet make_lines(const StackOptions& options) {
+  geometry::LineSet lines;
+  for (const int i : drawing_order(options)) {
+    add_vertex(options, {-reach, 0}, i, lines);
+    add_vertex(options, {reach, 0}, i, lines);
+    lines.offsets.push_back(lines.positions.size());
+  }
+  return lines;
+}
+
+geometry::PointSet make_points(const StackOptions& options) {
+  geometry::PointSet points;
+  for (const int i : drawing_order(options)) add_vertex(options, {0, 0}, i, points);
+  return points;
+}
+
 Dataset make(const Parameters& parameters, const Progress&) {
   const StackOptions options = stack_options().read(parameters);
+  if (options.sheet == Sheet::line) return make_lines(options);
+  if (options.sheet == Sheet::point) return make_points(options);
   const Vec3 shift(options.shift);
   geometry::TriangleMesh mesh;
   for (const int i : drawing_order(options)) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
 #include "groundtruth/methods/raytrace.h"
 #include "scene/datasets/dataset.h"
 #include "scene/datasets/stack.h"
@@ -17,22 +20,32 @@ struct StackCase {
   int layers;
   double alpha;
   double scale = 1, shift = 0;
+  scene::Projection projection = scene::Projection::orthographic;
 };
 
 void PrintTo(const StackCase& stack, std::ostream* out) { *out << stack.options; }
 
-/// The camera sees [-1, 1]² of a stack of scale 1.
+/// Lines and points cover what the camera sees.
+scene::SceneObject object_of(const StackCase& stack) {
+  const scene::Dataset data = scene::make_dataset(std::string("stack:") + stack.options);
+  if (const auto* lines = std::get_if<geometry::LineSet>(&data))
+    return {"stack", scene::LineObject{*lines, 2 * stack.scale}};
+  if (const auto* points = std::get_if<geometry::PointSet>(&data))
+    return {"stack", scene::PointObject{*points, 3 * stack.scale}};
+  return {"stack", std::get<geometry::TriangleMesh>(data)};
+}
+
+/// The camera sees [-1, 1]² of a stack of scale 1 at its middle.
 scene::Scene scene_of(const StackCase& stack) {
   scene::Scene scene;
   scene.width = scene.height = 17;  // the middle row and column run through the grid's edges
   const Vec3 center(stack.shift);
-  scene.camera = {.projection = scene::Projection::orthographic,
+  scene.camera = {.projection = stack.projection,
                   .eye = center + Vec3(0, 0, 5 * stack.scale),
                   .target = center,
+                  .fov = glm::degrees(2 * std::atan(1.0 / 5)),
                   .height = 2 * stack.scale};
-  const std::string dataset = std::string("stack:") + stack.options;
-  scene.objects.push_back(
-      {"stack", std::get<geometry::TriangleMesh>(scene::make_dataset(dataset))});
+  scene.objects.push_back(object_of(stack));
   return scene;
 }
 
@@ -71,7 +84,18 @@ INSTANTIATE_TEST_SUITE_P(
         StackCase{"depths=equal,order=front", 8, 0.3}, StackCase{"depths=ulp,order=front", 8, 0.3},
         StackCase{"scale=1e10", 8, 0.3, 1e10}, StackCase{"scale=1e-10", 8, 0.3, 1e-10},
         StackCase{"shift=1e7", 8, 0.3, 1, 1e7}, StackCase{"sheet=grid", 8, 0.3},
-        StackCase{"sheet=needles", 8, 0.3}));
+        StackCase{"sheet=needles", 8, 0.3},
+        StackCase{"sheet=line,layers=1000,alpha=0.005", 1000, 0.005},
+        StackCase{"sheet=line,depths=equal,order=front", 8, 0.3},
+        StackCase{"sheet=line,scale=1e10", 8, 0.3, 1e10},
+        StackCase{"sheet=line,shift=1e7", 8, 0.3, 1, 1e7},
+        StackCase{"sheet=point,layers=1000,alpha=0.005", 1000, 0.005},
+        StackCase{"sheet=point,depths=equal,order=front", 8, 0.3},
+        StackCase{"sheet=point,scale=1e10", 8, 0.3, 1e10},
+        StackCase{"sheet=point,shift=1e7", 8, 0.3, 1, 1e7},
+        StackCase{"layers=8", 8, 0.3, 1, 0, scene::Projection::perspective},
+        StackCase{"sheet=line", 8, 0.3, 1, 0, scene::Projection::perspective},
+        StackCase{"sheet=point", 8, 0.3, 1, 0, scene::Projection::perspective}));
 
 }  // namespace
 }  // namespace pellucid::groundtruth
