@@ -82,9 +82,9 @@ void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
   if (!options.probe.empty())
     write_text(options.probe_output, json_text(probe_json(scene, options.probe), 2) + '\n');
   if (options.sums.empty() && options.deep.empty()) return;
-  if (!options.deep.empty() && scene.samples != 1)
-    throw InputError(fmt::format("--deep: the scene takes {0} x {0} samples per pixel; accepted: 1",
-                                 scene.samples));
+  if (!options.deep.empty() && !scene.samples.is_center())
+    throw InputError(fmt::format("--deep: the scene takes {}; accepted: samples 1",
+                                 scene::describe(scene.samples)));
   const groundtruth::RayProbe probe(scene);
   if (!options.sums.empty())
     compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));

@@ -19,6 +19,7 @@
 #include "scene/isosurface.h"
 #include "scene/opacity_energy.h"
 #include "scene/view/camera.h"
+#include "scene/view/pixel_samples.h"
 
 namespace pellucid::scene {
 
@@ -95,7 +96,7 @@ struct Scene {
   std::string name;
   int width = 1000;
   int height = 1000;
-  int samples = 1;  // per pixel and axis, see pixel_samples.h
+  PixelSampling samples;
   Camera camera;
   Vec3 background{1, 1, 1};  // red, green, blue in [0, 1]
   Lighting lighting = Lighting::none;

@@ -44,7 +44,7 @@ void optimize_opacities(const MethodCall& call, const scene::RenderContext& cont
         fmt::format("{}: opacities cannot be optimized: nothing in the scene has "
                     "importance above 0",
                     scene.name));
-  const int samples = std::exchange(scene.samples, 1);
+  const scene::PixelSampling samples = std::exchange(scene.samples, {});
   const auto renderer = call.row->make(scene, call.parameters, context);
   renderer->render({});
   const std::optional<scene::OptimizedOpacities> found = renderer->optimized_opacities();

@@ -91,9 +91,7 @@ class Decoupled final : public scene::Renderer {
                         weights_.q, weights_.r, weights_.lambda),
             bands_ ? fmt::format("importance: a Fourier series of {} bands", bands_)
                    : "importance: exact sums",
-            scene_.samples == 1
-                ? "one sample at each pixel's centre"
-                : fmt::format("{0} x {0} samples per pixel, their mean", scene_.samples)};
+            scene::describe(scene_.samples)};
   }
 
  private:

@@ -35,7 +35,7 @@ class Raytracer : public scene::Renderer {
         finder_(scene, options.precision, march, options.stop_below),
         options_(options),
         samples_(scene::pixel_samples(scene.samples)),
-        more_samples_(scene::pixel_samples(options.adaptive)) {}
+        more_samples_(scene::pixel_samples({.per_axis = options.adaptive})) {}
 
   scene::Rendering render(const scene::RenderRequest& request) override {
     scene::Rendering result;
@@ -68,9 +68,7 @@ class Raytracer : public scene::Renderer {
   std::vector<std::string> explain() const override {
     std::vector<std::string> lines{
         fmt::format("hierarchy over {}; no GL context", scene::describe_primitives(scene_)),
-        scene_.samples == 1
-            ? "one sample at each pixel's centre"
-            : fmt::format("{0} x {0} samples per pixel, their mean", scene_.samples)};
+        scene::describe(scene_.samples)};
     if (options_.adaptive > 1)
       lines.push_back(fmt::format(
           "{0} x {0} samples where pixels differ from a neighbour by more than {1}: {2} of {3}",
@@ -200,10 +198,11 @@ std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
                                                 const RaytraceOptions& options,
                                                 const std::optional<MarchOptions>& march) {
   scene::depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
-  if (options.adaptive > 1 && options.adaptive <= scene.samples)
+  const std::size_t everywhere = scene::pixel_samples(scene.samples).size();
+  if (options.adaptive > 1 && std::size_t(options.adaptive) * options.adaptive <= everywhere)
     throw InputError(fmt::format(
-        "adaptive={0}: the scene takes {1} x {1} samples everywhere; accepted: more than {1}",
-        options.adaptive, scene.samples));
+        "adaptive={}: the scene takes {} samples a pixel everywhere; accepted: more of them",
+        options.adaptive, everywhere));
   return std::make_unique<Raytracer>(scene, options, march);
 }
 

@@ -19,10 +19,10 @@ std::string describe_lighting(const scene::Scene& scene) {
 }
 
 std::string describe_samples(const scene::Scene& scene) {
-  const int n = scene.samples;
-  if (n == 1) return "antialiasing: left out, one sample at the pixel's centre";
-  return fmt::format("antialiasing: the picture is drawn {} times, {} x {} samples a pixel", n * n,
-                     n, n);
+  const std::string samples = scene::describe(scene.samples);
+  if (scene.samples.is_center()) return "antialiasing: left out, " + samples;
+  return fmt::format("antialiasing: the picture is drawn {} times, {}",
+                     scene::pixel_samples(scene.samples).size(), samples);
 }
 
 std::string describe_context(const scene::Scene& scene) {

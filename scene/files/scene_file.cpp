@@ -52,6 +52,13 @@ std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera)
   return path;
 }
 
+/// n, or {"frames": n}.
+PixelSampling read_samples(const JsonNode& node) {
+  if (!node.value().is_object()) return {.per_axis = node.integer(1, 16)};
+  node.accept_keys({"frames"});
+  return {.frames = node["frames"].integer(1, 4096)};
+}
+
 Lighting read_lighting(const JsonNode& node) {
   const std::string name = node.one_of({"none", "headlight", "phong"});
   return name == "none"        ? Lighting::none
@@ -83,7 +90,7 @@ struct Loader {
       scene.width = sides[0].integer(1, max_side);
       scene.height = sides[1].integer(1, max_side);
     }
-    if (root.has("samples")) scene.samples = root["samples"].integer(1, 16);
+    if (root.has("samples")) scene.samples = read_samples(root["samples"]);
     // A wrong camera is refused before anything is integrated.
     if (root.has("camera")) {
       scene.camera = read_camera(root["camera"]);

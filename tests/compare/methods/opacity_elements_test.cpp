@@ -138,7 +138,7 @@ TEST(PropertyFourierOpacity, HalfTheResolutionOfTheImportanceIsEnoughForSheets) 
       scene::Scene scene = important_sheets(8, 5).scene;
       scene.width = width;
       scene.height = height;
-      scene.samples = samples;
+      scene.samples.per_axis = samples;
       scene.objects[4].opaque = true;
       const RawOptions full = {{"q", "20"}, {"r", "10"}, {"lambda", "1.5"}};
       RawOptions half = full;

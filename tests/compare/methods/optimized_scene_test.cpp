@@ -75,7 +75,7 @@ TEST(UnitOptimizedScene, VerticesOfEveryKindHaveTheirs) {
 TEST(AgreementOptimizedScene, RowsCompositeWhatTheStageFinds) {
   for (const int samples : {1, 2}) {
     scene::Scene scene = with_importance(triangle_cloud(24, 18, 40, 15));
-    scene.samples = samples;
+    scene.samples.per_axis = samples;
     if (samples == 1) {
       EXPECT_LE(largest_difference(draw("decoupled-lists", scene).image,
                                    draw("linked-list", optimized(scene, "decoupled-lists")).image),
@@ -84,7 +84,7 @@ TEST(AgreementOptimizedScene, RowsCompositeWhatTheStageFinds) {
                                    draw("fourier", optimized(scene, "fourier-opacity")).image),
                 float_composite);
     }
-    EXPECT_EQ(optimized(scene, "decoupled-lists").samples, samples);
+    EXPECT_EQ(optimized(scene, "decoupled-lists").samples.per_axis, samples);
   }
 }
 

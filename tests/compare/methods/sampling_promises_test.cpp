@@ -28,17 +28,20 @@ TEST(PropertySampling, APixelIsTheMeanOfItsSamples) {
   scene::Scene scene = with_importance(triangle_cloud(16, 16, 12, 16));
   scene.camera = empty_scene(16, 16).camera;
   scene.camera.height = 4;  // of triangles from -1.5 to 1.5
-  for (const scene::MethodRow& row : methods()) {
-    SCOPED_TRACE(row.name);
-    Image mean(16, 16, Rgba(0));
-    for (const Vec2& sample : scene::pixel_samples(2)) {
-      const Image one = render(row, seen_from(scene, sample - 0.5)).image;
-      for (std::size_t i = 0; i < one.pixels.size(); ++i) mean.pixels[i] += 0.25f * one.pixels[i];
+  for (const scene::PixelSampling sampling : {scene::PixelSampling{.per_axis = 2}, {.frames = 3}})
+    for (const scene::MethodRow& row : methods()) {
+      SCOPED_TRACE(std::string(row.name) + ": " + scene::describe(sampling));
+      const std::vector<Vec2> samples = scene::pixel_samples(sampling);
+      Image mean(16, 16, Rgba(0));
+      for (const Vec2& sample : samples) {
+        const Image one = render(row, seen_from(scene, sample - 0.5)).image;
+        for (std::size_t i = 0; i < one.pixels.size(); ++i)
+          mean.pixels[i] += one.pixels[i] / float(samples.size());
+      }
+      scene::Scene sampled = scene;
+      sampled.samples = sampling;
+      expect_same(row, mean, render(row, sampled).image);
     }
-    scene::Scene sampled = scene;
-    sampled.samples = 2;
-    expect_same(row, mean, render(row, sampled).image);
-  }
 }
 
 /// By how much p lies to the left of the line from a to b; all in pixels, y down.

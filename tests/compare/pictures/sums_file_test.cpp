@@ -32,7 +32,7 @@ Image raytraced(const scene::Scene& scene) {
 /// A half of the picture is behind eight layers of α = 1/4, the other is empty.
 scene::Scene half_a_stack(int samples) {
   scene::Scene scene = orthographic_scene(4, 2);
-  scene.samples = samples;
+  scene.samples.per_axis = samples;
   for (int i = 0; i < 8; ++i)
     scene.objects.push_back(
         {"layer", rectangle(-2.5, 0, -1.5, 1.5, 1 - i * 0.25, Rgba(1, 0.5, 0, 0.25f))});

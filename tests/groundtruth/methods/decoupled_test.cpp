@@ -119,7 +119,7 @@ TEST(UnitDecoupled, ThreeLayersInClosedForm) {
 // q) times its own, 1: a quarter.
 TEST(UnitDecoupled, SamplesAreAveraged) {
   scene::Scene scene = orthographic_scene(3, 3);
-  scene.samples = 8;
+  scene.samples.per_axis = 8;
   scene.objects = {sheet(1, Rgba(1, 0, 0, 1)),
                    {"", rectangle(-2, 1.0 / 16, -2, 2, 0, Rgba(0, 0, 0, 1))},
                    sheet(-1, Rgba(0, 0, 1, 1))};

@@ -109,7 +109,7 @@ TEST(UnitRaytrace, SamplesAreAveraged) {
   // A black opaque layer covers x < 1/16 of a picture of 3 × 3 pixels: of the middle pixel, 2/3
   // wide, from -1/3 to 1/3, the leftmost 5 of 8 columns of samples, which lie 1/12 apart.
   scene::Scene scene = orthographic_scene(3, 3);
-  scene.samples = 8;
+  scene.samples.per_axis = 8;
   scene.objects = {{"", rectangle(-2, 1.0 / 16, -2, 2, 0, Rgba(0, 0, 0, 1))}};
   const scene::Rendering rendering = trace(scene);
   EXPECT_NEAR(rendering.image.at(1, 1).r, 3.0 / 8, float_rounding);
@@ -131,7 +131,7 @@ TEST(UnitRaytrace, AdaptiveSamplesMakeThePictureOfAsManyEverywhere) {
     scene.objects.push_back({"", triangle});
   }
   const scene::Rendering adaptive = trace(scene, {{"adaptive", "6"}, {"contrast", "0"}});
-  scene.samples = 6;
+  scene.samples.per_axis = 6;
   const scene::Rendering everywhere = trace(scene);
   EXPECT_EQ(adaptive.image.pixels, everywhere.image.pixels);
   EXPECT_EQ(adaptive.layers.pixels, everywhere.layers.pixels);

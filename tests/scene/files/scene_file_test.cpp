@@ -97,7 +97,7 @@ TEST_F(UnitSceneFile, LinesAndPointsHaveAWidthAndAProfile) {
          {"lines": {"field": "formula:u=1,v=0,w=0", "integrator": "stream-lines:particles=5",
                     "seed": {"from": [0, 0, 0], "to": [0, 1, 0]}, "duration": 2}, "radius": 0.01})",
       R"("samples": 2)");
-  EXPECT_EQ(scene.samples, 2);
+  EXPECT_EQ(scene.samples, PixelSampling{.per_axis = 2});
   const auto& tube = std::get<LineObject>(scene.objects[0].shape);
   EXPECT_EQ(tube.profile, LineObject::Profile::tube);
   EXPECT_EQ(tube.radius, 0.1);
