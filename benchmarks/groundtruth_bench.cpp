@@ -3,7 +3,6 @@
 // built-in primitives, every hit recorded by a filter function, sorted and thrown away. Both are
 // timed in turn in one run with the same threads; `ratio` (median of the pairs) is what counts.
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -18,6 +17,7 @@
 #include "groundtruth/methods/raytrace.h"
 #include "groundtruth/shapes/crossing_geometry.h"
 #include "groundtruth/traversal/crossing_finder.h"
+#include "groundtruth/traversal/embree.h"
 #include "scene/files/scene_file.h"
 
 namespace pellucid {
@@ -55,7 +55,7 @@ struct BareHit {
 };
 
 struct BareContext {
-  RTCIntersectContext embree;
+  groundtruth::EmbreeContext embree;
   std::vector<BareHit>* hits;
 };
 
@@ -123,14 +123,14 @@ class BareTraversal {
     hits.clear();
     const scene::Ray ray = rays_.ray(x + 0.5, y + 0.5);
     BareContext context{{}, &hits};
-    rtcInitIntersectContext(&context.embree);
+    groundtruth::start(context.embree);
     RTCRay r{};
     r.org_x = float(ray.origin.x), r.org_y = float(ray.origin.y), r.org_z = float(ray.origin.z);
     r.dir_x = float(ray.direction.x), r.dir_y = float(ray.direction.y);
     r.dir_z = float(ray.direction.z);
     r.tfar = std::numeric_limits<float>::infinity();
     r.mask = ~0u;
-    rtcOccluded1(scene_, &context.embree, &r);
+    groundtruth::traverse_occluded(scene_, context.embree, r);
     std::sort(hits.begin(), hits.end(),
               [](const BareHit& p, const BareHit& q) { return p.t < q.t; });
     return hits.size();

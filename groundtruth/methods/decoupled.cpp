@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/methods/decoupled.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "groundtruth/sums/front_to_back.h"
 #include "groundtruth/sums/picture_sums.h"
 #include "groundtruth/sums/ray_sums.h"
+#include "groundtruth/traversal/embree.h"
 #include "scene/view/pixel_samples.h"
 
 namespace pellucid::groundtruth {

@@ -4,7 +4,6 @@
 
 #include "groundtruth/methods/raytracer.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -18,6 +17,7 @@
 #include "groundtruth/sums/composite.h"
 #include "groundtruth/sums/pixel_contrast.h"
 #include "groundtruth/traversal/crossing_finder.h"
+#include "groundtruth/traversal/embree.h"
 #include "scene/view/pixel_samples.h"
 #include "scene/view_depth.h"
 

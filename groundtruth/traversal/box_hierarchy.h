@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 #include <memory>
 #include <vector>
 
 #include "groundtruth/shapes/triangle_geometry.h"
+#include "groundtruth/traversal/embree.h"
 
 namespace pellucid::groundtruth {
 

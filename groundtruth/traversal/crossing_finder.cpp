@@ -23,7 +23,7 @@ constexpr std::size_t width = RayPacket::width;
 
 /// What the callback needs of the rays; Embree hands the context through.
 struct PacketContext {
-  RTCIntersectContext embree;
+  EmbreeContext embree;
   RayPacket rays;
   std::array<double, width> begins;  // of the traversals, from the rays' starts
 };
@@ -220,7 +220,7 @@ void CrossingFinder::find(const PictureRay& ray, std::vector<Crossing>& crossing
 void CrossingFinder::find(std::span<const PictureRay> rays,
                           std::span<std::vector<Crossing>> crossings) const {
   PacketContext context{};
-  rtcInitIntersectContext(&context.embree);
+  start(context.embree);
   // Not as coherent rays: Embree 3.13.5 then brings a candidate twice to rays of which a component
   // of the direction is 0.
   context.rays.rays.reserve(width);  // the packet's test points into it
@@ -232,9 +232,9 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
   }
   const RTCScene scene = state_->hierarchy.scene();
   if (state_->may_close)
-    rtcIntersect8(valid, scene, &context.embree, &traversal);
+    traverse_intersect(valid, scene, context.embree, traversal);
   else
-    rtcOccluded8(valid, scene, &context.embree, &traversal.ray);
+    traverse_occluded(valid, scene, context.embree, traversal.ray);
   for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i]);
 }
 
