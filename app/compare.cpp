@@ -2,90 +2,232 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands.h"
+#include "app/compare_inputs.h"
 #include "compare/pictures/error_map.h"
+#include "compare/pictures/flip.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/metrics.h"
 #include "compare/results/result_row.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
+#include "core/options/names.h"
 
 namespace pellucid::app {
 namespace {
 
+using compare::MetricRow;
+using compare::Region;
+
 struct CompareArguments {
-  std::filesystem::path reference, test, diff;
+  CompareFiles files;
+  std::filesystem::path diff, flip_map;
+  std::vector<std::string> metrics;                        // empty: all but those on request
   std::map<std::string_view, std::optional<double>> fail;  // by metric: its threshold
 };
 
 /// "--fail-max-error".
-std::string threshold_option(const compare::MetricRow& metric) {
+std::string threshold_option(const MetricRow& metric) {
   std::string name(metric.name);
   std::ranges::replace(name, '_', '-');
   return "--fail-" + name;
 }
 
-void print_metrics(std::string_view title, const compare::Metrics& m) {
-  fmt::print("{}\n", title);
-  for (std::size_t row = 0; row < compare::metrics().size(); ++row) {
-    const compare::MetricRow& metric = compare::metrics()[row];
-    fmt::print("  {:10} {}\n", heading(metric),
-               m[row] ? fmt::format("{:.6g}", *m[row]) : "none for pictures so small");
+/// Those that were asked for, and those that have a threshold.
+std::vector<std::string> chosen_names(const CompareArguments& arguments) {
+  std::vector<std::string> names = arguments.metrics;
+  for (const MetricRow& metric : compare::metrics()) {
+    const bool wanted = arguments.fail.at(metric.name) && (!names.empty() || metric.on_request);
+    if (wanted && std::ranges::find(names, metric.name) == names.end()) {
+      if (names.empty())
+        for (const MetricRow& row : compare::metrics())
+          if (!row.on_request) names.emplace_back(row.name);
+      names.emplace_back(metric.name);
+    }
   }
-  fmt::print("  its pixel  ({}, {})\n", m.max_error_x, m.max_error_y);
+  return names;
 }
 
-void print_comparison(const compare::Comparison& comparison, bool as_json) {
-  if (as_json) return fmt::print("{}\n", json_text(compare::to_json(comparison), 1));
-  print_metrics("float values", comparison.linear);
-  print_metrics("8-bit values, as a screen shows them", comparison.displayed);
+/// What is missing for a number that is there for other pictures; empty if nothing is.
+std::string missing_for(const MetricRow& metric, const CompareInputs& inputs) {
+  if (metric.region != Region::all && !inputs.layers)
+    return "the reference's layers are not known; accepted: --layers FILE.exr, or REFERENCE's "
+           "name with .layers.exr beside it";
+  if (metric.region == Region::equal && !inputs.test_layers)
+    return "the test's layers are not known; accepted: --test-layers FILE.exr, or TEST's name with "
+           ".layers.exr beside it";
+  return "";
 }
 
-void check_threshold(const compare::MetricRow& metric, double threshold,
-                     const std::optional<double>& value) {
-  const bool higher = metric.better == compare::Better::higher;
+/// Says why a number that was asked for is not there.
+std::string why_none(const MetricRow& metric, const CompareInputs& inputs) {
+  if (const std::string missing = missing_for(metric, inputs); !missing.empty()) return missing;
+  if (metric.region != Region::all) return "no pixel of the reference is among them";
+  if (inputs.mask) return "the mask leaves too little; accepted: no mask, or one of larger parts";
+  return "the pictures have none; accepted: larger ones";
+}
+
+/// A metric that is named and cannot be had for want of a file is an error, before any is measured.
+void check_metrics(const CompareArguments& arguments, const CompareInputs& inputs) {
+  for (const std::string& name : arguments.metrics) {
+    const MetricRow& metric = find_row("metric", name, compare::metrics());
+    if (const std::string missing = missing_for(metric, inputs); !missing.empty())
+      throw InputError(fmt::format("--metric {}: {}", name, missing));
+  }
+}
+
+bool is_asked(const MetricRow& metric, const std::vector<std::string>& names) {
+  if (names.empty()) return !metric.on_request;
+  return std::ranges::find(names, metric.name) != names.end();
+}
+
+void print_metrics(std::string_view title, const compare::Metrics& m, bool displayed,
+                   const std::vector<std::string>& names) {
+  fmt::print("{}\n", title);
+  for (std::size_t i = 0; i < compare::metrics().size(); ++i) {
+    const MetricRow& metric = compare::metrics()[i];
+    if (!is_asked(metric, names) || metric.displayed < displayed) continue;
+    if (!m[i] && metric.region != Region::all) continue;
+    fmt::print("  {:22} {}\n", heading(metric),
+               m[i] ? fmt::format("{:.6g}", *m[i]) : "none for pictures so small, or masked");
+    if (metric.name == "max_error")
+      fmt::print("  {:22} ({}, {})\n", "its pixel", m.max_error_x, m.max_error_y);
+  }
+  if (m.covered && !displayed) fmt::print("  {:22} {:.6g}\n", "Covered share", *m.covered);
+}
+
+/// Takes away what was not asked for, and tells what was, but is not there, by null.
+void keep_asked(nlohmann::json& json, const std::vector<std::string>& names, bool displayed) {
+  if (names.empty()) return;
+  for (const MetricRow& metric : compare::metrics()) {
+    const std::string name(metric.name);
+    if (!is_asked(metric, names))
+      json.erase(name);
+    else if (!json.contains(name) && metric.displayed >= displayed)
+      json[name] = nullptr;
+  }
+  if (!is_asked(find_row("metric", "max_error", compare::metrics()), names))
+    json.erase("max_error_pixel");
+}
+
+void print_comparison(const compare::Comparison& comparison, const std::vector<std::string>& names,
+                      bool as_json) {
+  if (as_json) {
+    nlohmann::json json = compare::to_json(comparison);
+    keep_asked(json["displayed"], names, true);
+    keep_asked(json, names, false);
+    return fmt::print("{}\n", json_text(json, 1));
+  }
+  print_metrics("float values", comparison.linear, false, names);
+  print_metrics("8-bit values, as a screen shows them", comparison.displayed, true, names);
+}
+
+/// Of a signed error the magnitude counts. NaN is within no threshold.
+bool is_within(const MetricRow& metric, double value, double threshold) {
+  if (metric.better == compare::Better::higher) return value >= threshold;
+  return (metric.better == compare::Better::neither ? std::abs(value) : value) <= threshold;
+}
+
+void check_threshold(const MetricRow& metric, double threshold, const std::optional<double>& value,
+                     const CompareInputs& inputs) {
   if (!value)
-    throw InputError(fmt::format("{}: the pictures have no {}; accepted: larger ones",
-                                 threshold_option(metric), heading(metric)));
-  const bool within = higher ? *value >= threshold : *value <= threshold;  // NaN is not
-  if (!within)
+    throw InputError(fmt::format("{}: the pictures have no {}: {}", threshold_option(metric),
+                                 heading(metric), why_none(metric, inputs)));
+  if (!is_within(metric, *value, threshold))
     throw WorkError(fmt::format("{} {:.6g} is {} {} {}", heading(metric), *value,
-                                higher ? "below" : "above", threshold_option(metric), threshold));
+                                metric.better == compare::Better::higher ? "below" : "above",
+                                threshold_option(metric), threshold));
 }
 
 /// As idiff does: beyond a threshold the pictures count as different, and the command as failed.
-void check_thresholds(const CompareArguments& arguments, const compare::Metrics& m) {
-  for (const compare::MetricRow& metric : compare::metrics())
+void check_thresholds(const CompareArguments& arguments, const compare::Metrics& m,
+                      const CompareInputs& inputs) {
+  for (const MetricRow& metric : compare::metrics())
     if (const std::optional<double>& threshold = arguments.fail.at(metric.name))
-      check_threshold(metric, *threshold, m.of(metric.name));
+      check_threshold(metric, *threshold, m.of(metric.name), inputs);
 }
 
 /// What is wrong with one of two pictures is said with both files' names.
-compare::Comparison comparison_of(const CompareArguments& arguments, const Image& reference,
-                                  const Image& test) {
+compare::PicturePair pair_of(const CompareArguments& arguments, const CompareInputs& inputs) {
   try {
-    return compare::compare_images(reference, test);
+    return {inputs.reference, inputs.test, inputs.regions()};
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{} against {}: {}", arguments.test.string(),
-                                 arguments.reference.string(), error.what()));
+    throw InputError(fmt::format("{} against {}: {}", arguments.files.test.string(),
+                                 arguments.files.reference.string(), error.what()));
   }
 }
 
+/// A picture is for the eye; an .exr holds the numbers.
+Image flip_image(const Raster<float>& map, const std::filesystem::path& file) {
+  if (file.extension() != ".exr") return compare::flip_picture(map);
+  Image values(map.width, map.height);
+  std::ranges::transform(map.pixels, values.pixels.begin(),
+                         [](float v) { return Rgba(glm::vec3(v), 1.f); });
+  return values;
+}
+
 void run(const CompareArguments& arguments, const GlobalOptions& globals) {
-  const ProtectedInputs inputs;
-  const Image reference = compare::read_image(arguments.reference);
-  const Image test = compare::read_image(arguments.test);
-  const compare::Comparison comparison = comparison_of(arguments, reference, test);
+  const ProtectedInputs protected_inputs;
+  for (const std::string& name : arguments.metrics) find_row("metric", name, compare::metrics());
+  const CompareInputs inputs = read_inputs(arguments.files);
+  check_metrics(arguments, inputs);
+  const compare::PicturePair pair = pair_of(arguments, inputs);
+  const std::vector<std::string> names = chosen_names(arguments);
+  const compare::Comparison comparison = compare::compare_pair(pair, names);
   if (!arguments.diff.empty())
-    compare::write_image(arguments.diff, compare::error_map(reference, test));
-  print_comparison(comparison, globals.json);
-  check_thresholds(arguments, comparison.linear);
+    compare::write_image(arguments.diff, compare::error_map(inputs.reference, inputs.test));
+  if (!arguments.flip_map.empty())
+    compare::write_image(arguments.flip_map, flip_image(pair.flip(), arguments.flip_map));
+  print_comparison(comparison, names, globals.json);
+  check_thresholds(arguments, comparison.linear, inputs);
+}
+
+std::string threshold_help(const MetricRow& metric) {
+  if (metric.better == compare::Better::neither)
+    return fmt::format("Exit 1 when the magnitude of the {} is above this", heading(metric));
+  return fmt::format("Exit 1 when the {} is {} this", heading(metric),
+                     metric.better == compare::Better::higher ? "below" : "above");
+}
+
+void add_inputs(CLI::App& command, CompareFiles& files) {
+  command.add_option("REFERENCE", files.reference, "The picture that is right")->required();
+  command.add_option("TEST", files.test, "The picture to be judged")->required();
+  command.add_option("--mask", files.mask,
+                     "Only pixels count that are white here: red, green or blue of 0.5 or more");
+  command
+      .add_option("--crop", files.crop,
+                  "Only this part counts: X,Y,WIDTH,HEIGHT in pixels from the top left")
+      ->delimiter(',')
+      ->expected(4);
+  command.add_option("--layers", files.layers,
+                     "The reference's layers (render --layers FILE.exr), for numbers over covered "
+                     "pixels; by default REFERENCE's name with .layers.exr, if it is there");
+  command.add_option("--test-layers", files.test_layers,
+                     "The test's layers, for numbers over pixels with equal layers");
+}
+
+void add_outputs(CLI::App& command, CompareArguments& arguments) {
+  command.add_option(
+      "--diff", arguments.diff,
+      "Write the error map (.png, .exr): largest RGB error, logarithmic from 0.001 to 1");
+  command.add_option("--flip-map", arguments.flip_map,
+                     "Write FLIP's map: .png in colours from 0 to 1, .exr its values");
+  command
+      .add_option("--metric", arguments.metrics,
+                  "Only these numbers, among them some that are measured on request (list metrics)")
+      ->delimiter(',');
+  for (const MetricRow& metric : compare::metrics())
+    command
+        .add_option(threshold_option(metric), arguments.fail[metric.name], threshold_help(metric))
+        ->check(finite_number())
+        ->group("Thresholds");
 }
 
 }  // namespace
@@ -93,18 +235,12 @@ void run(const CompareArguments& arguments, const GlobalOptions& globals) {
 void add_compare_command(CLI::App& app, GlobalOptions& globals) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "Say how far apart two pictures are");
-  command->add_option("REFERENCE", arguments->reference, "The picture that is right")->required();
-  command->add_option("TEST", arguments->test, "The picture to be judged")->required();
-  command->add_option(
-      "--diff", arguments->diff,
-      "Write the error map (.png, .exr): largest RGB error, logarithmic from 0.001 to 1");
-  for (const compare::MetricRow& metric : compare::metrics())
-    command
-        ->add_option(threshold_option(metric), arguments->fail[metric.name],
-                     fmt::format("Exit 1 when the {} is {} this", heading(metric),
-                                 metric.better == compare::Better::higher ? "below" : "above"))
-        ->check(finite_number());
-  command->footer("Exit code: 0 compared, within the thresholds; 1 beyond one; 2 wrong input.");
+  add_inputs(*command, arguments->files);
+  add_outputs(*command, *arguments);
+  command->footer(
+      "Example: pellucid compare truth.exr test.exr --mask object.png --flip-map flip.png "
+      "--fail-flip 0.05\n"
+      "Exit code: 0 compared, within the thresholds; 1 beyond one; 2 wrong input.");
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }

@@ -37,6 +37,7 @@ class CellFiles {
   std::filesystem::path picture() const { return image(".exr"); }  // 32-bit float
   std::filesystem::path preview() const { return image(".png"); }
   std::filesystem::path error_map() const { return image(".error.png"); }
+  std::filesystem::path flip_map() const { return image(".flip.png"); }
   /// Returns the path of one of the method's further pictures.
   std::filesystem::path further(std::string_view name) const;
   std::filesystem::path layers() const { return image(".layers.exr"); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,21 +8,14 @@
 #include <vector>
 
 #include "compare/pictures/number_style.h"
+#include "compare/pictures/picture_pair.h"
 #include "core/raster.h"
 
 namespace pellucid::compare {
 
-/// A MaxError is the largest absolute difference of any red, green or blue value, and the first
-/// pixel that has it (row 0 is the top).
-struct MaxError {
-  double value = 0;
-  int x = 0, y = 0;  // from the top left
-};
-
 /// Returns the root mean square of all red, green and blue differences. As all metrics here it
-/// takes values as they are (nominal range [0, 1], HDR not clamped), sums in double, and throws
-/// InputError when the sizes differ, when there are no pixels, or when a value of either picture is
-/// not finite.
+/// takes values as they are (nominal range [0, 1], HDR not clamped, but by FLIP), sums in double,
+/// and throws InputError as PicturePair does.
 double rmse(const Image& reference, const Image& test);
 
 /// Returns 20 log10(1 / RMSE), in dB; infinite for equal pictures. Throws as rmse() does.
@@ -36,17 +28,22 @@ MaxError max_error(const Image& reference, const Image& test);
 /// 11 pixels: then no pixel's window lies inside. Throws as rmse() does.
 std::optional<double> ssim(const Image& reference, const Image& test);
 
-/// A PicturePair is two pictures of one size, all finite, with what several metrics are made of
-/// computed once.
-struct PicturePair {
-  const Image& reference;
-  const Image& test;
-  double mean_square = 0;  // of the difference, over all RGB values
-  MaxError max_error = {};
+/// Returns the multi-scale structural similarity (compare/pictures/ms_ssim.h). Nothing when a side
+/// is below 176 pixels. Throws as rmse() does.
+std::optional<double> ms_ssim(const Image& reference, const Image& test);
+
+/// Returns the mean of LDR-FLIP's map (compare/pictures/flip.h). Throws as rmse() does.
+double flip(const Image& reference, const Image& test);
+
+/// A MetricCard says what went into a number: two of one name agree only if these do.
+struct MetricCard {
+  std::string_view space;     // of the values: "display values as they are"
+  std::string_view channels;  // and how they are joined
+  std::string_view window;    // of pixels around each; "none"
 };
 
 /// A MetricRow is one row of the table of metrics: command line, study files, tables, JSON, report
-/// and `list` read it. A metric is a function of two pictures and its row.
+/// and `list` read it. A metric is a function of two pictures, over a region of them.
 struct MetricRow {
   std::string_view name;    // in JSON, CSV and study files
   std::string_view title;   // for people
@@ -54,15 +51,21 @@ struct MetricRow {
   std::string_view definition;
   std::string_view citation;
   std::string_view unit;
-  Better better;
+  Better better;  // of a signed error neither: the nearer to 0
   NumberStyle style;
-  std::optional<double> (*measure)(const PicturePair&);
+  std::optional<double> (*measure)(const PicturePair&, Region);
+  MetricCard card;
   Shown shown;                       // of the float pictures
   Shown shown_displayed = {};        // of the 8-bit values
+  bool displayed = false;            // measured of the 8-bit values too
   bool infinite_when_equal = false;  // JSON has no infinity: it writes null
+  bool on_request = false;           // no column: measured when it is named
+  Region region = Region::all;
 };
 
-/// The table of metrics; the first three lead the columns of results.csv.
+/// The table of metrics; the first three lead the columns of results.csv. Those over the whole
+/// picture come first; then the same over the covered pixels, "rmse_covered", and over those with
+/// equal layers, "rmse_equal"; last those that are measured on request.
 std::span<const MetricRow> metrics();
 
 /// Returns the symbol with the unit: "PSNR [dB]".
@@ -81,13 +84,11 @@ class Metrics {
   std::optional<double>& of(std::string_view name);
 
   int max_error_x = 0, max_error_y = 0;  // the pixel of the largest error, from the top left
+  std::optional<double> covered;         // share of the pixels with a layer in the reference
 
  private:
   std::vector<std::optional<double>> values_;
 };
-
-/// Computes all metrics. Throws as rmse() does.
-Metrics metrics_of(const Image& reference, const Image& test);
 
 /// A Comparison has the metrics of the float pictures, and those of the 8-bit values that a screen
 /// shows of them.
@@ -96,10 +97,16 @@ struct Comparison {
   Metrics displayed;
 };
 
-/// Compares two pictures in both ways. Throws as rmse() does.
-Comparison compare_images(const Image& reference, const Image& test);
+/// Measures a pair of pictures: by the metrics of these names, or by all but those on request if
+/// there are none. Throws InputError for an unknown name.
+Metrics metrics_of(const PicturePair& pair, std::span<const std::string> names = {});
 
-/// Counts the pixels with a value that is infinite or not a number.
-std::size_t count_not_finite(const Image& image);
+/// Measures the pictures as they are, and those metrics that are `displayed` of the 8-bit values.
+/// Throws as metrics_of() does.
+Comparison compare_pair(const PicturePair& pair, std::span<const std::string> names = {});
+
+/// Compares two pictures in both ways. Throws as PicturePair does.
+Comparison compare_images(const Image& reference, const Image& test,
+                          const PairRegions& regions = {});
 
 }  // namespace pellucid::compare

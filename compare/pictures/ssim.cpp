@@ -5,25 +5,16 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
+#include "compare/pictures/widest.h"
 #include "core/parallel.h"
-
-// The loops over a row vectorize; each machine runs the widest version it has. No version contracts
-// or reorders, so all give the same bits. Sanitizers cannot start a resolver that they instrument.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define PELLUCID_WIDEST __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define PELLUCID_WIDEST
-#endif
 
 namespace pellucid::compare {
 namespace {
 
 constexpr int radius = ssim_window / 2;
-constexpr int channels = 3;
+constexpr int channels = int(std::tuple_size_v<ChannelValues>);
 constexpr int margin = radius * channels;  // values of a row whose window sticks out on one side
 constexpr int band_rows = 32;              // output rows per task; 10 more are read
 constexpr double c1 = 0.01 * 0.01;
@@ -45,7 +36,7 @@ Taps gaussian_taps() {
 
 /// Variances don't change when a constant is subtracted. The mean of a channel takes away the
 /// cancellation in E[x²] - E[x]² of bright pictures.
-using Means = std::array<double, channels>;
+using Means = ChannelValues;
 
 Means channel_means(const Image& image) {
   Means sum{};
@@ -126,21 +117,31 @@ inline double filter_row(const Taps& w, const double* v) {
   return sum;
 }
 
-/// Eq. 13 at every pixel whose window lies inside, added to `sums`. E - (m·m + m·m) and 2(E - m·m)
-/// round alike when x = y, so that the quotient is 1 exactly.
+/// The scores of a row of pixels whose windows lie inside: red, green, blue of each, one after
+/// another.
+struct ScoreRows {
+  Row similarity, contrast;
+
+  explicit ScoreRows(std::size_t n) : similarity(n), contrast(n) {}
+};
+
+/// Eq. 13, and its second factor alone. E - (m·m + m·m) and 2(E - m·m) round alike when x = y, so
+/// that both quotients are 1 exactly.
 PELLUCID_WIDEST
-void add_scores(const Taps& w, const MomentRows& moments, const double* mean_x,
-                const double* mean_y, std::size_t n, double* sums) {
+void score(const Taps& w, const MomentRows& moments, const double* mean_x, const double* mean_y,
+           std::size_t n, ScoreRows& out) {
   const double *px = moments.x.data() + margin, *py = moments.y.data() + margin;
   const double *ps = moments.squares.data() + margin, *pp = moments.product.data() + margin;
+  double *similarity = out.similarity.data(), *contrast = out.contrast.data();
 #pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i) {
     const double mx = filter_row(w, px + i), my = filter_row(w, py + i);
     const double variances = filter_row(w, ps + i) - (mx * mx + my * my);
     const double covariance = filter_row(w, pp + i) - mx * my;
     const double ux = mx + mean_x[i], uy = my + mean_y[i];
-    sums[i] += (2 * (ux * uy) + c1) * (2 * covariance + c2) /
-               ((ux * ux + uy * uy + c1) * (variances + c2));
+    const double luminance = (2 * (ux * uy) + c1) / (ux * ux + uy * uy + c1);
+    contrast[i] = (2 * covariance + c2) / (variances + c2);
+    similarity[i] = luminance * contrast[i];
   }
 }
 
@@ -162,37 +163,68 @@ struct Pair {
   std::size_t scores() const { return row_values() - 2 * margin; }
 };
 
-/// Sum of the scores of the output rows [first, last).
-double band_sum(const Pair& pair, const Taps& taps, int first, int last) {
+/// Sums of a row's scores by channel.
+struct RowSums {
+  ChannelValues similarity{}, contrast{};
+};
+
+/// Puts a row's scores into the map, as the mean of the channels, and into the sums.
+void take(const ScoreRows& scores, double* map, RowSums& sums) {
+  for (std::size_t i = 0; i < scores.similarity.size(); i += channels) {
+    const double* s = &scores.similarity[i];
+    *map++ = (s[0] + s[1] + s[2]) / channels;
+    for (int c = 0; c < channels; ++c) {
+      sums.similarity[c] += s[c];
+      sums.contrast[c] += scores.contrast[i + c];
+    }
+  }
+}
+
+/// Scores the output rows [first, last).
+void score_band(const Pair& pair, const Taps& taps, int first, int last, Raster<double>& map,
+                std::vector<RowSums>& sums) {
   RowWindow x(pair.x, pair.mean_x), y(pair.y, pair.mean_y);
   MomentRows moments(pair.row_values());
+  ScoreRows scores(pair.scores());
   const Row mean_x = repeated(pair.mean_x, pair.scores());
   const Row mean_y = repeated(pair.mean_y, pair.scores());
-  Row sums(pair.scores());
   for (int row = first; row < last + 2 * radius; ++row) {
     x.load(row);
     y.load(row);
     if (row < first + 2 * radius) continue;
     filter_columns(taps, x.pointers(row), y.pointers(row), pair.row_values(), moments);
-    add_scores(taps, moments, mean_x.data(), mean_y.data(), pair.scores(), sums.data());
+    score(taps, moments, mean_x.data(), mean_y.data(), pair.scores(), scores);
+    const int out = row - 2 * radius;
+    take(scores, &map.at(0, out), sums[std::size_t(out)]);
   }
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+ChannelValues mean_of(const std::vector<RowSums>& rows, ChannelValues RowSums::*member,
+                      double pixels) {
+  ChannelValues mean{};
+  for (const RowSums& row : rows)
+    for (int c = 0; c < channels; ++c) mean[c] += (row.*member)[c];
+  for (double& m : mean) m /= pixels;
+  return mean;
 }
 
 }  // namespace
 
-double mean_ssim(const Image& x, const Image& y) {
+SsimScores ssim_scores(const Image& x, const Image& y) {
   assert(x.width == y.width && x.height == y.height);
   assert(std::min(x.width, x.height) >= ssim_window);
   const Pair pair{x, y};
   const Taps taps = gaussian_taps();
-  const int bands = (pair.rows() + band_rows - 1) / band_rows;
-  std::vector<double> sums(bands);
-  parallel_for(0, bands, [&](int band) {
+  SsimScores scores{Raster<double>(x.width - 2 * radius, pair.rows()), {}, {}};
+  std::vector<RowSums> sums(std::size_t(pair.rows()));
+  parallel_for(0, (pair.rows() + band_rows - 1) / band_rows, [&](int band) {
     const int first = band * band_rows;
-    sums[band] = band_sum(pair, taps, first, std::min(first + band_rows, pair.rows()));
+    score_band(pair, taps, first, std::min(first + band_rows, pair.rows()), scores.map, sums);
   });
-  return std::accumulate(sums.begin(), sums.end(), 0.0) / (double(pair.scores()) * pair.rows());
+  const auto pixels = double(scores.map.pixels.size());
+  scores.similarity = mean_of(sums, &RowSums::similarity, pixels);
+  scores.contrast = mean_of(sums, &RowSums::contrast, pixels);
+  return scores;
 }
 
 }  // namespace pellucid::compare

@@ -71,13 +71,18 @@ json columns_json() {
   return list;
 }
 
+/// Those over parts of the picture have their definition from the same over all of it.
 json metrics_json() {
   json list = json::array();
   for (const MetricRow& metric : metrics())
-    list.push_back({{"symbol", metric.symbol},
-                    {"title", metric.title},
-                    {"definition", metric.definition},
-                    {"citation", metric.citation}});
+    if (!metric.on_request && metric.region == Region::all)
+      list.push_back({{"symbol", metric.symbol},
+                      {"title", metric.title},
+                      {"definition", metric.definition},
+                      {"citation", metric.citation},
+                      {"space", metric.card.space},
+                      {"channels", metric.card.channels},
+                      {"window", metric.card.window}});
   return list;
 }
 
@@ -102,6 +107,7 @@ json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
   for (json& picture : j["pictures"])
     picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));
   if (!row.reference) j["error_map"] = data_uri(files.error_map());
+  if (fs::exists(files.flip_map())) j["flip_map"] = data_uri(files.flip_map());
   return j;
 }
 

@@ -57,7 +57,9 @@ std::vector<Column> cost_columns() {
 }
 
 std::vector<Column> further_columns() {
-  return {{"seconds_min", "Least time", "s", Better::lower, Style::milliseconds, in_csv,
+  return {{"covered", "Covered share", "1", Better::neither, Style::similarity, in_csv,
+           [](const ResultRow& r) { return r.metrics.linear.covered; }},
+          {"seconds_min", "Least time", "s", Better::lower, Style::milliseconds, in_csv,
            [](const ResultRow& r) { return number(r.seconds.min); }},
           {"seconds_max", "Longest time", "s", Better::lower, Style::milliseconds, in_csv,
            [](const ResultRow& r) { return number(r.seconds.max); }},
@@ -87,8 +89,9 @@ std::vector<Column> make_columns() {
   for (std::size_t row = 0; row < leading_metrics; ++row) all.push_back(metric_column(row));
   append(cost_columns());
   for (std::size_t row = leading_metrics; row < metrics().size(); ++row)
-    all.push_back(metric_column(row));
-  for (std::size_t row = 0; row < metrics().size(); ++row) all.push_back(displayed_column(row));
+    if (!metrics()[row].on_request) all.push_back(metric_column(row));
+  for (std::size_t row = 0; row < metrics().size(); ++row)
+    if (metrics()[row].displayed) all.push_back(displayed_column(row));
   append(further_columns());
   return all;
 }

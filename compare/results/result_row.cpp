@@ -19,10 +19,16 @@ std::optional<double> optional_number(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
-json metrics_json(const Metrics& m) {
+/// Of the numbers over the whole picture, a missing one is null; of all others it is left out.
+json metrics_json(const Metrics& m, bool displayed = false) {
   json j;
-  for (std::size_t row = 0; row < metrics().size(); ++row)
-    j[std::string(metrics()[row].name)] = finite_or_null(m[row]);
+  for (std::size_t i = 0; i < metrics().size(); ++i) {
+    const MetricRow& row = metrics()[i];
+    const bool expected =
+        !row.on_request && row.region == Region::all && row.displayed >= displayed;
+    if (m[i] || expected) j[std::string(row.name)] = finite_or_null(m[i]);
+  }
+  if (m.covered) j["covered"] = *m.covered;
   j["max_error_pixel"] = {m.max_error_x, m.max_error_y};
   return j;
 }
@@ -37,6 +43,7 @@ Metrics metrics_from(const json& j) {
     m[row] = optional_number(*found);
     if (!m[row] && metric.infinite_when_equal) m[row] = std::numeric_limits<double>::infinity();
   }
+  if (j.contains("covered")) m.covered = j.at("covered").get<double>();
   m.max_error_x = j.at("max_error_pixel").at(0);
   m.max_error_y = j.at("max_error_pixel").at(1);
   return m;
@@ -169,7 +176,7 @@ std::uint64_t ResultRow::total_bytes() const {
 
 json to_json(const Comparison& comparison) {
   json j = metrics_json(comparison.linear);
-  j["displayed"] = metrics_json(comparison.displayed);
+  j["displayed"] = metrics_json(comparison.displayed, true);
   return j;
 }
 

@@ -9,10 +9,12 @@
 
 #include "compare/cells/cell.h"
 #include "compare/cells/measure_cell.h"
+#include "compare/measures/layer_error.h"
 #include "compare/measures/layer_pictures.h"
 #include "compare/measures/study_measures.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/error_map.h"
+#include "compare/pictures/flip.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/report.h"
 #include "compare/report/tables.h"
@@ -137,17 +139,27 @@ void write_further(const CellFiles& files, const CellMeasurement& measured) {
     write_image(files.further(measured.row.pictures[i].name), measured.further[i]);
 }
 
+/// The layers that are known tell covered pixels, and those where layers agree, from the others.
+PairRegions regions_of(const CellMeasurement& measured, SceneAtHand& at_hand) {
+  return {
+      .mask = nullptr,
+      .reference_layers = at_hand.has_reference_layers() ? &at_hand.reference_layers() : nullptr,
+      .test_layers = measured.layers.pixels.empty() ? nullptr : &measured.layers};
+}
+
 void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHand& at_hand) {
   const Image& reference = at_hand.reference();
-  measured.row.metrics = compare_images(reference, measured.image);
+  const PairRegions regions = regions_of(measured, at_hand);
+  const PicturePair pair(reference, measured.image, regions);
+  measured.row.metrics = compare_pair(pair);
   if (job.cell.reference) return;
   write_image(job.files.error_map(), error_map(reference, measured.image));
+  write_image(job.files.flip_map(), flip_picture(pair.flip()));
+  if (regions.reference_layers) add_layer_error(reference, *regions.reference_layers, measured);
   const scene::Promises& promises = job.cell.call.row->promises;
-  const bool comparable = (promises.exact || promises.own_layers) &&
-                          !measured.layers.pixels.empty() && at_hand.has_reference_layers();
-  if (comparable)
+  if ((promises.exact || promises.own_layers) && regions.reference_layers && regions.test_layers)
     measured.row.coverage =
-        check_coverage(reference, at_hand.reference_layers(), measured.image, measured.layers);
+        check_coverage(reference, *regions.reference_layers, measured.image, measured.layers);
 }
 
 bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }

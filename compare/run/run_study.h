@@ -34,9 +34,9 @@ struct StudyOutcome {
 /// reference first, and leaves in the folder:
 ///
 ///     cells/SCENE/METHOD.json                the cell's row, written last, whole or not at all
-///     images/SCENE/METHOD.{exr,png}          the picture; METHOD.error.png, METHOD.layers.exr
-///     results.{csv,json}, table.{md,tex}     made from the cells' rows; the CSV after every cell
-///     report.html
+///     images/SCENE/METHOD.{exr,png}          the picture; METHOD.error.png, METHOD.flip.png,
+///     METHOD.layers.exr results.{csv,json}, table.{md,tex}     made from the cells' rows; the CSV
+///     after every cell report.html
 ///
 /// Cells share nothing but their scene's reference picture, which is computed where it is missing:
 /// several runs may share the work by `only` and a folder, and a last one with `resume` collects

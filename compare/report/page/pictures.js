@@ -26,7 +26,7 @@ function cropBox(scene) {
 
 function numbers(row) {
   const entries = columns.filter(({ card }) => card);
-  const cells = entries.map((column) => [make("dt", {}, labelOf(column)), make("dd", {}, column.text(row))]);
+  const cells = entries.map((column) => make("div", {}, make("dt", {}, labelOf(column)), make("dd", {}, column.text(row))));
   return make("dl", { class: "numbers" }, cells);
 }
 
@@ -70,7 +70,8 @@ function pictureCard(scene, row, reference, enlarge) {
     for (const view of views) view.show(on);
   };
   const whole = pictureOf(scene, row.picture, row.name);
-  const beside = row.reference ? errorLegend(data.error_scale) : errorMap(scene, row, enlarge);
+  const maps = row.reference ? make("div", { class: "scales" }, errorLegend(data.error_scale), flipLegend(data.error_scale))
+    : [mapOf(scene, row, "error", enlarge), row.flip_map && mapOf(scene, row, "flip", enlarge)];
   const closer = zoomIn(scene, row.picture, `${row.name}, zoomed in`);
   views.push(flippable(row, reference, whole, cropBox(scene), () => flip()),
              flippable(row, reference, closer, null, () => flip()));
@@ -78,31 +79,49 @@ function pictureCard(scene, row, reference, enlarge) {
   zoom.classList.add("zoom");
   zoom.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
   const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
-  const pair = make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), beside);
+  const pair = make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), maps);
   const notes = [numbers(row), coverageNote(row), droppedNote(row)];
   card.append(views[0].frame, pair, ...furtherPictures(scene, row), make("figcaption", {}, caption(row, open), notes));
   return { card, flip };
 }
 
-function errorMap(scene, row, enlarge) {
-  const image = pictureOf(scene, row.error_map, `error of ${row.name}`);
-  const label = `Enlarge the error of ${row.name}`;
-  const onclick = () => enlarge(row, "error");
+/** The maps of a picture's error: where the row has them, and what they are called. */
+const errorMaps = {
+  error: { source: (row) => row.error_map, title: "error" },
+  flip: { source: (row) => row.flip_map, title: "FLIP" },
+};
+
+function mapOf(scene, row, what, enlarge) {
+  const { source, title } = errorMaps[what];
+  const image = pictureOf(scene, source(row), `${title} of ${row.name}`);
+  const label = `Enlarge the ${title} of ${row.name}`;
+  const onclick = () => enlarge(row, what);
   const frame = make("button", { class: "frame", type: "button", "aria-label": label, onclick }, image);
   frame.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
-  return make("div", {}, frame, make("small", {}, "error"));
+  return make("div", {}, frame, make("small", {}, title));
 }
 
-/** The scale that all error maps share: it stands where the reference's own would. */
+/** The scales that all maps of error share stand where the reference's own maps would. */
 const errorLegend = (scale) => logarithmicScale(scale, "error maps: the largest error of red, green and blue");
 
+function flipLegend({ colors }) {
+  const ticks = [0, 0.25, 0.5, 0.75, 1];
+  return colorScale(colors, ticks.map((at) => [at, String(at)]), "FLIP maps: the difference seen when the pictures alternate");
+}
+
 function logarithmicScale({ min, max, colors }, text) {
+  const decades = Math.round(Math.log10(max / min));
+  const ticks = Array.from({ length: decades + 1 }, (_, i) => [i / decades, String(Number((min * 10 ** i).toPrecision(1)))]);
+  return colorScale(colors, ticks, text);
+}
+
+/** A bar of colours; ticks are [share of its length, text]. */
+function colorScale(colors, ticks, text) {
   const bar = make("div", { class: "bar" });
   bar.style.background = `linear-gradient(to right, ${colors.join(", ")})`;
-  const decades = Math.round(Math.log10(max / min));
-  for (let i = 0; i <= decades; ++i) {
-    const tick = make("span", {}, String(Number((min * 10 ** i).toPrecision(1))));
-    tick.style.left = `${(100 * i) / decades}%`;
+  for (const [at, label] of ticks) {
+    const tick = make("span", {}, label);
+    tick.style.left = `${100 * at}%`;
     bar.append(tick);
   }
   return make("div", { class: "scale" }, make("small", {}, text), bar);

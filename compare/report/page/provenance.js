@@ -18,6 +18,19 @@ function metricFacts(metrics) {
     [symbol, [title, definition, citation].filter(Boolean).join(" · ")]));
 }
 
+/** What went into each number: two of one name can be compared only if these agree. */
+function metricCard(metrics) {
+  const line = ({ symbol, space, channels, window }) =>
+    make("tr", {}, [symbol, space, channels, window].map((text) => make("td", {}, text)));
+  const head = ["", "Values", "Channels", "Window"].map((text) => make("th", { scope: "col" }, text));
+  return make("div", { class: "wide metric-card" },
+    make("table", {}, make("thead", {}, make("tr", {}, head)), make("tbody", {}, metrics.map(line))));
+}
+
+const metricNote = `Values are display values in [0, 1], blended as they stand. "Covered" pixels have a layer in the
+reference; "equal layers" are pixels with as many layers as there. Numbers of maps (SSIM, FLIP) are the map's mean over
+them; SSIM knows only pixels whose window lies inside. Pixels beyond FLIP's edge are as the nearest one.`;
+
 /** Each fact once; where cells differ, all its values. */
 function machineFacts(rows) {
   const values = new Map();
@@ -42,7 +55,8 @@ function provenanceSection(data) {
   return make("section", { id: "provenance" },
     make("h2", {}, "Provenance"),
     make("h3", {}, "Methods"), methodFacts(data.methods),
-    make("h3", {}, "Numbers"), metricFacts(data.metrics),
+    make("h3", {}, "Numbers"), metricCard(data.metrics), make("p", { class: "note" }, metricNote),
+    metricFacts(data.metrics),
     sceneFacts(data.rows),
     make("h3", {}, "Machine"), machineFacts(data.rows),
     make("p", { class: "note" }, measures));

@@ -10,9 +10,9 @@ class Viewer {
     const button = (text, act) => make("button", { type: "button", onclick: act }, text);
     dialog.append(
       make("div", { class: "bar" }, this.title, this.numbers,
-           button("reference", () => this.flip()), button("error", () => this.toggleError()),
+           button("reference", () => this.flip()), button("error", () => this.set("error")), button("FLIP", () => this.set("flip")),
            button("‹", () => this.step(-1)), button("›", () => this.step(1)), button("close", () => dialog.close()),
-           make("span", { class: "keys" }, "Space: reference · E: error · ← →: methods · Esc")),
+           make("span", { class: "keys" }, "Space: reference · E: error · V: FLIP · ← →: methods · Esc")),
       make("div", { class: "stage", onclick: () => this.flip() }, this.image));
     dialog.addEventListener("keydown", (event) => this.key(event));
   }
@@ -29,8 +29,9 @@ class Viewer {
     const row = this.rows[this.at];
     const reference = this.rows[0];
     const shown = this.what === "reference" ? reference : row;
-    this.image.src = this.what === "error" && row.error_map ? row.error_map : shown.picture;
-    this.title.textContent = `${row.scene} · ${this.what === "error" ? `error of ${row.name}` : shown.name}`;
+    const map = errorMaps[this.what]?.source(row) && errorMaps[this.what];
+    this.image.src = map ? map.source(row) : shown.picture;
+    this.title.textContent = `${row.scene} · ${map ? `${map.title} of ${row.name}` : shown.name}`;
     this.numbers.textContent = shown.reference ? "reference" : numbersLine(qualityColumns(), row);
   }
 
@@ -39,7 +40,6 @@ class Viewer {
     this.show();
   }
   flip() { this.set("reference"); }
-  toggleError() { this.set("error"); }
   step(by) {
     this.at = (this.at + by + this.rows.length) % this.rows.length;
     this.show();
@@ -48,7 +48,8 @@ class Viewer {
   key(event) {
     const acts = {
       " ": () => this.flip(),
-      e: () => this.toggleError(),
+      e: () => this.set("error"),
+      v: () => this.set("flip"),
       ArrowLeft: () => this.step(-1),
       ArrowRight: () => this.step(1),
     };

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/pictures/metrics.h"
-#include "compare/pictures/ssim.h"
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "tests/compare/pictures/metric_pairs.h"
@@ -21,9 +20,11 @@ using namespace pellucid::compare::testing;
 
 Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
 
+Metrics measured(const Image& a, const Image& b) { return metrics_of(PicturePair(a, b)); }
+
 std::string error_of(const Image& a, const Image& b) {
   try {
-    metrics_of(a, b);
+    measured(a, b);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -34,7 +35,7 @@ TEST(UnitMetrics, ConstantsHaveClosedForms) {
   // Both means constant, no variance: SSIM = (2ab + C1) / (a² + b² + C1), exact in double but for
   // the rounding of the window's sum (1e-12).
   const double a = 0.25, b = 0.75, c1 = 1e-4;
-  const Metrics m = metrics_of(grey(20, 15, 0.25f), grey(20, 15, 0.75f));
+  const Metrics m = measured(grey(20, 15, 0.25f), grey(20, 15, 0.75f));
   EXPECT_DOUBLE_EQ(*m.of("rmse"), 0.5);
   // The same, in decibels.
   EXPECT_NEAR(*m.of("psnr"), 20 * std::log10(2.0), 1e-12);
@@ -45,7 +46,7 @@ TEST(UnitMetrics, OneWrongValueIsFoundWhereItIs) {
   const Image reference = grey(31, 17, 0.5f);
   Image test = reference;
   test.at(7, 11).b = 0.125f;
-  const Metrics m = metrics_of(reference, test);
+  const Metrics m = measured(reference, test);
   EXPECT_DOUBLE_EQ(*m.of("rmse"), 0.375 / std::sqrt(3.0 * 31 * 17));
   EXPECT_EQ(m.of("max_error"), 0.375);
   EXPECT_EQ(m.max_error_x, 7);
@@ -61,7 +62,7 @@ TEST(UnitMetrics, AlphaIsNotCompared) {
 TEST(UnitMetrics, BelowElevenPixelsThereIsNoSsim) {
   EXPECT_FALSE(ssim(grey(10, 40, 0.f), grey(10, 40, 1.f)).has_value());
   EXPECT_FALSE(ssim(grey(1, 1, 0.f), grey(1, 1, 0.f)).has_value());
-  EXPECT_EQ(metrics_of(grey(1, 1, 0.f), grey(1, 1, 0.5f)).of("rmse"), 0.5);
+  EXPECT_EQ(measured(grey(1, 1, 0.f), grey(1, 1, 0.5f)).of("rmse"), 0.5);
 }
 
 TEST(UnitMetrics, WrongPairsAreNamed) {
@@ -86,7 +87,7 @@ TEST(UnitMetrics, DisplayedValuesHideWhatAScreenHides) {
 TEST(PropertyMetrics, APictureEqualsItselfExactly) {
   for (const FormulaPair& pair : formula_pairs()) {
     const Image x = picture(40, 33, pair.y);
-    const Metrics m = metrics_of(x, x);
+    const Metrics m = measured(x, x);
     EXPECT_EQ(m.of("rmse"), 0) << pair.name;
     EXPECT_EQ(m.of("psnr"), std::numeric_limits<double>::infinity()) << pair.name;
     EXPECT_EQ(m.of("ssim"), 1) << pair.name;
@@ -96,9 +97,9 @@ TEST(PropertyMetrics, APictureEqualsItselfExactly) {
 
 TEST(PropertyMetrics, SameBitsForAnyNumberOfThreads) {
   const Image x = picture(300, 217, rings), y = picture(300, 217, grainy);
-  const Metrics many = metrics_of(x, y);
+  const Metrics many = measured(x, y);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const Metrics single = metrics_of(x, y);
+  const Metrics single = measured(x, y);
   EXPECT_EQ(many.of("rmse"), single.of("rmse"));
   EXPECT_EQ(many.of("ssim"), single.of("ssim"));
 }
@@ -107,11 +108,10 @@ TEST(PropertyMetrics, SameBitsForAnyNumberOfThreads) {
 TEST(PropertyMetrics, EveryRowMeasuresItsOwnNumber) {
   const Image x = picture(40, 33, rings), y = picture(40, 33, grainy);
   const std::map<std::string_view, std::optional<double>> functions = {
-      {"rmse", rmse(x, y)},
-      {"psnr", psnr(x, y)},
-      {"ssim", ssim(x, y)},
-      {"max_error", max_error(x, y).value}};
-  const Metrics m = metrics_of(x, y);
+      {"rmse", rmse(x, y)},       {"psnr", psnr(x, y)},
+      {"ssim", ssim(x, y)},       {"max_error", max_error(x, y).value},
+      {"ms_ssim", ms_ssim(x, y)}, {"flip", flip(x, y)}};
+  const Metrics m = measured(x, y);
   for (std::size_t row = 0; row < metrics().size(); ++row) {
     EXPECT_EQ(&m[row], &m.of(metrics()[row].name));
     if (const auto found = functions.find(metrics()[row].name); found != functions.end()) {
@@ -134,6 +134,68 @@ void expect_equal(const Metrics& got, const json& expected, double rounding,
         << name;
   }
   EXPECT_NEAR(*got.of("max_error"), expected["max_error"]["value"].get<double>(), rounding) << name;
+}
+
+TEST(UnitMetrics, BelowAWindowAtTheCoarsestScaleThereIsNoMsSsim) {
+  EXPECT_FALSE(ms_ssim(grey(175, 400, 0.f), grey(175, 400, 1.f)).has_value());
+  EXPECT_EQ(ms_ssim(grey(176, 176, 0.5f), grey(176, 176, 0.5f)), 1);
+}
+
+// Constants differ in luminance alone, which only the coarsest scale looks at: the power of its
+// weight. 1e-12: the rounding of the windows' sums.
+TEST(UnitMetrics, MsSsimOfConstantsHasAClosedForm) {
+  const double a = 0.25, b = 0.75, c1 = 1e-4;
+  EXPECT_NEAR(*ms_ssim(grey(180, 190, 0.25f), grey(180, 190, 0.75f)),
+              std::pow((2 * a * b + c1) / (a * a + b * b + c1), 0.1333), 1e-12);
+}
+
+TEST(UnitMetrics, BiasHasASign) {
+  Image test = grey(4, 2, 0.5f);
+  test.at(1, 1).g = 0.25f;
+  const Metrics m = measured(grey(4, 2, 0.5f), test);
+  EXPECT_EQ(m.of("bias_g"), -0.25 / 8);
+  EXPECT_EQ(m.of("bias_r"), 0);
+}
+
+TEST(UnitMetrics, OnlyThoseThatAreNamedAreMeasured) {
+  const Image x = picture(30, 20, rings), y = picture(30, 20, grainy);
+  const std::vector<std::string> names = {"p99", "ssim_luma8"};
+  const Comparison c = compare_pair(PicturePair(x, y), names);
+  for (const MetricRow& row : metrics())
+    EXPECT_EQ(c.linear.of(row.name).has_value(), row.name == "p99" || row.name == "ssim_luma8")
+        << row.name;
+  const std::vector<std::string> unknown = {"msssim"};
+  EXPECT_THROW(compare_pair(PicturePair(x, y), unknown), InputError);
+  EXPECT_FALSE(measured(x, y).of("ssim_skimage").has_value());
+}
+
+// To 1e-7: the coarser pictures are float, and the weights' powers no larger than 1.
+TEST(AgreementMetrics, MsSsimEqualsThePaperInDouble) {
+  const json expected = json::parse(read_text(PELLUCID_TEST_DATA "/metrics.json"))["scaled"];
+  const auto pairs = scaled_pairs();
+  ASSERT_EQ(expected.size(), pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    ASSERT_EQ(expected[i]["name"], pairs[i].name);
+    const int width = expected[i]["width"], height = expected[i]["height"];
+    const auto found =
+        ms_ssim(picture(width, height, pairs[i].x), picture(width, height, pairs[i].y));
+    EXPECT_NEAR(found.value(), expected[i]["ms_ssim"].get<double>(), 1e-7) << pairs[i].name;
+  }
+}
+
+// Others' numbers, with their conventions. Bright pictures lose 1e-7 to cancellation there.
+TEST(AgreementMetrics, OthersNumbersAreReproduced) {
+  const json expected = json::parse(read_text(PELLUCID_TEST_DATA "/metrics.json"))["pairs"];
+  const std::vector<std::string> names = {"ssim_skimage", "ssim_luma8"};
+  const auto pairs = formula_pairs();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const int width = expected[i]["width"], height = expected[i]["height"];
+    const Image x = picture(width, height, pairs[i].x), y = picture(width, height, pairs[i].y);
+    const Metrics m = metrics_of(PicturePair(x, y), names);
+    for (const std::string& name : names)
+      EXPECT_NEAR(m.of(name).value(), expected[i]["others"][name].get<double>(), 1e-6)
+          << pairs[i].name << ", " << name;
+  }
 }
 
 TEST(AgreementMetrics, EqualScikitImage) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,13 @@ std::string between(const std::string& text, const std::string& begin, const std
   return text.substr(from, text.find(end, from) - from);
 }
 
+/// Those of the whole picture, which the others are parts of.
+std::size_t whole_metrics() {
+  return std::size_t(std::ranges::count_if(metrics(), [](const MetricRow& row) {
+    return row.region == Region::all && !row.on_request;
+  }));
+}
+
 TEST(UnitReport, HoldsEveryRowAndPicture) {
   const StudyFolder folder;
   const std::string page = make_report(folder);
@@ -68,7 +76,12 @@ TEST(UnitReport, HoldsTheColumnsOfTheTable) {
     EXPECT_TRUE(data["rows"][1]["values"].contains(found.back())) << found.back();
   }
   EXPECT_EQ(found, expected);
-  EXPECT_EQ(data["metrics"].size(), metrics().size());
+  EXPECT_EQ(data["metrics"].size(), whole_metrics());
+  for (const auto& metric : data["metrics"])
+    for (const char* of : {"space", "channels", "window"})
+      EXPECT_FALSE(metric[of].get<std::string>().empty()) << metric["symbol"];
+  EXPECT_THAT(data["rows"][1]["flip_map"].get<std::string>(),
+              ::testing::StartsWith("data:image/png;base64,iVBOR"));
 }
 
 /// Whatever a title says, the page reads it back, and no table runs it.
@@ -128,10 +141,10 @@ TEST(SlowReport, ABrowserShowsItWithoutErrorsOrRequests) {
   ASSERT_TRUE(worked) << read_text(log);
   EXPECT_THAT(read_text(log), Not(HasSubstr("CONSOLE")));
   EXPECT_EQ(count(dom, "<figure class=\"card\""), 10u);
-  EXPECT_EQ(count(dom, "class=\"marks\""), 2u * 3);  // Vega's own: three plots per scene
+  EXPECT_EQ(count(dom, "class=\"marks\""), 2u * 4);  // Vega's own: four plots per scene
   // The table of all numbers and the one across scenes: a head, and a row for each cell or method.
-  // Two scenes' tables of measures: a head, and a row for each of two.
-  EXPECT_EQ(count(dom, "<tr"), 1u + 10 + 1 + 4 + 2 * 3);
+  // Two scenes' tables of measures: a head, and a row for each of two. The card of metrics.
+  EXPECT_EQ(count(dom, "<tr"), 1u + 10 + 1 + 4 + 2 * 3 + 1 + whole_metrics());
   EXPECT_EQ(count(dom, "class=\"further\""), 2u);
 }
 

@@ -26,6 +26,7 @@ ResultRow filled_row() {
     row.metrics.linear[i] = 0.1 + double(i) / 128;
     row.metrics.displayed[i] = 0.3 + double(i) / 128;
   }
+  row.metrics.linear.covered = 0.9375;
   row.seconds = {0.0625, 0.03125, 0.09375};
   row.setup_seconds = 0.015625;
   row.repeats = 3;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/pictures/image_file.h"
+#include "compare/results/columns.h"
 #include "core/error.h"
 #include "tests/compare/run/studies.h"
 
@@ -52,6 +53,24 @@ TEST(UnitRunStudy, ExactMethodsAreAlsoComparedWhereLayersAgree) {
   EXPECT_DOUBLE_EQ(check.rmse_elsewhere.value(), 0.125);
 }
 
+// Every pixel of the fakes has three layers, but for the ones that a test's method adds.
+TEST(UnitRunStudy, LayersTellThePixelsApart) {
+  const StudyFolder folder;
+  const StudyOutcome outcome = run(folder, R"(["shifted:by=0.75", "exact-shifted"])");
+  const ResultRow& row = row_of(outcome, "one", "shifted");
+  const Metrics& m = row.metrics.linear;
+  EXPECT_EQ(m.covered, 1);
+  EXPECT_EQ(m.of("rmse_covered"), m.of("rmse"));
+  EXPECT_DOUBLE_EQ(*m.of("rmse_equal"), 0.75);
+  EXPECT_NE(m.of("flip_equal"), m.of("flip"));  // two pixels of 384 have more
+  ASSERT_EQ(row.curves.size(), 1u);
+  EXPECT_EQ(row.curves[0].x, std::vector<double>{3});
+  EXPECT_DOUBLE_EQ(row.curves[0].y.at(0), 0.75);
+  EXPECT_TRUE(row_of(outcome, "one", "truth").curves.empty());
+  const ResultRow& exact = row_of(outcome, "one", "exact-shifted");
+  EXPECT_DOUBLE_EQ(*exact.metrics.linear.of("rmse_equal"), *exact.coverage->rmse_elsewhere);
+}
+
 TEST(UnitRunStudy, LayersOfItsOwnAreShownBesideTheReferences) {
   const StudyFolder folder;
   const StudyOutcome outcome = run(folder, R"(["layering", "shifted"])");
@@ -72,10 +91,10 @@ TEST(UnitRunStudy, EveryFileIsThere) {
   const StudyFolder folder;
   run(folder, two_methods);
   const fs::path results = folder / "results";
-  for (const char* name :
-       {"results.csv", "results.json", "table.md", "table.tex", "report.html",
-        "images/one/truth.exr", "images/one/truth.layers.exr", "images/two/shifted-by-0.5.png",
-        "images/two/shifted-by-0.5.error.png", "cells/two/exact-shifted.json"})
+  for (const char* name : {"results.csv", "results.json", "table.md", "table.tex", "report.html",
+                           "images/one/truth.exr", "images/one/truth.layers.exr",
+                           "images/two/shifted-by-0.5.png", "images/two/shifted-by-0.5.error.png",
+                           "images/two/shifted-by-0.5.flip.png", "cells/two/exact-shifted.json"})
     EXPECT_TRUE(fs::is_regular_file(results / name)) << name;
   EXPECT_THAT(
       read_text(results / "results.csv"),
@@ -94,8 +113,8 @@ TEST(UnitRunStudy, AFailingCellIsARowAndTheOthersGoOn) {
   EXPECT_THAT(row_of(outcome, "one", "not-a-number").error, HasSubstr("384 pixels"));
   EXPECT_DOUBLE_EQ(*row_of(outcome, "two", "shifted").metrics.linear.of("rmse"), 0.25);
   const std::string csv = read_text(folder / "results/results.csv");
-  EXPECT_THAT(csv,
-              HasSubstr("one,broken,,,,,,,,,,,,,,,,,,,,,,\"the driver lacks \"\"everything\"\""));
+  EXPECT_THAT(csv, HasSubstr("one,broken" + std::string(columns().size() + 2, ',') +
+                             "\"the driver lacks \"\"everything\"\""));
   EXPECT_THAT(read_text(folder / "results/table.md"), HasSubstr("failed: the driver lacks"));
   EXPECT_THAT(read_text(folder / "results/table.tex"), HasSubstr("failed: the driver lacks"));
 }
