@@ -24,6 +24,7 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals);
 void add_compare_command(CLI::App& app, GlobalOptions& globals);
 void add_trace_command(CLI::App& app, GlobalOptions& globals);
 void add_tune_command(CLI::App& app, GlobalOptions& globals);
+void add_export_command(CLI::App& app, GlobalOptions& globals);
 void add_data_command(CLI::App& app, GlobalOptions& globals);
 void add_list_command(CLI::App& app, GlobalOptions& globals);
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/output_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int code) {
+  const std::string message =
+      fmt::format("{}: cannot write: {}", path.string(), std::generic_category().message(code));
+  if (code == ENOSPC || code == EDQUOT || code == EIO) throw WorkError(message);
+  throw InputError(message);
+}
+
+fs::path without_last_slash(const fs::path& path) {
+  const fs::path normal = fs::absolute(path).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+std::string prefix_of(const fs::path& target) {
+  return fmt::format(".{}.folder-", target.filename().string());
+}
+
+int lock(const fs::path& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+  if (fd < 0 || ::flock(fd, LOCK_EX | LOCK_NB) == 0) return fd;
+  ::close(fd);
+  return -1;
+}
+
+/// Who writes a temporary holds a lock on it for as long as he lives.
+void remove_abandoned(const fs::path& target) {
+  std::error_code code;
+  for (fs::directory_iterator at(target.parent_path(), code), end; !code && at != end;
+       at.increment(code)) {
+    if (!at->path().filename().string().starts_with(prefix_of(target))) continue;
+    const int fd = lock(at->path());
+    if (fd < 0) continue;
+    std::error_code ignored;
+    fs::remove_all(at->path(), ignored);
+    ::close(fd);
+  }
+}
+
+void check_place(const fs::path& path, const fs::path& target, const std::string& mark) {
+  std::error_code code;
+  const fs::file_status status = fs::status(target, code);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) fail(path, ENOTDIR);
+  if (!fs::is_empty(target, code) && !fs::exists(target / mark))
+    throw InputError(
+        fmt::format("{}: holds other files; accepted: a new folder, an empty one, or "
+                    "one to be replaced, which holds '{}'",
+                    path.string(), mark));
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path path, std::string mark)
+    : path_(std::move(path)), target_(without_last_slash(path_)) {
+  std::error_code code;
+  if (const fs::path behind = fs::canonical(target_, code); !code) target_ = behind;
+  check_place(path_, target_, mark);
+  remove_abandoned(target_);
+  temporary_ =
+      target_.parent_path() / fmt::format("{}{}", prefix_of(target_), std::to_string(::getpid()));
+  if (!fs::create_directory(temporary_, code) && code) fail(path_, code.value());
+  lock_ = lock(temporary_);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void OutputFolder::commit() {
+  // What was there is swapped for the new one in one step, and goes away under its name.
+  if (fs::exists(target_) &&
+      ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
+    std::error_code ignored;
+    fs::remove_all(temporary_, ignored);
+  } else {
+    std::error_code code;
+    fs::remove_all(target_, code);  // a file system that cannot swap
+    fs::rename(temporary_, target_, code);
+    if (code) fail(path_, code.value());
+  }
+  temporary_.clear();
+}
+
+}  // namespace pellucid

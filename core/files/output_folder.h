@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace pellucid {
+
+/// An OutputFolder appears whole or not at all: its files are written into a folder beside its
+/// place, which commit() renames. Without commit() nothing remains; what a killed process has left
+/// beside the place is removed by the next OutputFolder of that name. A folder that is there is
+/// replaced in one step, but only if it is empty or holds a file named `mark`, which says that it
+/// was made the same way. Throws InputError when the folder around it is missing or not writable,
+/// and for a place that holds anything else; WorkError when the disk fails.
+class OutputFolder {
+ public:
+  OutputFolder(std::filesystem::path path, std::string mark);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Returns where the files have to be written.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Renames. Throws as the class says.
+  void commit();
+
+ private:
+  std::filesystem::path path_;    // as given, for messages
+  std::filesystem::path target_;  // absolute, without a last '/'
+  std::filesystem::path temporary_;
+  int lock_ = -1;  // held on the temporary while this process lives
+};
+
+}  // namespace pellucid

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/output_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pellucid {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t entries(const fs::path& folder) {
+  return std::size_t(std::distance(fs::directory_iterator(folder), {}));
+}
+
+TEST(UnitOutputFolder, AppearsWholeOrNotAtAll) {
+  const testing::TemporaryFolder around;
+  {
+    const OutputFolder out(around / "made", "mark");
+    write_text(out.temporary() / "mark", "1");
+    EXPECT_FALSE(fs::exists(around / "made"));
+  }
+  EXPECT_EQ(entries(around.path()), 0u);
+  OutputFolder out(around / "made/", "mark");
+  write_text(out.temporary() / "mark", "2");
+  out.commit();
+  EXPECT_EQ(read_text(around / "made" / "mark"), "2");
+  EXPECT_EQ(entries(around.path()), 1u);
+}
+
+TEST(UnitOutputFolder, ReplacesOnlyItsOwnKind) {
+  const testing::TemporaryFolder around;
+  for (const char* text : {"first", "second"}) {
+    OutputFolder out(around / "made", "mark");
+    write_text(out.temporary() / "mark", text);
+    write_text(out.temporary() / text, "");
+    out.commit();
+  }
+  EXPECT_EQ(read_text(around / "made" / "mark"), "second");
+  EXPECT_FALSE(fs::exists(around / "made" / "first"));
+  fs::create_directory(around / "mine");
+  write_text(around / "mine" / "thesis.tex", "years");
+  EXPECT_THROW(OutputFolder(around / "mine", "mark"), InputError);
+  EXPECT_THROW(OutputFolder(around / "mine" / "thesis.tex", "mark"), InputError);
+  EXPECT_THROW(OutputFolder(around / "nowhere" / "deeper", "mark"), InputError);
+  EXPECT_EQ(entries(around.path()), 2u);
+}
+
+TEST(UnitOutputFolder, RemovesWhatAKilledProcessHasLeft) {
+  const testing::TemporaryFolder around;
+  fs::create_directory(around / ".made.folder-1");
+  write_text(around / ".made.folder-1" / "mark", "");
+  const OutputFolder living(around / "made", "mark");
+  EXPECT_FALSE(fs::exists(around / ".made.folder-1"));
+}
+
+}  // namespace
+}  // namespace pellucid

@@ -1,0 +1,165 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A renderer of exported scenes that shares no code with the program: independent_renderer.py SCENE.json OUTPUT.exr.
+
+It knows scene.json and the PLY files alone: rays through pixel centres, triangles (of meshes, and of ribbons, which it
+makes itself) and discs, all fragments of a pixel sorted by depth and composited, in double."""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy
+
+import exr
+
+
+def read_ply(path):
+    """The vertices by property, and the corners of the faces."""
+    content = Path(path).read_bytes()
+    header, _, body = content.partition(b"end_header\n")
+    types = {"float": "<f4", "uint": "<u4"}
+    elements = []
+    for line in header.decode().splitlines():
+        words = line.split()
+        if words[0] == "element":
+            elements.append((words[1], int(words[2]), []))
+        elif words[0] == "property" and words[1] == "list":
+            elements[-1][2].extend([("n", "u1"), ("corners", "<u4", 3)])
+        elif words[0] == "property":
+            elements[-1][2].append((words[2], types[words[1]]))
+    read, at = {}, 0
+    for name, count, properties in elements:
+        read[name] = numpy.frombuffer(body, numpy.dtype(properties), count, at)
+        at += read[name].nbytes
+    return read
+
+
+def columns(vertices, *names):
+    return numpy.stack([vertices[name].astype(float) for name in names], -1)
+
+
+class View:
+    """The rays of the pixels, and the points of view space: x right, y up, z the depth."""
+
+    def __init__(self, scene):
+        self.width, self.height = scene["resolution"]
+        rows = numpy.array(scene["camera"]["view"])
+        self.turn, self.move = rows[:3, :3] * [[1], [1], [-1]], rows[:3, 3] * [1, 1, -1]
+        self.perspective = "fov" in scene["camera"]
+        half = numpy.tan(numpy.radians(scene["camera"]["fov"]) / 2) if self.perspective else scene["camera"]["height"] / 2
+        self.pixel = 2 * half / self.height
+        self.x = (numpy.arange(self.width) + 0.5 - self.width / 2) * self.pixel
+        self.y = (self.height / 2 - numpy.arange(self.height) - 0.5) * self.pixel
+
+    def of_world(self, x):
+        return x @ self.turn.T + self.move
+
+    def origins_and_directions(self):
+        x, y = numpy.meshgrid(self.x, self.y)
+        flat, one = numpy.zeros_like(x), numpy.ones_like(x)
+        if self.perspective:
+            return numpy.stack([flat, flat, flat], -1), numpy.stack([x, y, one], -1)
+        return numpy.stack([x, y, flat], -1), numpy.stack([flat, flat, one], -1)
+
+
+class Fragments:
+    """All crossings of all rays, in any order."""
+
+    def __init__(self, view):
+        self.view, self.parts, self.opaque = view, [], numpy.full((view.height, view.width), numpy.inf)
+        self.origins, self.directions = view.origins_and_directions()
+
+    def add(self, mask, depth, color, order, opaque):
+        mask = mask & (depth > 0)
+        if opaque:
+            self.opaque[mask] = numpy.minimum(self.opaque[mask], depth[mask])
+            color = color * [1, 1, 1, 0] + [0, 0, 0, 1]
+        pixels = numpy.flatnonzero(mask)
+        self.parts.append((pixels, depth[mask], numpy.full(len(pixels), order), color[mask]))
+
+    def add_triangle(self, corners, colors, order, opaque, shade):
+        """By barycentric coordinates from signed volumes; a zero belongs to one side by the top-left rule of none here:
+        scenes of tests have no pixel centre on an edge."""
+        a, b, c = (corner - self.origins for corner in corners)
+        d = self.directions
+        u, v, w = ((numpy.cross(p, q) * d).sum(-1) for p, q in ((b, c), (c, a), (a, b)))
+        total = u + v + w
+        inside = ((u > 0) & (v > 0) & (w > 0)) | ((u < 0) & (v < 0) & (w < 0))
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            weights = numpy.stack([u, v, w], -1) / total[..., None]
+        weights[~inside] = 1 / 3
+        depth = weights @ numpy.array(corners)[:, 2]
+        self.add(inside, depth, shade(weights @ colors, weights, d), order, opaque)
+
+    def add_disc(self, center, radius, color, order, opaque):
+        at = self.origins + self.directions * center[2]
+        inside = ((at - center) ** 2).sum(-1) < radius ** 2
+        self.add(inside, numpy.full(inside.shape, center[2]), numpy.broadcast_to(color, (*inside.shape, 4)), order, opaque)
+
+    def composite(self, background):
+        """Front to back; nothing shows behind what is opaque."""
+        pixel, depth, order, color = (numpy.concatenate(part) for part in zip(*self.parts))
+        picture = numpy.zeros((self.view.height * self.view.width, 4))
+        shown = numpy.flatnonzero(depth <= self.opaque.ravel()[pixel])
+        for i in shown[numpy.lexsort((order[shown], depth[shown]))]:
+            left = (1 - picture[pixel[i], 3]) * color[i, 3]
+            picture[pixel[i]] += left * numpy.append(color[i, :3], 1)
+        picture[:, :3] += (1 - picture[:, 3:]) * background
+        return picture.reshape(self.view.height, self.view.width, 4)
+
+
+def ribbon(points, radius, view):
+    """The rims of a strip that faces the eye: x ± radius · (t × v) / |t × v|, t by central differences."""
+    steps = numpy.diff(points, axis=0)
+    t = numpy.concatenate([steps[:1], points[2:] - points[:-2], steps[-1:]])
+    # The world is right-handed and this view is not, which turns a product round.
+    across = -numpy.cross(t, points if view.perspective else numpy.broadcast_to([0.0, 0, 1], t.shape))
+    across *= radius / numpy.linalg.norm(across, axis=1, keepdims=True)
+    for i in range(1, len(across)):
+        across[i] *= 1 if across[i] @ across[i - 1] >= 0 else -1
+    return points - across, points + across
+
+
+def triangles_of(thing, ply, positions, colors, view):
+    """Corners and colours, triangle by triangle, and the indices of the vertices."""
+    if thing["kind"] == "triangles":
+        for t in ply["face"]["corners"]:
+            yield positions[t], colors[t], t
+    elif thing["kind"] == "lines":
+        for line in numpy.unique(ply["vertex"]["line"]):
+            i = numpy.flatnonzero(ply["vertex"]["line"] == line)
+            low, high = ribbon(positions[i], thing["radius"], view)
+            for k, (p, q) in enumerate(zip(i, i[1:])):
+                yield (low[k], high[k], high[k + 1]), colors[[p, p, q]], None
+                yield (low[k], high[k + 1], low[k + 1]), colors[[p, q, q]], None
+
+
+def render(path):
+    scene = json.loads(Path(path).read_text())
+    view = View(scene)
+    fragments = Fragments(view)
+    for order, thing in enumerate(scene["objects"]):
+        ply = read_ply(Path(path).parent / thing["file"])
+        positions = view.of_world(columns(ply["vertex"], "x", "y", "z"))
+        colors = columns(ply["vertex"], "red", "green", "blue", "alpha")
+        shade = lambda color, weights, d: color
+        for corners, corner_colors, t in triangles_of(thing, ply, positions, colors, view):
+            if not thing["lit"]:
+                assert scene["lighting"] == "headlight"
+                normals = columns(ply["vertex"], "nx", "ny", "nz")[t] @ view.turn.T
+
+                def shade(color, weights, d, normals=normals):
+                    n = weights @ normals
+                    c = abs((n * d).sum(-1)) / numpy.linalg.norm(n, axis=-1) / numpy.linalg.norm(d, axis=-1)
+                    return numpy.concatenate([color[..., :3] * c[..., None], color[..., 3:]], -1)
+
+            fragments.add_triangle(corners, corner_colors, order, thing["opaque"], shade)
+        if thing["kind"] == "points":
+            for center, color in zip(positions, colors):
+                fragments.add_disc(center, thing["radius"], color, order, thing["opaque"])
+    return fragments.composite(scene["background"])
+
+
+if __name__ == "__main__":
+    exr.write(sys.argv[2], render(sys.argv[1]))
