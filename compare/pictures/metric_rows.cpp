@@ -123,7 +123,7 @@ constexpr MetricRow whole_rows[] = {
      "Evaluator for Alternating Images. PACMCGIT 3(2), 2020",
      "1",
      Better::lower,
-     NumberStyle::similarity,
+     NumberStyle::scientific,
      seen,
      {"values as sRGB, clamped to [0, 1]; YCxCz and Hunt-adjusted L*a*b*",
       "HyAB of the three, raised by edges and points of Y", "Gaussians, 21×21 and 19×19"},
