@@ -75,7 +75,7 @@ constexpr Shown everywhere(TradeOff role = TradeOff::none) {
   return {.tables = true, .report = true, .card = true, .sweeps = true, .role = role};
 }
 
-constexpr std::string_view as_they_are = "values as they are, not clamped";
+constexpr std::string_view as_they_are = "as they are, not clamped";
 constexpr MetricCard plain = {as_they_are, "mean over R, G, B", "none"};
 constexpr MetricCard largest_channel = {as_they_are, "the largest of R, G, B", "none"};
 constexpr MetricCard one_channel = {as_they_are, "one", "none"};
@@ -123,10 +123,10 @@ constexpr MetricRow whole_rows[] = {
      "Evaluator for Alternating Images. PACMCGIT 3(2), 2020",
      "1",
      Better::lower,
-     NumberStyle::similarity,
+     NumberStyle::scientific,
      seen,
-     {"values as sRGB, clamped to [0, 1]; YCxCz and Hunt-adjusted L*a*b*",
-      "HyAB of the three, raised by edges and points of Y", "Gaussians, 21×21 and 19×19"},
+     {"as sRGB, clamped to [0, 1]", "HyAB in L*a*b*; edges and points of Y",
+      "Gaussians, 21×21 and 19×19"},
      everywhere(),
      nowhere,
      true},

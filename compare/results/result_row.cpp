@@ -28,7 +28,7 @@ json metrics_json(const Metrics& m, bool displayed = false) {
         !row.on_request && row.region == Region::all && row.displayed >= displayed;
     if (m[i] || expected) j[std::string(row.name)] = finite_or_null(m[i]);
   }
-  if (m.covered) j["covered"] = *m.covered;
+  if (m.covered && !displayed) j["covered"] = *m.covered;
   j["max_error_pixel"] = {m.max_error_x, m.max_error_y};
   return j;
 }

@@ -82,7 +82,7 @@ function sweepPlots(rows) {
     if (!sweep) return [];
     return columns.filter(({ sweeps }) => sweeps).map((column) => {
       const y_title = labelOf(column);
-      const value = column.role === "error" ? (row) => Math.max(column.value(row), smallestError) : column.shown;
+      const value = column.axis.logarithmic ? (row) => Math.max(column.value(row), smallestError) : column.shown;
       const curve = { label: method, x: sweep.rows.map(sweep.at), y: sweep.rows.map(value) };
       const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { ...column.axis, points: true });
       return [`${method}: ${y_title} over ${sweep.name}`, spec];

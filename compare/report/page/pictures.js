@@ -25,7 +25,7 @@ function cropBox(scene) {
 }
 
 function numbers(row) {
-  const entries = columns.filter(({ card }) => card);
+  const entries = [...qualityColumns(), ...costColumns().filter(({ card }) => card)];
   const cells = entries.map((column) => make("div", {}, make("dt", {}, labelOf(column)), make("dd", {}, column.text(row))));
   return make("dl", { class: "numbers" }, cells);
 }

@@ -67,6 +67,11 @@ TEST(UnitFlip, GreyConstantsHaveAClosedForm) {
   EXPECT_NEAR(flip(grey(30, 20, 0.4f), grey(30, 20, 0.5f)), expected, 1e-4);
 }
 
+// The example of docs/evaluation.md.
+TEST(UnitFlip, SmallErrorsWeighMuch) {
+  EXPECT_NEAR(flip(grey(12, 12, 0.5f), grey(12, 12, 0.501f)), 0.011, 5e-4);
+}
+
 TEST(UnitFlip, WhatADisplayClampsIsNotSeen) {
   EXPECT_EQ(flip(grey(12, 12, 1.f), grey(12, 12, 7.f)), 0);
   EXPECT_EQ(flip(grey(12, 12, 0.f), grey(12, 12, -1.f)), 0);
