@@ -46,6 +46,7 @@ struct WhitePoint {
   static constexpr float x = 0.950428545f, z = 1.088900371f;
 };
 
+/// Returns the opponent colour of linear RGB in [0, 1].
 inline OpponentColor opponent_of_linear(float r, float g, float b) {
   constexpr double by_x = 24577794, by_y = 12288897, by_z = 73733382;
   constexpr float xr = float(10135552 / by_x), xg = float(8788810 / by_x),
@@ -73,6 +74,7 @@ inline float lab_curve(float t) {
   return t > delta * delta * delta ? curve : line;
 }
 
+/// Returns the adjusted L*a*b* of linear RGB in [0, 1].
 inline HuntLab hunt_lab_of_linear(float r, float g, float b) {
   const OpponentColor c = opponent_of_linear(r, g, b);
   const float fx = lab_curve(c.y + c.xy), fy = lab_curve(c.y), fz = lab_curve(c.y - c.yz);

@@ -7,12 +7,12 @@
 
 namespace pellucid::compare {
 
-/// The window of SSIM has so many pixels on a side, and so many of the picture's edge have no whole
-/// window.
+/// The window of SSIM has so many pixels on a side.
 constexpr int ssim_window = 11;
+/// So many pixels from each edge of a picture have no window that lies inside.
 constexpr int ssim_margin = ssim_window / 2;
 
-/// Of red, green and blue.
+/// ChannelValues are a number each of red, green and blue.
 using ChannelValues = std::array<double, 3>;
 
 /// The SsimScores of two pictures are how alike they are around each pixel whose window lies
