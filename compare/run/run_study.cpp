@@ -13,6 +13,7 @@
 #include "compare/measures/study_measures.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/error_map.h"
+#include "compare/pictures/given_faults.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/report.h"
 #include "compare/report/tables.h"
@@ -50,6 +51,8 @@ std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
     jobs.push_back({cell, CellFiles(options.folder, cell),
                     cell_fingerprint(cell, study.reference, study.repeats, options.context),
                     is_selected(cell, options.only)});
+  for (Job& job : jobs)
+    if (job.cell.call.given) job.cell.place.folder = job.files.given();
   if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
     throw InputError(
         fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
@@ -142,6 +145,8 @@ void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHa
   measured.row.metrics = compare_images(reference, measured.image);
   if (job.cell.reference) return;
   write_image(job.files.error_map(), error_map(reference, measured.image));
+  if (job.cell.call.given)
+    measured.row.given_faults = given_faults(reference, measured.image, at_hand.scene().background);
   const scene::Promises& promises = job.cell.call.row->promises;
   const bool comparable = (promises.exact || promises.own_layers) &&
                           !measured.layers.pixels.empty() && at_hand.has_reference_layers();
