@@ -26,6 +26,7 @@ struct ConformArguments {
   std::string command, method, only, output = "exr";
   fs::path pictures, make;
   double timeout = 600;  // seconds
+  double tolerance = compare::conformance_tolerance;
   bool all = false;
 };
 
@@ -49,7 +50,7 @@ void print_case(const compare::CaseResult& result) {
     fmt::print("{:22} {:8} {:8.1e}  {}\n", result.name, v.fault, v.max_error, v.explanation);
 }
 
-/// "1e+07 of 3": where a family is no longer right.
+/// Where a family is no longer right.
 void print_family(const compare::FamilySummary& family) {
   fmt::print("{:12} {:2} of {:2}", family.family, family.passed, family.cases);
   if (const compare::CaseResult* failed = family.first_failed)
@@ -104,6 +105,7 @@ void judge(const ConformArguments& arguments, const GlobalOptions& globals) {
   compare::ConformRequest request{.call = {},
                                   .pictures = arguments.pictures,
                                   .only = arguments.only,
+                                  .tolerance = arguments.tolerance,
                                   .context = {.gl = globals.gl},
                                   .on_case = {}};
   if (arguments.pictures.empty()) request.call = call_of(arguments);
@@ -165,9 +167,14 @@ void add_conform_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--output", arguments->output, "Kind of picture that the command writes")
       ->check(CLI::IsMember({"exr", "png"}))
       ->capture_default_str();
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "Largest error of a channel that passes; of pictures of 8 bits half a step more")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   command->add_flag("--all", arguments->all, "Print the cases that pass, too");
   command->footer(
-      "Example: pellucid conform --command 'python3 adapters/vtk_peeling.py {scene} {output}'\n"
+      "Example: pellucid conform --command './mine {scene} {output}'\n"
       "Exit code: 0 every case passes; 1 one does not; 2 wrong input.");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);

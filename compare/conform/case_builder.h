@@ -62,6 +62,7 @@ inline void add_plane(const Plane& plane, geometry::TriangleMesh& mesh) {
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
+/// Returns a transparent object of the mesh.
 inline scene::SceneObject object_of(geometry::TriangleMesh mesh, const char* name = "sheets") {
   return {name, std::move(mesh)};
 }

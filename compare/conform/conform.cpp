@@ -56,11 +56,11 @@ Verdict verdict_of(const ConformanceCase& c, const ConformRequest& request) {
   try {
     const Image image = picture_of(c, request);
     if (const std::size_t bad = count_not_finite(image))
-      return {.fault = fault::no_picture,
+      return {.fault = Fault::no_picture,
               .explanation = fmt::format("{} pixels are not finite", bad)};
-    return judge(c, image, is_stored_in_8_bits(image));
+    return judge(c, image, is_stored_in_8_bits(image), request.tolerance);
   } catch (const std::exception& error) {
-    return {.fault = fault::no_picture, .explanation = one_line(error.what())};
+    return {.fault = Fault::no_picture, .explanation = one_line(error.what())};
   }
 }
 

@@ -25,6 +25,7 @@ struct ConformRequest {
   std::optional<MethodCall> call = std::nullopt;
   std::filesystem::path pictures = {};
   std::string only = {};  // shell pattern of names; empty: every case
+  double tolerance = conformance_tolerance;
   scene::RenderContext context = {};
   std::function<void(double, const CaseResult&)> on_case =
       {};  // the share that is done, and the case

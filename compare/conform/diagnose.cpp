@@ -93,13 +93,16 @@ glm::dvec4 summed(const Layers& layers, const Vec3& background) {
 
 class Diagnosis {
  public:
-  Diagnosis(const ConformanceCase& c, const Image& picture, double tolerance)
-      : case_(c), picture_(picture), tolerance_(tolerance) {
+  Diagnosis(const ConformanceCase& c, const Image& picture, bool stored_in_8_bits, double tolerance)
+      : case_(c),
+        picture_(picture),
+        stored_in_8_bits_(stored_in_8_bits),
+        tolerance_(tolerance + (stored_in_8_bits ? half_step : 0)) {
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
       const double error =
           difference(composite_of(c.of_pixel(i), c.scene.background), picture.pixels[i]);
       verdict_.max_error = std::max(verdict_.max_error, error);
-      if (error > tolerance) wrong_.push_back(i);
+      if (error > tolerance_) wrong_.push_back(i);
     }
     verdict_.wrong = wrong_.size();
     verdict_.passed = wrong_.empty();
@@ -107,9 +110,9 @@ class Diagnosis {
 
   Verdict verdict() {
     if (verdict_.passed) return verdict_;
-    if (!is_background() && !is_8_bits() && !is_missed() && !is_capped() && !is_doubled() &&
-        !is_misordered() && !is_of_the_picture())
-      name(fault::other,
+    if (!is_nearly_right() && !is_background() && !is_8_bits() && !is_missed() && !is_capped() &&
+        !is_doubled() && !is_misordered() && !is_of_the_picture())
+      name(Fault::other,
            fmt::format("{} pixels, by {:.2g} at most", verdict_.wrong, verdict_.max_error));
     return verdict_;
   }
@@ -141,6 +144,13 @@ class Diagnosis {
         [&](std::size_t i) { return is(i, composite(layers(i), behind()), tolerance); });
   }
 
+  /// Of a picture that holds no more digits other explanations would be guesses.
+  bool is_nearly_right() {
+    if (!stored_in_8_bits_ || verdict_.max_error > 4 * half_step) return false;
+    return name(Fault::eight_bits,
+                fmt::format("right to {:.1f} of an 8-bit step", 255 * verdict_.max_error));
+  }
+
   /// The colour behind is that of the pixel through which most of it shows.
   bool is_background() {
     const auto left = [&](std::size_t i) { return 1 - composite_of(layers(i), behind()).a; };
@@ -160,7 +170,7 @@ class Diagnosis {
           return is(i, composite_of(layers(i), color), 4 * tolerance_);
         }))
       return false;
-    return name(fault::background,
+    return name(Fault::background,
                 fmt::format("({:.3g}, {:.3g}, {:.3g}) shows through, not ({:.3g}, {:.3g}, {:.3g})",
                             color.r, color.g, color.b, behind().r, behind().g, behind().b));
   }
@@ -169,7 +179,7 @@ class Diagnosis {
   bool is_8_bits() {
     constexpr double most_slack = 3 * half_step;
     if (verdict_.max_error <= 2 * half_step)
-      return name(fault::eight_bits, "the result is rounded to 8 bits");
+      return name(Fault::eight_bits, "the result is rounded to 8 bits");
     const struct {
       Composite composite;
       const char* what;
@@ -181,7 +191,7 @@ class Diagnosis {
     for (const double slack : {half_step, most_slack})
       for (const auto& way : ways)
         if (has_steps && verdict_.max_error > 2 * slack && is_composite(way.composite, slack))
-          return name(fault::eight_bits, way.what);
+          return name(Fault::eight_bits, way.what);
     return false;
   }
 
@@ -222,7 +232,7 @@ class Diagnosis {
                   return composite_of(some(all, k, nearest), background);
                 },
                 2 * tolerance_))
-          return name(fault::capped,
+          return name(Fault::capped,
                       fmt::format("only the {} {} layers", nearest ? "nearest" : "farthest", k));
     }
     return false;
@@ -233,8 +243,11 @@ class Diagnosis {
   bool is_with_change(std::size_t pixel, const Changed& changed) const {
     const Layers& all = layers(pixel);
     if (all.size() > few_layers) return false;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (is(pixel, composite_of(changed(all, i), behind()), 2 * tolerance_)) return true;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Layers layers = changed(all, i);
+      if (layers.size() != all.size() && is(pixel, composite_of(layers, behind()), 2 * tolerance_))
+        return true;
+    }
     return false;
   }
 
@@ -250,11 +263,11 @@ class Diagnosis {
       return left;
     };
     if (explains([&](std::size_t p) { return is(p, composite_of({}, behind()), 2 * tolerance_); }))
-      return name(fault::missed, "all layers are missing");
+      return name(Fault::missed, "all layers are missing");
     if (explains([&](std::size_t p) { return is_with_change(p, one); }))
-      return name(fault::missed, fmt::format("a layer is missing in {} pixels", wrong_.size()));
+      return name(Fault::missed, fmt::format("a layer is missing in {} pixels", wrong_.size()));
     if (explains([&](std::size_t p) { return is_with_change(p, but_one_of_equals); }))
-      return name(fault::missed, "of equal layers one is left");
+      return name(Fault::missed, "of equal layers one is left");
     return false;
   }
 
@@ -264,7 +277,7 @@ class Diagnosis {
       return all;
     };
     if (!explains([&](std::size_t p) { return is_with_change(p, twice); })) return false;
-    return name(fault::doubled, fmt::format("a layer counts twice in {} pixels", wrong_.size()));
+    return name(Fault::doubled, fmt::format("a layer counts twice in {} pixels", wrong_.size()));
   }
 
   /// Of a few layers any other order is tried.
@@ -304,28 +317,31 @@ class Diagnosis {
       return composite_of(Layers(all.rbegin(), all.rend()), background);
     };
     if (is_composite(backwards, slack))
-      return name(fault::misordered, "the farthest layer is taken for the nearest");
+      return name(Fault::misordered, "the farthest layer is taken for the nearest");
     if (is_composite(averaged, slack))
-      return name(fault::misordered, "no order: the mean colour of all layers");
+      return name(Fault::misordered, "no order: the mean colour of all layers");
     if (is_composite(averaged_with_opacity, slack))
-      return name(fault::misordered, "no order: mean colour and mean opacity of all layers");
+      return name(Fault::misordered, "no order: mean colour and mean opacity of all layers");
     if (is_composite(summed, slack))
-      return name(fault::misordered, "no order: the sum of all layers");
+      return name(Fault::misordered, "no order: the sum of all layers");
     if (explains([&](std::size_t p) { return is_permuted(p); }))
-      return name(fault::misordered, "layers in another order");
+      return name(Fault::misordered, "layers in another order");
     if (explains([&](std::size_t p) { return is_mixed(p); }))
-      return name(fault::misordered, "all layers, in another order or in none");
+      return name(Fault::misordered, "all layers, in another order or in none");
     return false;
   }
 
+  /// In a picture of one colour anything might be seen.
   bool is_of_the_picture() {
+    if (case_.layers.size() < 2) return false;
     const auto faults = given_faults(expected_picture(case_), picture_, behind());
     if (faults.empty()) return false;
-    return name(fault::picture, fmt::format("{}", fmt::join(faults, "; ")));
+    return name(Fault::picture, fmt::format("{}", fmt::join(faults, "; ")));
   }
 
   const ConformanceCase& case_;
   const Image& picture_;
+  bool stored_in_8_bits_;
   double tolerance_;
   std::vector<std::size_t> wrong_;
   Verdict verdict_;
@@ -333,9 +349,9 @@ class Diagnosis {
 
 }  // namespace
 
-Verdict judge(const ConformanceCase& c, const Image& picture, bool stored_in_8_bits) {
-  const double tolerance = conformance_tolerance + (stored_in_8_bits ? half_step : 0);
-  return Diagnosis(c, picture, tolerance).verdict();
+Verdict judge(const ConformanceCase& c, const Image& picture, bool stored_in_8_bits,
+              double tolerance) {
+  return Diagnosis(c, picture, stored_in_8_bits, tolerance).verdict();
 }
 
 }  // namespace pellucid::compare

@@ -53,7 +53,7 @@ TEST(AgreementConform, WeightedAverageFailsWhereLayersDiffer) {
       EXPECT_TRUE(result.verdict.passed) << result.name;
     }
     if (!of_one_color && c.family != "opaque" && c.family != "opacity") {
-      EXPECT_EQ(result.verdict.fault, fault::misordered)
+      EXPECT_EQ(result.verdict.fault, Fault::misordered)
           << result.name << ": " << result.verdict.explanation;
     }
   }
@@ -110,7 +110,7 @@ TEST_F(UnitVerdict, OfTheRightPictureIsThatItPasses) {
 
 TEST_F(UnitVerdict, NamesAResultOfEightBitsInAFileOfFloats) {
   const ConformanceCase& c = named("layers-10");
-  EXPECT_EQ(judge(c, displayed_values(expected_picture(c)), false).fault, fault::eight_bits);
+  EXPECT_EQ(judge(c, displayed_values(expected_picture(c)), false).fault, Fault::eight_bits);
 }
 
 TEST_F(UnitVerdict, NamesTheCap) {
@@ -119,13 +119,13 @@ TEST_F(UnitVerdict, NamesTheCap) {
       layers.resize(std::min(layers.size(), k));
       return layers;
     });
-    EXPECT_EQ(nearest.fault, fault::capped);
+    EXPECT_EQ(nearest.fault, Fault::capped);
     EXPECT_EQ(nearest.explanation, fmt::format("only the nearest {} layers", k));
   }
   EXPECT_EQ(verdict("layers-10000",
                     [](Layers layers) { return Layers(layers.begin(), layers.begin() + 1024); })
                 .fault,
-            fault::capped);
+            Fault::capped);
 }
 
 TEST_F(UnitVerdict, NamesWhatIsMissedAndWhatIsDoubled) {
@@ -134,8 +134,8 @@ TEST_F(UnitVerdict, NamesWhatIsMissedAndWhatIsDoubled) {
       if (layers[i] == layers[i - 1]) return layers.erase(layers.begin() + long(i)), layers;
     return layers;
   };
-  EXPECT_EQ(verdict("equal-depth-2", without_last_equal).fault, fault::missed);
-  EXPECT_EQ(verdict("equal-depth-5", without_last_equal).fault, fault::missed);
+  EXPECT_EQ(verdict("equal-depth-2", without_last_equal).fault, Fault::missed);
+  EXPECT_EQ(verdict("equal-depth-5", without_last_equal).fault, Fault::missed);
   const Verdict one_left = verdict("equal-depth-50", [](const Layers& layers) {
     return Layers{layers.front(), layers.back()};
   });
@@ -148,7 +148,7 @@ TEST_F(UnitVerdict, NamesWhatIsMissedAndWhatIsDoubled) {
                       return layers;
                     })
                 .fault,
-            fault::doubled);
+            Fault::doubled);
 }
 
 TEST_F(UnitVerdict, NamesAnotherOrder) {
@@ -171,13 +171,13 @@ TEST_F(UnitVerdict, NamesAnotherOrder) {
                       return layers;
                     })
                 .fault,
-            fault::misordered);
+            Fault::misordered);
 }
 
 TEST_F(UnitVerdict, NamesAnotherBackground) {
-  EXPECT_EQ(verdict("layers-10", as_they_are, Vec3(0)).fault, fault::background);
+  EXPECT_EQ(verdict("layers-10", as_they_are, Vec3(0)).fault, Fault::background);
   const Verdict white = verdict("lines-wide", as_they_are, Vec3(1));
-  EXPECT_EQ(white.fault, fault::background);
+  EXPECT_EQ(white.fault, Fault::background);
   EXPECT_THAT(white.explanation, HasSubstr("(1, 1, 1) shows through, not (0.1, 0.5, 0.9)"));
 }
 
@@ -185,7 +185,7 @@ TEST_F(UnitVerdict, NamesAnotherBackground) {
 TEST_F(UnitVerdict, NamesBlendingInEightBits) {
   const ConformanceCase& c = named("opacity-1-510");
   Image image(c.scene.width, c.scene.height, Rgba(c.scene.background, 1));
-  EXPECT_EQ(judge(c, displayed_values(image), false).fault, fault::eight_bits);
+  EXPECT_EQ(judge(c, displayed_values(image), false).fault, Fault::eight_bits);
 }
 
 TEST_F(UnitVerdict, NamesAPictureThatIsTurned) {
@@ -193,7 +193,7 @@ TEST_F(UnitVerdict, NamesAPictureThatIsTurned) {
   Image image = expected_picture(c);
   std::ranges::reverse(image.pixels);
   const Verdict turned = judge(c, image, false);
-  EXPECT_EQ(turned.fault, fault::picture);
+  EXPECT_EQ(turned.fault, Fault::picture);
   EXPECT_THAT(turned.explanation, HasSubstr("180 degrees"));
 }
 
@@ -204,7 +204,7 @@ TEST(UnitConform, TakesPicturesFromAFolderAndTellsWhichAreMissing) {
   const auto results = conform({.call = {}, .pictures = folder.path(), .only = "layers-1*"});
   ASSERT_EQ(results.size(), 5u);
   EXPECT_TRUE(results[0].verdict.passed);
-  EXPECT_EQ(results[1].verdict.fault, fault::no_picture);
+  EXPECT_EQ(results[1].verdict.fault, Fault::no_picture);
   EXPECT_THAT(results[1].verdict.explanation, HasSubstr("neither layers-10.exr nor .png"));
   const auto families = summarize(results);
   ASSERT_EQ(families.size(), 1u);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "compare/methods/given_method.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/tables.h"
 #include "compare/results/columns.h"
 #include "compare/results/provenance.h"
+#include "compare/run/tune.h"
 #include "core/error.h"
 #include "tests/compare/run/studies.h"
 
@@ -154,6 +156,35 @@ TEST_F(UnitGivenStudy, WhatLooksWrongIsSaidInTheTablesAndKept) {
     EXPECT_THAT(row_of(outcome, "one", "theirs").given_faults, Contains(HasSubstr("180 degrees")));
     EXPECT_THAT(provenance_warnings(outcome.rows), Contains(HasSubstr("one/theirs: the picture")));
   }
+}
+
+/// What it does not tell is no bargain.
+TEST_F(UnitGivenStudy, ACommandIsACandidateOfTune) {
+  const auto cheapest = [&](const std::string& script, double rmse, Cost cost,
+                            std::optional<std::uint64_t> bytes = std::nullopt) -> std::string {
+    write_text(folder_ / "mine.sh", script + "\n");
+    const scene::MethodRow &truth = fake_methods()[0], &shifted = fake_methods()[1];
+    TuneRequest request{
+        .scene = folder_ / "one.json",
+        .reference = {&truth, Parameters(truth.name, {}, {})},
+        .candidates = {{&shifted, Parameters(shifted.name, shifted.parameters, {})}},
+        .bound = {rmse, std::nullopt, bytes},
+        .cost = cost,
+        .context = {},
+        .progress = {},
+        .on_row = {}};
+    request.candidates.push_back(
+        external_call({.name = "mine",
+                       .words = {"sh", "mine.sh", "{scene}", "{camera}", "{output}"},
+                       .base = folder_.path()}));
+    const TuneOutcome outcome = tune(request);
+    return outcome.best() ? outcome.best()->method : "none";
+  };
+  const std::string cheap = R"(; echo '{"ms": 1, "bytes": 10}' > $3.json)";
+  EXPECT_EQ(cheapest(copies() + cheap, 0.2, Cost::seconds), "mine");
+  EXPECT_EQ(cheapest(copies() + cheap, 0.3, Cost::bytes), "mine");
+  EXPECT_EQ(cheapest(copies(), 0.3, Cost::bytes), "shifted");
+  EXPECT_EQ(cheapest(copies(), 0.2, Cost::seconds, 1 << 20), "none");
 }
 
 TEST_F(UnitGivenStudy, WrongEntriesAreRefused) {
