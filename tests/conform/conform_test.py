@@ -45,8 +45,8 @@ class Conform(unittest.TestCase):
         self.assertEqual(self.faults("right", *(set(self.names) - TOO_MANY)), {})
 
     def test_faulty_renderers_are_told(self):
-        several = "layers-1", "layers-2", "layers-10", "layers-100"
-        self.assertEqual(self.faults("capped", *several), {"layers-10": "capped", "layers-100": "capped"})
+        several = "layers-1", "layers-2", "layers-10"
+        self.assertEqual(self.faults("capped", *several, "layers-100"), {"layers-10": "capped", "layers-100": "capped"})
         self.assertEqual(self.faults("backwards", *several), dict.fromkeys(several[1:], "misordered"))
         self.assertEqual(self.faults("black", *several), dict.fromkeys(several, "background"))
         self.assertEqual(self.faults("eight", "layers-100", "opacity-1-510"),
