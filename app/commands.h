@@ -25,6 +25,7 @@ void add_compare_command(CLI::App& app, GlobalOptions& globals);
 void add_trace_command(CLI::App& app, GlobalOptions& globals);
 void add_tune_command(CLI::App& app, GlobalOptions& globals);
 void add_export_command(CLI::App& app, GlobalOptions& globals);
+void add_conform_command(CLI::App& app, GlobalOptions& globals);
 void add_data_command(CLI::App& app, GlobalOptions& globals);
 void add_list_command(CLI::App& app, GlobalOptions& globals);
 

@@ -27,6 +27,8 @@ struct StudyArguments {
 };
 
 std::string milliseconds_and_memory(const compare::ResultRow& row) {
+  if (!row.given.empty())
+    return row.steps.empty() ? "given" : fmt::format("{:9.1f} ms, given", row.seconds.median * 1e3);
   return fmt::format("{:9.1f} ms {:9.1f} MB", row.seconds.median * 1e3,
                      double(row.total_bytes()) / 1e6);
 }
@@ -42,6 +44,8 @@ void print_row(const compare::ResultRow& row) {
                                ? fmt::format("{}/{}", row.scene, row.method)
                                : fmt::format("{}/{}:{}", row.scene, row.method, row.parameters);
   if (!row.error.empty()) return fmt::print("{:40} failed: {}\n", name, row.error);
+  for (const std::string& fault : row.given_faults)
+    fmt::print("{:40} the picture {}\n", name, fault);
   const compare::Metrics& m = row.metrics.linear;
   const std::optional<double> ssim = m.of("ssim");
   fmt::print("{:40} RMSE {:9.3e}  SSIM {}  {}\n", name, m.of("rmse").value_or(NAN),

@@ -7,12 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "compare/methods/given_method.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/methods/sweep.h"
 #include "compare/run/tune.h"
 #include "core/error.h"
 #include "core/files/json_text.h"
+#include "core/machine/program_run.h"
 #include "core/options/names.h"
 
 namespace pellucid::app {
@@ -21,16 +23,22 @@ namespace {
 struct TuneArguments {
   std::filesystem::path scene;
   compare::ErrorBound bound;
-  std::string cost = "seconds", opacities;
+  std::string cost = "seconds", opacities, command;
   int repeats = 3;
 };
 
 /// Every method but the reference, which has no error to bound.
 compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOptions& globals) {
   const scene::MethodRow& reference = compare::methods().front();
+  std::vector<compare::MethodCall> candidates =
+      compare::every_method(compare::methods().subspan(1));
+  if (!arguments.command.empty())
+    candidates.push_back(compare::external_call({.name = "command",
+                                                 .words = split_command(arguments.command),
+                                                 .base = std::filesystem::current_path()}));
   return {.scene = arguments.scene,
           .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
-          .candidates = compare::every_method(compare::methods().subspan(1)),
+          .candidates = std::move(candidates),
           .bound = arguments.bound,
           .cost = arguments.cost == "bytes" ? compare::Cost::bytes : compare::Cost::seconds,
           .repeats = arguments.repeats,
@@ -52,10 +60,13 @@ void print_table(const compare::TuneOutcome& outcome) {
       fmt::print("{:28} failed: {}\n", call_text(row), row.error);
       continue;
     }
+    for (const std::string& fault : row.given_faults)
+      fmt::print("{:28} the picture {}\n", call_text(row), fault);
     const compare::Metrics& m = row.metrics.linear;
     const std::optional<double> ssim = m.of("ssim");
     fmt::print("{:28} {:10.1f} {:9.1f} {:10.3e} {:>8}  {}\n", call_text(row),
-               1e3 * row.seconds.median, 1e-6 * double(row.total_bytes()),
+               1e3 * row.seconds.median,
+               !row.given.empty() && row.bytes.empty() ? NAN : 1e-6 * double(row.total_bytes()),
                m.of("rmse").value_or(NAN), ssim ? fmt::format("{:.4f}", *ssim) : "none",
                outcome.within_bound[i] ? "within the bound" : "");
   }
@@ -81,7 +92,9 @@ void run(const TuneArguments& arguments, const GlobalOptions& globals) {
     std::cout << json_text(to_json(outcome), 2) << '\n';
   } else {
     print_table(outcome);
-    if (best)
+    if (best && !best->given.empty())
+      fmt::print("\nthe cheapest in {}: {}\n", arguments.cost, arguments.command);
+    if (best && best->given.empty())
       fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {}{} -o picture.exr\n",
                  arguments.cost, call_text(*best), arguments.scene.string(), call_text(*best),
                  arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities);
@@ -109,6 +122,9 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--repeats", arguments->repeats, "Timed pictures of each; the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command->add_option("--command", arguments->command,
+                      "A program of your own as a further candidate: its words, in which {scene}, "
+                      "{camera} and {output} stand for files; no shell sees it");
   add_opacities_option(*command, arguments->opacities);
   command->footer("Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
   add_gl_option(*command, globals);

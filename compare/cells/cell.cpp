@@ -101,6 +101,7 @@ ResultRow identity_row(const Cell& cell) {
   row.parameters = cell.call.parameters.given();
   row.parameter_values = cell.call.parameters.all();
   row.reference = cell.reference;
+  if (cell.call.given) row.given = cell.call.given->kind();
   return row;
 }
 
@@ -109,6 +110,7 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int 
   Hash hash;
   hash.add(read_text(cell.scene_file));
   add_call(cell.call, hash);
+  if (cell.call.given) hash.add(cell.call.given->fingerprint(cell.scene, cell.place.view));
   add_call(reference, hash);
   if (cell.opacities) add_call(*cell.opacities, hash);
   hash.add(std::to_string(repeats));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/methods/given_method.h"
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
 #include "core/files/files_read.h"
@@ -21,6 +22,7 @@ struct Cell {
   std::vector<std::string> measures = {};              // names of StudyMeasure
   std::vector<Pixel> probes = {};                      // rays to look along
   std::optional<MethodCall> opacities = std::nullopt;  // see Study
+  GivenPlace place = {};                               // of a picture from elsewhere
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }
@@ -41,6 +43,8 @@ class CellFiles {
   /// Returns the path of one of the method's further pictures.
   std::filesystem::path further(std::string_view name) const;
   std::filesystem::path layers() const { return image(".layers.exr"); }
+  /// Returns the folder in which an external command runs and leaves what it prints.
+  std::filesystem::path given() const { return folder_ / "given" / scene_ / slug_; }
   /// Returns the path of the row, which is written last: where it is, all the others are.
   std::filesystem::path row() const;
 

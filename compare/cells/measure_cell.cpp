@@ -94,13 +94,14 @@ CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, int re
                              const scene::RenderContext& context) {
   CellMeasurement result{identity_row(cell), {}, {}, {}};
   const Stopwatch setup;
-  const auto renderer = cell.call.row->make(scene, cell.call.parameters, context);
+  const auto renderer = make_renderer(cell.call, scene, context, cell.place);
   result.row.setup_seconds = setup.seconds();
   warm_up(*renderer, result);
   time_renderings(*renderer, repeats, result);
   describe(*renderer, scene, result.row);
   take_findings(renderer->findings(), result);
   add_ray_curves(cell, scene, *renderer, result);
+  if (cell.call.given) result.row.repeats = 1;  // others are the same picture again
   return result;
 }
 

@@ -23,8 +23,8 @@ bool is_file_safe(char c) {
 }  // namespace
 
 std::string MethodCall::text() const {
-  const std::string given = parameters.given();
-  return given.empty() ? std::string(row->name) : fmt::format("{}:{}", row->name, given);
+  const std::string own = parameters.given();
+  return own.empty() ? std::string(row->name) : fmt::format("{}:{}", row->name, own);
 }
 
 std::string MethodCall::slug() const {

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "scene/renderer.h"
 
 namespace pellucid::compare {
 
+class GivenMethod;
+
 /// A MethodCall is a method and the parameters that it is called with.
 struct MethodCall {
   const scene::MethodRow* row = nullptr;
   Parameters parameters;
+  /// Makes the pictures in the place of the program's own methods, and keeps `row`; mostly none.
+  std::shared_ptr<const GivenMethod> given = nullptr;
 
   /// Returns "fourier:bands=5", as on the command line.
   std::string text() const;

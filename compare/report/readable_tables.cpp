@@ -57,9 +57,14 @@ std::string markdown_escaped(std::string_view text) {
   return escaped;
 }
 
+/// What sets a row apart from the program's own methods.
+std::string_view mark_of(const ResultRow& row) {
+  if (row.reference) return " (reference)";
+  return row.given.empty() ? "" : " (given)";
+}
+
 std::string markdown_line(const ResultRow& row) {
-  std::string line =
-      fmt::format("| {}{} |", markdown_escaped(row.call()), row.reference ? " (reference)" : "");
+  std::string line = fmt::format("| {}{} |", markdown_escaped(row.call()), mark_of(row));
   if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", markdown_escaped(row.error));
   for (const Column& column : table_columns()) line += fmt::format(" {} |", cell_text(column, row));
   return line + '\n';
@@ -151,7 +156,7 @@ std::string latex_number(const std::string& text) {
 }
 
 std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
-  std::string line = latex_escaped(row.call());
+  std::string line = latex_escaped(row.call()) + (row.given.empty() ? "" : " (given)");
   if (!row.error.empty())
     return line + fmt::format(" & \\multicolumn{{{}}}{{l}}{{failed: {}}} \\\\\n",
                               table_columns().size(), latex_escaped(row.error));

@@ -36,6 +36,20 @@ std::optional<double> number(T value) {
   return double(value);
 }
 
+/// Of a picture from elsewhere only what its maker told is known.
+template <class Known, class Value>
+auto unless_given(const Known& known, const Value& value) {
+  return [known, value](const ResultRow& r) -> std::optional<double> {
+    if (!r.given.empty() && !known(r)) return std::nullopt;
+    return double(value(r));
+  };
+}
+
+bool never(const ResultRow&) { return false; }
+bool is_timed(const ResultRow& r) { return !r.steps.empty(); }
+bool is_weighed(const ResultRow& r) { return !r.bytes.empty(); }
+bool is_counted(const ResultRow& r) { return r.fragments > 0; }
+
 using Style = NumberStyle;
 
 constexpr Shown in_csv = {};
@@ -47,30 +61,30 @@ constexpr Shown as_cost(bool sweeps) {
 
 std::vector<Column> cost_columns() {
   return {{"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true),
-           [](const ResultRow& r) { return number(r.seconds.median); }},
+           unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; })},
           {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
-           [](const ResultRow& r) { return number(r.total_bytes()); }},
+           unless_given(is_weighed, [](const ResultRow& r) { return r.total_bytes(); })},
           {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
-           [](const ResultRow& r) { return number(r.fragments); }},
+           unless_given(is_counted, [](const ResultRow& r) { return r.fragments; })},
           {"max_layers", "Layers", "1", Better::neither, Style::count, in_tables,
-           [](const ResultRow& r) { return number(r.max_layers); }}};
+           unless_given(never, [](const ResultRow& r) { return r.max_layers; })}};
 }
 
 std::vector<Column> further_columns() {
   return {{"covered", "Covered share", "1", Better::neither, Style::similarity, in_csv,
            [](const ResultRow& r) { return r.metrics.linear.covered; }},
           {"seconds_min", "Least time", "s", Better::lower, Style::milliseconds, in_csv,
-           [](const ResultRow& r) { return number(r.seconds.min); }},
+           unless_given(is_timed, [](const ResultRow& r) { return r.seconds.min; })},
           {"seconds_max", "Longest time", "s", Better::lower, Style::milliseconds, in_csv,
-           [](const ResultRow& r) { return number(r.seconds.max); }},
+           unless_given(is_timed, [](const ResultRow& r) { return r.seconds.max; })},
           {"setup_seconds", "Setting up", "s", Better::lower, Style::milliseconds, in_csv,
-           [](const ResultRow& r) { return number(r.setup_seconds); }},
+           unless_given(never, [](const ResultRow& r) { return r.setup_seconds; })},
           {"dropped", "Dropped fragments", "1", Better::lower, Style::count, in_csv,
-           [](const ResultRow& r) { return number(r.dropped); }},
+           unless_given(never, [](const ResultRow& r) { return r.dropped; })},
           {"stored", "Stored fragments", "1", Better::neither, Style::count, in_csv,
-           [](const ResultRow& r) { return number(r.stored); }},
+           unless_given(never, [](const ResultRow& r) { return r.stored; })},
           {"truncated_pixels", "Pixels that lost fragments", "1", Better::lower, Style::count,
-           in_csv, [](const ResultRow& r) { return number(r.truncated); }},
+           in_csv, unless_given(never, [](const ResultRow& r) { return r.truncated; })},
           {"layers_differ", "Pixels of other layers", "1", Better::lower, Style::count, in_csv,
            [](const ResultRow& r) {
              return r.coverage ? number(r.coverage->differing) : std::nullopt;

@@ -44,6 +44,9 @@ std::vector<std::string> provenance_warnings(std::span<const ResultRow> rows) {
     warnings.push_back(
         fmt::format("The rows come from {} machines, so that their times do not compare: {}.",
                     machines.size(), fmt::join(machines, "; ")));
+  for (const ResultRow& row : rows)
+    for (const std::string& fault : row.given_faults)
+      warnings.push_back(fmt::format("{}/{}: the picture {}.", row.scene, row.call(), fault));
   return warnings;
 }
 

@@ -138,6 +138,7 @@ void add_results(const ResultRow& row, json& j) {
   j["truncated_pixels"] = row.truncated;
   j["max_layers"] = row.max_layers;
   if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
+  if (!row.given.empty()) j["faults"] = row.given_faults;
   j["measures"] = measures_json(row);
   j["pictures"] = pictures_json(row);
   j["curves"] = curves_json(row);
@@ -156,6 +157,7 @@ void results_from(const json& j, ResultRow& row) {
   row.truncated = j.at("truncated_pixels");
   row.max_layers = j.at("max_layers");
   if (j.contains("coverage")) row.coverage = coverage_from(j.at("coverage"));
+  if (j.contains("faults")) row.given_faults = j.at("faults");
   for (const json& measure : j.at("measures")) row.measures.push_back(measure_from(measure));
   for (const json& p : j.at("pictures"))
     row.pictures.push_back({p.at("name"), p.at("title"), p.at("min"), p.at("max")});
@@ -185,6 +187,7 @@ json to_json(const ResultRow& row) {
             {"parameters", row.parameters}, {"parameter_values", row.parameter_values},
             {"reference", row.reference},   {"fingerprint", row.fingerprint},
             {"files_read", row.files_read}, {"machine", row.machine}};
+  if (!row.given.empty()) j["given"] = row.given;
   if (row.error.empty())
     add_results(row, j);
   else
@@ -204,6 +207,7 @@ ResultRow row_from_json(const json& j) {
   row.files_read = j.at("files_read");
   row.machine = j.at("machine");
   row.error = j.value("error", "");
+  row.given = j.value("given", "");
   if (row.error.empty()) results_from(j, row);
   return row;
 }

@@ -48,6 +48,7 @@ struct RowCurve {
 struct ResultRow {
   std::string scene, method, parameters;  // parameters as given: "bands=5"
   bool reference = false;
+  std::string given;  // where a picture from elsewhere comes from: "command", "picture"
   std::string error;  // empty: the cell is done, and what follows holds
 
   std::string fingerprint;  // of the cell: scene's text, methods, parameters, repeats, driver
@@ -63,7 +64,8 @@ struct ResultRow {
   std::uint64_t stored = 0, dropped = 0, truncated = 0;  // see RenderStats
   std::uint32_t max_layers = 0;
   std::optional<CoverageCheck> coverage;
-  std::vector<scene::Measure> measures;  // that only some methods have
+  std::vector<std::string> given_faults;  // what looks wrong with a picture from elsewhere
+  std::vector<scene::Measure> measures;   // that only some methods have
   std::vector<RowPicture> pictures;
   std::vector<RowCurve> curves;
   std::vector<std::string> explanation;                 // what the method modelled, and why

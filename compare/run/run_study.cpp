@@ -15,6 +15,7 @@
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/flip.h"
+#include "compare/pictures/given_faults.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/report.h"
 #include "compare/report/tables.h"
@@ -52,6 +53,8 @@ std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
     jobs.push_back({cell, CellFiles(options.folder, cell),
                     cell_fingerprint(cell, study.reference, study.repeats, options.context),
                     is_selected(cell, options.only)});
+  for (Job& job : jobs)
+    if (job.cell.call.given) job.cell.place.folder = job.files.given();
   if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
     throw InputError(
         fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
@@ -156,6 +159,8 @@ void compare_with_reference(const Job& job, CellMeasurement& measured, SceneAtHa
   write_image(job.files.error_map(), error_map(reference, measured.image));
   write_image(job.files.flip_map(), flip_picture(pair.flip()));
   if (regions.reference_layers) add_layer_error(reference, *regions.reference_layers, measured);
+  if (job.cell.call.given)
+    measured.row.given_faults = given_faults(reference, measured.image, at_hand.scene().background);
   const scene::Promises& promises = job.cell.call.row->promises;
   if ((promises.exact || promises.own_layers) && regions.reference_layers && regions.test_layers)
     measured.row.coverage =

@@ -2,9 +2,11 @@
 #include "compare/run/tune.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "compare/cells/measure_cell.h"
 #include "compare/methods/optimize_opacities.h"
+#include "compare/pictures/given_faults.h"
 #include "core/error.h"
 #include "scene/files/scene_file.h"
 
@@ -20,12 +22,17 @@ void check(const ErrorBound& bound) {
     throw InputError("--min-ssim: accepted: -1 … 1");
 }
 
+/// What a program of somebody else's needs is known only if it tells.
+std::uint64_t known_bytes(const ResultRow& row) {
+  const bool unknown = !row.given.empty() && row.bytes.empty();
+  return unknown ? std::numeric_limits<std::uint64_t>::max() : row.total_bytes();
+}
+
 /// Also for equal costs the order does not depend on chance.
 bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
   if (a.error.empty() != b.error.empty()) return a.error.empty();
   if (cost == Cost::seconds) return a.seconds.median < b.seconds.median;
-  return std::pair(a.total_bytes(), a.seconds.median) <
-         std::pair(b.total_bytes(), b.seconds.median);
+  return std::pair(known_bytes(a), a.seconds.median) < std::pair(known_bytes(b), b.seconds.median);
 }
 
 class Tuning {
@@ -70,6 +77,9 @@ class Tuning {
     try {
       CellMeasurement measurement = measured(call, request_.repeats);
       measurement.row.metrics = compare_images(reference, measurement.image);
+      if (call.given)
+        measurement.row.given_faults =
+            given_faults(reference, measurement.image, scene_.background);
       return std::move(measurement.row);
     } catch (const std::exception& error) {
       ResultRow row = identity_row(cell(call));
@@ -89,7 +99,7 @@ bool ErrorBound::holds_for(const ResultRow& row) const {
   const std::optional<double> ssim = row.metrics.linear.of("ssim");
   return row.error.empty() && (!max_rmse || (rmse && *rmse <= *max_rmse)) &&
          (!min_ssim || (ssim && *ssim >= *min_ssim)) &&
-         (!max_bytes || row.total_bytes() <= *max_bytes);
+         (!max_bytes || known_bytes(row) <= *max_bytes);
 }
 
 const ResultRow* TuneOutcome::best() const {

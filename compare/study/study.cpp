@@ -10,6 +10,7 @@
 #include "compare/measures/study_measures.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/study/read_calls.h"
+#include "compare/study/read_given.h"
 #include "compare/study/read_source.h"
 #include "core/error.h"
 #include "core/files/json_node.h"
@@ -23,13 +24,25 @@ namespace fs = std::filesystem;
 constexpr int max_repeats = 1000;
 constexpr int max_side = 1 << 14;  // of a crop, as of a picture
 
+/// Two pictures from elsewhere of one name would be one row.
+void add_given(const JsonNode& element, const Catalogue& catalogue, std::set<std::string>& seen,
+               Study& study) {
+  MethodCall call = read_given(element, study.file.parent_path(), catalogue);
+  if (!seen.insert(call.text()).second)
+    element.fail(fmt::format("a second '{}'; accepted: another name", call.text()));
+  study.methods.push_back(std::move(call));
+}
+
 /// Each call once; the reference, which has its own cell, not at all.
 void add_calls(const JsonNode& node, const Catalogue& catalogue, Study& study) {
   std::set<std::string> seen{study.reference.text()};
   for (const MethodCall& call : study.methods) seen.insert(call.text());
   for (const JsonNode& element : node.elements())
-    for (MethodCall& call : read_calls(element, catalogue))
-      if (seen.insert(call.text()).second) study.methods.push_back(std::move(call));
+    if (catalogue.kind == "method" && is_given(element))
+      add_given(element, catalogue, seen, study);
+    else
+      for (MethodCall& call : read_calls(element, catalogue))
+        if (seen.insert(call.text()).second) study.methods.push_back(std::move(call));
 }
 
 /// A scene that is not there, or is something else, is found before hours of work.

@@ -55,9 +55,10 @@ struct Study {
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
 /// "NAME[:key=value,…]", {"method": NAME, key: value or [values], …}, or "*": every method in all
-/// the settings of its row. The entries of "integrators" are written alike, of the other table, and
-/// come before the methods. Scenes are relative to the file. Throws InputError that names file, key
-/// and accepted values, also for scenes that are not there.
+/// the settings of its row; or a picture from elsewhere, see read_given(). The entries of
+/// "integrators" are written alike, of the other table, and come before the methods. Scenes are
+/// relative to the file. Throws InputError that names file, key and accepted values, also for
+/// scenes that are not there.
 Study load_study(const std::filesystem::path& file, std::span<const scene::MethodRow> methods,
                  std::span<const scene::MethodRow> integrators = surface_methods());
 

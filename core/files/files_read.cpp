@@ -22,6 +22,7 @@ struct Listeners {
   std::mutex mutex;
   std::vector<FilesRead*> lists;
   std::vector<const FilesRead*> protect;
+  int unnoted = 0;  // of UnnotedReads that live
 };
 
 Listeners& listeners() {
@@ -54,9 +55,19 @@ std::set<fs::path> FilesRead::paths() const {
 
 void note_read(const fs::path& path) {
   const std::lock_guard lock(listeners().mutex);
-  if (listeners().lists.empty()) return;
+  if (listeners().lists.empty() || listeners().unnoted > 0) return;
   const fs::path noted = normal(path);
   for (FilesRead* list : listeners().lists) list->paths_.insert(noted);
+}
+
+UnnotedReads::UnnotedReads() {
+  const std::lock_guard lock(listeners().mutex);
+  ++listeners().unnoted;
+}
+
+UnnotedReads::~UnnotedReads() {
+  const std::lock_guard lock(listeners().mutex);
+  --listeners().unnoted;
 }
 
 ProtectedInputs::ProtectedInputs() {

@@ -43,6 +43,16 @@ class ProtectedInputs {
   FilesRead read_;
 };
 
+/// An UnnotedReads keeps what this process reads while it lives off all lists: who makes one
+/// accounts for those files in another way.
+class UnnotedReads {
+ public:
+  UnnotedReads();
+  ~UnnotedReads();
+  UnnotedReads(const UnnotedReads&) = delete;
+  UnnotedReads& operator=(const UnnotedReads&) = delete;
+};
+
 /// Reports to every FilesRead that lives that `path` is read. read_text() does so by itself.
 void note_read(const std::filesystem::path& path);
 

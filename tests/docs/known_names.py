@@ -40,6 +40,8 @@ SCENES = [
 STUDIES = [
     {**STUDY, **UNKNOWN},
     {**STUDY, "methods": [{"method": "*", **UNKNOWN}]},
+    {**STUDY, "methods": [{"external": "mine", "command": ["{output}"], **UNKNOWN}]},
+    {**STUDY, "methods": [{"picture": "theirs.exr", "name": "theirs", **UNKNOWN}]},
     {**STUDY, "integrators": [{"integrator": "*", **UNKNOWN}]},
     {**STUDY, "claims": [UNKNOWN]},
     {**STUDY, "published": UNKNOWN},

@@ -141,7 +141,7 @@ class Exported(unittest.TestCase):
                   edges=[(0, 1), (1, 2), (3, 4), (4, 5)])
         write_ply(self.folder / "points.ply", numpy.concatenate([RANDOM.random((5, 3)), colors(5)], 1), NAMES)
         scene = self.export(PERSPECTIVE, [{"mesh": "mesh.ply"}, {"lines": "lines.ply", "radius": 0.05},
-                                          {"points": "points.ply", "radius": 0.1}])
+                                          {"points": "points.ply", "radius": 0.1, "opaque": True}])
         file = (self.folder / "out/scene.glb").read_bytes()
         magic, version, length, size = struct.unpack_from("<4sIII", file)
         self.assertEqual((magic, version, length), (b"glTF", 2, len(file)))
@@ -158,14 +158,17 @@ class Exported(unittest.TestCase):
             ply = independent.read_ply(self.folder / "out" / thing["file"])
             (part,) = mesh["primitives"]
             self.assertEqual(part.get("mode", 4), mode)
-            self.assertEqual(gltf["materials"][part["material"]]["alphaMode"], "BLEND")
+            self.assertEqual(gltf["materials"][part["material"]].get("alphaMode", "OPAQUE"), "OPAQUE" if thing["opaque"] else "BLEND")
             numpy.testing.assert_array_equal(accessor(part["attributes"]["POSITION"]), independent.columns(ply["vertex"], "x", "y", "z"))
             numpy.testing.assert_array_equal(accessor(part["attributes"]["COLOR_0"]),
                                              independent.columns(ply["vertex"], "red", "green", "blue", "alpha"))
             if mode == 4:
                 numpy.testing.assert_array_equal(accessor(part["indices"]).reshape(-1, 3), ply["face"]["corners"])
             if mode == 1:
-                numpy.testing.assert_array_equal(accessor(part["indices"]).reshape(-1, 2).T, [ply["edge"]["vertex1"], ply["edge"]["vertex2"]])
+                edges = numpy.stack([ply["edge"]["vertex1"], ply["edge"]["vertex2"]], -1)
+                numpy.testing.assert_array_equal(edges, [(0, 1), (1, 2), (3, 4), (4, 5)])
+                numpy.testing.assert_array_equal(ply["vertex"]["line"], [0, 0, 0, 1, 1, 1])
+                numpy.testing.assert_array_equal(accessor(part["indices"]).reshape(-1, 2), edges)
         camera = gltf["cameras"][0]["perspective"]
         self.assertAlmostEqual(camera["yfov"], numpy.radians(40))
         self.assertAlmostEqual(camera["aspectRatio"], 61 / 47)

@@ -135,10 +135,10 @@ def triangles_of(thing, ply, positions, colors, view):
                 yield (low[k], high[k + 1], low[k + 1]), colors[[p, q, q]], None
 
 
-def render(path):
+def render(path, fragments_of=Fragments):
     scene = json.loads(Path(path).read_text())
     view = View(scene)
-    fragments = Fragments(view)
+    fragments = fragments_of(view)
     for order, thing in enumerate(scene["objects"]):
         ply = read_ply(Path(path).parent / thing["file"])
         positions = view.of_world(columns(ply["vertex"], "x", "y", "z"))

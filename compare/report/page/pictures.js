@@ -50,7 +50,7 @@ function failedCard(row) {
 
 function caption(row, enlarge) {
   return make("header", {}, make("h3", { title: row.title }, row.method),
-    make("span", { class: "parameters" }, row.reference ? "reference" : spaced(row.parameters)), enlarge);
+    make("span", { class: "parameters" }, row.reference ? "reference" : row.given ? "given" : spaced(row.parameters)), enlarge);
 }
 
 /** One picture's frame; flipping sets its source. */

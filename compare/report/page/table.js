@@ -5,7 +5,7 @@ const tips = { seconds: timeTip, bytes: memoryTip, fragments: fragmentsTip };
 
 const nameColumns = [
   { heading: "Scene", value: (row) => row.scene, text: (row) => row.scene },
-  { heading: "Method", value: (row) => row.name, text: (row) => row.name },
+  { heading: "Method", value: (row) => row.name, text: (row) => (row.given ? `${row.name} (given)` : row.name) },
 ];
 
 function timeTip({ seconds }) {
@@ -31,7 +31,7 @@ function tableRow(rows, row) {
   if (row.error) return make("tr", {}, names, make("td", { class: "error", colspan: columns.length }, row.error));
   const cells = columns.map((column) => {
     const best = column.best && !row.reference && column.value(row) === bestIn(rows, row.scene, column);
-    return make("td", { class: best && "best", title: tips[column.name]?.(row) }, column.text(row));
+    return make("td", { class: best && "best", title: row.given ? row.explanation.join("\n") : tips[column.name]?.(row) }, column.text(row));
   });
   return make("tr", { class: row.reference && "reference" }, names, cells);
 }

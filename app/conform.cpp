@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/commands.h"
+#include "compare/conform/conform.h"
+#include "compare/methods/given_method.h"
+#include "compare/methods/methods.h"
+#include "core/error.h"
+#include "core/files/json_text.h"
+#include "core/files/output_folder.h"
+#include "core/machine/program_run.h"
+#include "core/options/names.h"
+
+namespace pellucid::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConformArguments {
+  std::string command, method, only, output = "exr";
+  fs::path pictures, make;
+  double timeout = 600;  // seconds
+  double tolerance = compare::conformance_tolerance;
+  bool all = false;
+};
+
+compare::MethodCall call_of(const ConformArguments& arguments) {
+  if (!arguments.command.empty())
+    return compare::external_call({.name = "command",
+                                   .words = split_command(arguments.command),
+                                   .timeout = arguments.timeout,
+                                   .ending = '.' + arguments.output,
+                                   .base = fs::current_path()});
+  const NameAndOptions named = parse_name_and_options(arguments.method);
+  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
+  return {&row, Parameters(row.name, row.parameters, named.options)};
+}
+
+void print_case(const compare::CaseResult& result) {
+  const compare::Verdict& v = result.verdict;
+  if (v.passed)
+    fmt::print("{:22} passed   {:8.1e}  {}\n", result.name, v.max_error, result.what);
+  else
+    fmt::print("{:22} {:8} {:8.1e}  {}\n", result.name, v.fault, v.max_error, v.explanation);
+}
+
+/// Where a family is no longer right.
+void print_family(const compare::FamilySummary& family) {
+  fmt::print("{:12} {:2} of {:2}", family.family, family.passed, family.cases);
+  if (const compare::CaseResult* failed = family.first_failed)
+    fmt::print("  first fails: {:20} {}: {}", failed->name, failed->verdict.fault,
+               failed->verdict.explanation);
+  fmt::print("\n");
+}
+
+nlohmann::ordered_json to_json(const compare::CaseResult& result) {
+  const compare::Verdict& v = result.verdict;
+  nlohmann::ordered_json json{{"name", result.name},    {"family", result.family},
+                              {"n", result.n},          {"what", result.what},
+                              {"passed", v.passed},     {"max_error", v.max_error},
+                              {"wrong_pixels", v.wrong}};
+  if (!v.passed) {
+    json["fault"] = v.fault;
+    json["explanation"] = v.explanation;
+  }
+  return json;
+}
+
+nlohmann::ordered_json to_json(const compare::FamilySummary& family) {
+  nlohmann::ordered_json json{
+      {"family", family.family}, {"passed", family.passed}, {"cases", family.cases}};
+  if (const compare::CaseResult* failed = family.first_failed) {
+    json["first_failed"] = failed->name;
+    json["n"] = failed->n;
+    json["fault"] = failed->verdict.fault;
+  }
+  return json;
+}
+
+void print_json(const std::vector<compare::CaseResult>& results) {
+  nlohmann::ordered_json json{{"families", nlohmann::ordered_json::array()},
+                              {"cases", nlohmann::ordered_json::array()}};
+  for (const auto& family : compare::summarize(results))
+    json["families"].push_back(to_json(family));
+  for (const auto& result : results) json["cases"].push_back(to_json(result));
+  fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void make_scenes(const ConformArguments& arguments, const GlobalOptions& globals) {
+  OutputFolder out(arguments.make, "cases.json");
+  compare::make_conformance_scenes(out.temporary(), arguments.only);
+  out.commit();
+  if (!globals.json && !globals.quiet)
+    fmt::print("scenes, right pictures and a list of them: {}\n",
+               (arguments.make / "cases.json").string());
+}
+
+void judge(const ConformArguments& arguments, const GlobalOptions& globals) {
+  compare::ConformRequest request{.call = {},
+                                  .pictures = arguments.pictures,
+                                  .only = arguments.only,
+                                  .tolerance = arguments.tolerance,
+                                  .context = {.gl = globals.gl},
+                                  .on_case = {}};
+  if (arguments.pictures.empty()) request.call = call_of(arguments);
+  if (request.pictures.empty() == false && !fs::is_directory(request.pictures))
+    throw InputError(
+        fmt::format("--pictures {}: no folder; accepted: one that holds NAME.exr or "
+                    "NAME.png of the cases",
+                    request.pictures.string()));
+  const Progress progress = console_progress(globals);
+  request.on_case = [&](double done, const compare::CaseResult& result) {
+    report(progress, done, result.name);
+  };
+  const std::vector<compare::CaseResult> results = compare::conform(request);
+  const auto failed = std::ranges::count_if(
+      results, [](const compare::CaseResult& result) { return !result.verdict.passed; });
+  if (globals.json) {
+    print_json(results);
+  } else {
+    for (const compare::CaseResult& result : results)
+      if (arguments.all || !result.verdict.passed) print_case(result);
+    fmt::print("\n");
+    for (const auto& family : compare::summarize(results)) print_family(family);
+  }
+  std::fflush(stdout);
+  if (failed > 0) throw WorkError(fmt::format("{} of {} cases failed", failed, results.size()));
+}
+
+void run(const ConformArguments& arguments, const GlobalOptions& globals) {
+  const int ways =
+      !arguments.command.empty() + !arguments.method.empty() + !arguments.pictures.empty();
+  if (ways > 1 || (ways == 0 && arguments.make.empty()))
+    throw InputError(
+        "conform: accepted: one of --command, --pictures and --method, or --make alone");
+  if (!arguments.make.empty()) make_scenes(arguments, globals);
+  if (ways == 1) judge(arguments, globals);
+}
+
+}  // namespace
+
+void add_conform_command(CLI::App& app, GlobalOptions& globals) {
+  CLI::App* command = app.add_subcommand(
+      "conform", "Hold any renderer to scenes of transparency with answers in closed form");
+  const auto arguments = std::make_shared<ConformArguments>();
+  command->add_option("--command", arguments->command,
+                      "Program and arguments that draw a case, in which {scene}, {camera} and "
+                      "{output} stand for files; no shell sees it");
+  command->add_option("--pictures", arguments->pictures,
+                      "Folder with a picture NAME.exr or NAME.png of each case");
+  command->add_option("-m,--method", arguments->method,
+                      "A method of this program: NAME[:key=value,...]");
+  command->add_option("--make", arguments->make,
+                      "Write the scenes, as 'export' does, and the right pictures to this folder");
+  command->add_option("--only", arguments->only,
+                      "The cases whose name fits this pattern: 'edges-*'");
+  command
+      ->add_option("--timeout", arguments->timeout, "Seconds that the command may take for a case")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->capture_default_str();
+  command->add_option("--output", arguments->output, "Kind of picture that the command writes")
+      ->check(CLI::IsMember({"exr", "png"}))
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "Largest error of a channel that passes; of pictures of 8 bits half a step more")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--all", arguments->all, "Print the cases that pass, too");
+  command->footer(
+      "Example: pellucid conform --command './mine {scene} {output}'\n"
+      "Exit code: 0 every case passes; 1 one does not; 2 wrong input.");
+  add_gl_option(*command, globals);
+  add_global_options(*command, globals);
+  command->callback([arguments, &globals] { run(*arguments, globals); });
+}
+
+}  // namespace pellucid::app

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "compare/conform/conformance_case.h"
+
+namespace pellucid::compare {
+
+/// A Verdict says whether a picture is the right one of a case, and else what it looks like.
+struct Verdict {
+  bool passed = false;
+  double max_error = 0;          // over red, green, blue of all pixels
+  std::size_t wrong = 0;         // pixels beyond the tolerance
+  std::string_view fault = {};   // one of the kinds below; empty when it passed
+  std::string explanation = {};  // more about it, for people
+};
+
+/// A Fault is a kind of it, by its name; in the order in which they are looked for.
+struct Fault {
+  static constexpr std::string_view background = "background";
+  static constexpr std::string_view eight_bits = "8 bits";
+  static constexpr std::string_view missed = "missed";
+  static constexpr std::string_view capped = "capped";
+  static constexpr std::string_view doubled = "doubled";
+  static constexpr std::string_view misordered = "misordered";
+  static constexpr std::string_view picture = "picture";
+  static constexpr std::string_view no_picture = "no picture";
+  static constexpr std::string_view other = "other";
+};
+
+/// A right picture may be off by this: a renderer that composites in floats loses 1e-5 in 10 000
+/// layers, one 8-bit step is 4e-3.
+inline constexpr double conformance_tolerance = 1e-4;
+
+/// Holds a picture of the case's size and of finite values against the right one. Of pictures that
+/// are stored in 8 bits as much more is allowed as these round. A fault is named when it explains
+/// nine tenths of the wrong pixels by the layers that are known of each:
+/// - background: the layers are right, what shows through them is another colour;
+/// - 8 bits: of a picture that is stored so, right to two steps; else as if every step of the
+/// composite were rounded to 8 bits, or its result;
+/// - capped: the nearest k layers alone, of k the same in all pixels;
+/// - missed, doubled: one layer, or all that equal it, are not there; or one is there twice;
+/// - misordered: all layers, composited in another order or in none (mean, sum, as drawn);
+/// - picture: turned, shifted, with a transfer curve: see given_faults().
+Verdict judge(const ConformanceCase& conformance_case, const Image& picture, bool stored_in_8_bits,
+              double tolerance = conformance_tolerance);
+
+}  // namespace pellucid::compare

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/study/read_given.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "compare/methods/given_method.h"
+
+namespace pellucid::compare {
+namespace {
+
+constexpr double most = 1e15;                    // of any cost
+constexpr double longest = 30.0 * 24 * 60 * 60;  // a command's month, seconds
+
+std::string read_name(const JsonNode& node, const Catalogue& catalogue) {
+  std::string name = node.string();
+  const auto is_odd = [](char c) {
+    return c == ':' || std::iscntrl(static_cast<unsigned char>(c));
+  };
+  if (name.empty() || std::ranges::any_of(name, is_odd))
+    node.fail(fmt::format("'{}'; accepted: a name without ':'", name));
+  for (const scene::MethodRow& row : catalogue.rows)
+    if (row.name == name)
+      node.fail(
+          fmt::format("'{}' is a {} of the program; accepted: another name", name, catalogue.kind));
+  return name;
+}
+
+MethodCall read_command(const JsonNode& node, const std::filesystem::path& base,
+                        const Catalogue& catalogue) {
+  node.accept_keys({"external", "command", "timeout", "output"});
+  ExternalCommand command{.name = read_name(node["external"], catalogue), .words = {}};
+  for (const JsonNode& word : node["command"].elements()) command.words.push_back(word.string());
+  constexpr double least = 1e-3;
+  if (node.has("timeout")) command.timeout = node["timeout"].number(least, longest);
+  if (node.has("output")) command.ending = '.' + node["output"].one_of({"exr", "png"});
+  command.base = base;
+  return at_place(node["command"], [&] { return external_call(command); });
+}
+
+MethodCall read_picture(const JsonNode& node, const std::filesystem::path& base,
+                        const Catalogue& catalogue) {
+  node.accept_keys({"picture", "name", "ms", "bytes"});
+  GivenPicture picture{.name = read_name(node["name"], catalogue),
+                       .file = node["picture"].string(),
+                       .milliseconds = {},
+                       .bytes = {}};
+  if (node.has("ms")) picture.milliseconds = node["ms"].number(0, most);
+  if (node.has("bytes")) picture.bytes = std::uint64_t(node["bytes"].number(0, most));
+  picture.base = base;
+  return picture_call(picture);
+}
+
+}  // namespace
+
+bool is_given(const JsonNode& node) {
+  return node.is_object() && (node.has("external") || node.has("picture"));
+}
+
+MethodCall read_given(const JsonNode& node, const std::filesystem::path& base,
+                      const Catalogue& catalogue) {
+  return node.has("external") ? read_command(node, base, catalogue)
+                              : read_picture(node, base, catalogue);
+}
+
+}  // namespace pellucid::compare

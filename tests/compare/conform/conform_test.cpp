@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The suite's answers are right, and each kind of fault is told.
+#include "compare/conform/conform.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "compare/methods/methods.h"
+#include "compare/pictures/image_file.h"
+#include "core/error.h"
+#include "core/files/json_text.h"
+#include "core/options/names.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pellucid::compare {
+namespace {
+
+using pellucid::testing::TemporaryFolder;
+using ::testing::HasSubstr;
+
+MethodCall call(std::string_view method) {
+  const scene::MethodRow& row = find_row("method", method, methods());
+  return {&row, Parameters(row.name, row.parameters, {})};
+}
+
+/// The closed forms and the exact renderer come to the same by different ways.
+TEST(AgreementConform, RaytracePassesEveryCase) {
+  const std::vector<CaseResult> results = conform({.call = call("raytrace")});
+  EXPECT_GE(results.size(), 35u);
+  for (const CaseResult& result : results) {
+    EXPECT_TRUE(result.verdict.passed) << result.name << ": " << result.verdict.explanation;
+    EXPECT_LT(result.verdict.max_error, 1e-6) << result.name;  // it is stored in floats
+  }
+}
+
+/// Which mixes all layers: it is right where a pixel's layers have one colour, and only there.
+TEST(AgreementConform, WeightedAverageFailsWhereLayersDiffer) {
+  const std::vector<ConformanceCase> cases = conformance_cases();
+  for (const CaseResult& result :
+       conform({.call = call("weighted-average"), .only = "[!ls]*"})) {  // thin things may miss
+    const ConformanceCase& c = *std::ranges::find(cases, result.name, &ConformanceCase::name);
+    const bool of_one_color = std::ranges::all_of(c.layers, [](const Layers& layers) {
+      return std::ranges::all_of(layers, [&](const Rgba& layer) {
+        return layer.a == 0 || Vec3(layer) == Vec3(layers.front()) || layers.front().a == 0;
+      });
+    });
+    if (of_one_color && c.family == "edges") {
+      EXPECT_TRUE(result.verdict.passed) << result.name;
+    }
+    if (!of_one_color && c.family != "opaque" && c.family != "opacity") {
+      EXPECT_EQ(result.verdict.fault, Fault::misordered)
+          << result.name << ": " << result.verdict.explanation;
+    }
+  }
+}
+
+/// Every family begins with a case of fewer layers, and ends with one that is harder.
+TEST(UnitConformanceCases, HaveNamesOfTheirOwnAndPixelsAwayFromRims) {
+  std::set<std::string> names;
+  for (const ConformanceCase& c : conformance_cases()) {
+    EXPECT_TRUE(names.insert(c.name).second) << c.name;
+    EXPECT_TRUE(c.name.starts_with(c.family + "-"));
+    EXPECT_EQ(c.which.pixels.size(), 256u);
+    for (const scene::SceneObject& object : c.scene.objects)
+      for (const Vec3& x : object.vertices().positions)
+        EXPECT_EQ(x, Vec3(glm::vec3(x))) << c.name << ": its file holds floats";
+  }
+}
+
+TEST(UnitConformanceCases, CompositeIsTheKnownPower) {
+  const Layers equal(10, Rgba(1, 0.5, 0, 0.25));
+  const glm::dvec4 sum = composite_of(equal, {0, 0, 1});
+  EXPECT_NEAR(sum.a, 1 - std::pow(0.75, 10), 1e-15);
+  EXPECT_NEAR(sum.g, 0.5 * sum.a, 1e-15);
+  EXPECT_NEAR(sum.b, 1 - sum.a, 1e-15);
+}
+
+/// A right renderer but for what becomes of each pixel's layers.
+class UnitVerdict : public ::testing::Test {
+ protected:
+  static const ConformanceCase& named(std::string_view name) {
+    static const std::vector<ConformanceCase> cases = conformance_cases();
+    return *std::ranges::find(cases, name, &ConformanceCase::name);
+  }
+
+  static Verdict verdict(std::string_view name, const std::function<Layers(Layers)>& change,
+                         std::optional<Vec3> background = std::nullopt) {
+    const ConformanceCase& c = named(name);
+    Image image(c.scene.width, c.scene.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] =
+          Rgba(composite_of(change(c.of_pixel(i)), background.value_or(c.scene.background)));
+    return judge(c, image, false);
+  }
+
+  static Layers as_they_are(Layers layers) { return layers; }
+};
+
+TEST_F(UnitVerdict, OfTheRightPictureIsThatItPasses) {
+  for (const ConformanceCase& c : conformance_cases()) {
+    EXPECT_TRUE(judge(c, expected_picture(c), false).passed) << c.name;
+    EXPECT_TRUE(judge(c, displayed_values(expected_picture(c)), true).passed) << c.name;
+  }
+}
+
+TEST_F(UnitVerdict, NamesAResultOfEightBitsInAFileOfFloats) {
+  const ConformanceCase& c = named("layers-10");
+  EXPECT_EQ(judge(c, displayed_values(expected_picture(c)), false).fault, Fault::eight_bits);
+}
+
+TEST_F(UnitVerdict, NamesTheCap) {
+  for (const std::size_t k : {1u, 4u, 8u}) {
+    const Verdict nearest = verdict("layers-100", [k](Layers layers) {
+      layers.resize(std::min(layers.size(), k));
+      return layers;
+    });
+    EXPECT_EQ(nearest.fault, Fault::capped);
+    EXPECT_EQ(nearest.explanation, fmt::format("only the nearest {} layers", k));
+  }
+  EXPECT_EQ(verdict("layers-10000",
+                    [](Layers layers) { return Layers(layers.begin(), layers.begin() + 1024); })
+                .fault,
+            Fault::capped);
+}
+
+TEST_F(UnitVerdict, NamesWhatIsMissedAndWhatIsDoubled) {
+  const auto without_last_equal = [](Layers layers) {
+    for (std::size_t i = 1; i < layers.size(); ++i)
+      if (layers[i] == layers[i - 1]) return layers.erase(layers.begin() + long(i)), layers;
+    return layers;
+  };
+  EXPECT_EQ(verdict("equal-depth-2", without_last_equal).fault, Fault::missed);
+  EXPECT_EQ(verdict("equal-depth-5", without_last_equal).fault, Fault::missed);
+  const Verdict one_left = verdict("equal-depth-50", [](const Layers& layers) {
+    return Layers{layers.front(), layers.back()};
+  });
+  EXPECT_EQ(one_left.explanation, "of equal layers one is left");
+  EXPECT_EQ(verdict("edges-vertices", [](const Layers&) { return Layers(); }).explanation,
+            "all layers are missing");
+  EXPECT_EQ(verdict("edges-through",
+                    [](Layers layers) {
+                      layers.push_back(layers.front());
+                      return layers;
+                    })
+                .fault,
+            Fault::doubled);
+}
+
+TEST_F(UnitVerdict, NamesAnotherOrder) {
+  const auto backwards = [](Layers layers) {
+    std::ranges::reverse(layers);
+    return layers;
+  };
+  EXPECT_EQ(verdict("layers-10", backwards).explanation,
+            "the farthest layer is taken for the nearest");
+  EXPECT_EQ(verdict("crossing-3",
+                    [](Layers layers) {
+                      std::ranges::sort(layers, {}, [](const Rgba& layer) { return layer.r; });
+                      return layers;
+                    })
+                .explanation,
+            "layers in another order");
+  EXPECT_EQ(verdict("layers-100",
+                    [](Layers layers) {
+                      std::ranges::sort(layers, {}, [](const Rgba& layer) { return layer.g; });
+                      return layers;
+                    })
+                .fault,
+            Fault::misordered);
+}
+
+TEST_F(UnitVerdict, NamesAnotherBackground) {
+  EXPECT_EQ(verdict("layers-10", as_they_are, Vec3(0)).fault, Fault::background);
+  const Verdict white = verdict("lines-wide", as_they_are, Vec3(1));
+  EXPECT_EQ(white.fault, Fault::background);
+  EXPECT_THAT(white.explanation, HasSubstr("(1, 1, 1) shows through, not (0.1, 0.5, 0.9)"));
+}
+
+/// Blending in 8 bits draws nothing of 255 layers of half a step.
+TEST_F(UnitVerdict, NamesBlendingInEightBits) {
+  const ConformanceCase& c = named("opacity-1-510");
+  Image image(c.scene.width, c.scene.height, Rgba(c.scene.background, 1));
+  EXPECT_EQ(judge(c, displayed_values(image), false).fault, Fault::eight_bits);
+}
+
+TEST_F(UnitVerdict, NamesAPictureThatIsTurned) {
+  const ConformanceCase& c = named("points-large");
+  Image image = expected_picture(c);
+  std::ranges::reverse(image.pixels);
+  const Verdict turned = judge(c, image, false);
+  EXPECT_EQ(turned.fault, Fault::picture);
+  EXPECT_THAT(turned.explanation, HasSubstr("180 degrees"));
+}
+
+TEST(UnitConform, TakesPicturesFromAFolderAndTellsWhichAreMissing) {
+  const TemporaryFolder folder;
+  for (const ConformanceCase& c : conformance_cases())
+    if (c.name == "layers-1") write_image(folder / "layers-1.png", expected_picture(c));
+  const auto results = conform({.call = {}, .pictures = folder.path(), .only = "layers-1*"});
+  ASSERT_EQ(results.size(), 5u);
+  EXPECT_TRUE(results[0].verdict.passed);
+  EXPECT_EQ(results[1].verdict.fault, Fault::no_picture);
+  EXPECT_THAT(results[1].verdict.explanation, HasSubstr("neither layers-10.exr nor .png"));
+  const auto families = summarize(results);
+  ASSERT_EQ(families.size(), 1u);
+  EXPECT_EQ(families[0].passed, 1);
+  EXPECT_EQ(families[0].first_failed->name, "layers-10");
+  EXPECT_THROW(conform({.call = call("raytrace"), .only = "nothing*"}), InputError);
+}
+
+TEST(UnitConform, LeavesItsScenesForOthers) {
+  const TemporaryFolder folder;
+  make_conformance_scenes(folder.path(), "opaque-*");
+  const nlohmann::json list = read_json(folder / "cases.json");
+  ASSERT_EQ(list["cases"].size(), 2u);
+  EXPECT_EQ(read_json(folder / "opaque-object" / "scene.json")["objects"][1]["opaque"], true);
+  EXPECT_EQ(read_image(folder / "opaque-alpha" / "expected.exr").width, 16);
+}
+
+}  // namespace
+}  // namespace pellucid::compare
