@@ -12,11 +12,11 @@
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/sums_file.h"
+#include "compare/results/render_json.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
-#include "core/machine/machine.h"
 #include "core/options/names.h"
 #include "scene/files/scene_file.h"
 
@@ -38,36 +38,6 @@ CLI::Validator ending_among(const std::vector<std::string>& endings) {
         return fmt::format("{}: ending '{}'; accepted: {}", path, ending, fmt::join(endings, ", "));
       },
       fmt::format("{}", fmt::join(endings, "|")));
-}
-
-nlohmann::json to_json(const scene::FrameStats& frame) {
-  return {{"seconds", frame.seconds}, {"lines", frame.lines}, {"fragments", frame.fragments},
-          {"layers", frame.layers},   {"bytes", frame.bytes}, {"change", frame.change}};
-}
-
-nlohmann::json to_json(const scene::MethodRow& row, const Parameters& parameters,
-                       const std::optional<compare::MethodCall>& opacities,
-                       const scene::RenderStats& stats, scene::Renderer& renderer) {
-  nlohmann::json json;
-  json["method"] = row.name;
-  json["parameters"] = parameters.all();
-  if (opacities) json["opacities"] = opacities->text();
-  json["seconds"]["total"] = stats.seconds();
-  for (const scene::StepTime& step : stats.steps)
-    json["seconds"]["steps"][step.name] = step.seconds;
-  json["bytes"]["total"] = stats.total_bytes();
-  for (const scene::NamedBytes& part : stats.bytes) json["bytes"][part.name] = part.bytes;
-  json["fragments"] = stats.fragments;
-  json["stored"] = stats.stored;
-  json["dropped"] = stats.dropped;
-  json["truncated_pixels"] = stats.truncated;
-  json["max_layers"] = stats.max_layers;
-  for (const scene::FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
-  for (const scene::Measure& measure : renderer.findings().measures)
-    json["measures"][measure.name] = measure.value;
-  json["machine"] = machine_facts();
-  json["machine"].update(nlohmann::json(renderer.facts()));
-  return json;
 }
 
 void print_summary(const RenderOptions& options, const scene::RenderStats& stats) {
@@ -118,7 +88,8 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
   compare::write_image(options.output, rendering.image);
   if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
-  const nlohmann::json json = to_json(row, parameters, opacities, rendering.stats, *renderer);
+  const nlohmann::json json =
+      compare::render_json({&row, parameters}, opacities, rendering.stats, *renderer);
   if (!options.stats.empty()) write_text(options.stats, json_text(json, 2) + '\n');
   if (globals.json)
     std::cout << json_text(json, 2) << '\n';

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "compare/methods/distance_picture.h"
 #include "compare/pictures/image_file.h"
+#include "compare/results/surface_json.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
@@ -50,48 +51,6 @@ std::vector<Vec3> parse_seed(std::string_view text) {
   std::vector<Vec3> points;
   for (const std::string_view point : split(text, ':')) points.push_back(parse_point(point));
   return points;
-}
-
-nlohmann::ordered_json to_json(const integrators::EndCounts& ends) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [reason, count] : ends) json[std::string(integrators::name_of(reason))] = count;
-  return json;
-}
-
-nlohmann::ordered_json to_json(const integrators::Percentiles& values) {
-  return {{"p1", values.p1}, {"p50", values.p50}, {"p99", values.p99}, {"max", values.max}};
-}
-
-nlohmann::ordered_json to_json(const integrators::IntegratedSurface& surface,
-                               const integrators::MeshQuality& quality) {
-  return {{"particles", surface.stats.particles},
-          {"vertices", surface.mesh.positions.size()},
-          {"triangles", surface.mesh.triangles.size()},
-          {"evaluations", surface.stats.evaluations},
-          {"seconds", surface.stats.seconds},
-          {"bytes", surface.stats.bytes},
-          {"seed_looks", surface.stats.seed_looks},
-          {"trimmed", surface.stats.trimmed},
-          {"boundary_edges", quality.boundary_edges},
-          {"non_manifold_edges", quality.non_manifold_edges},
-          {"misoriented_edges", quality.misoriented_edges},
-          {"non_manifold_vertices", quality.non_manifold_vertices},
-          {"duplicate_vertices", quality.duplicate_vertices},
-          {"degenerate_triangles", quality.degenerate_triangles},
-          {"sheets", quality.sheets},
-          {"sheets_by_vertices", quality.sheets_by_vertices},
-          {"min_angle", to_json(quality.min_angle)},
-          {"aspect", to_json(quality.aspect)},
-          {"ends", to_json(surface.stats.ends)}};
-}
-
-void add_error(nlohmann::ordered_json& json, const integrators::SurfaceError& error) {
-  json["distance"] = {{"mean", error.mean},
-                      {"rms", error.rms},
-                      {"max", error.max},
-                      {"max_from_surface", error.max_from_surface}};
-  json["normal_degrees"] = {{"mean", error.normal_mean_degrees}, {"max", error.normal_max_degrees}};
-  json["samples"] = error.samples;
 }
 
 nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
@@ -143,12 +102,13 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
   request.progress = console_progress(globals);
   integrators::IntegratedSurface surface =
       integrators::integrate_surface(options.integrator, request);
-  nlohmann::ordered_json json = to_json(surface, integrators::measure_quality(surface.mesh));
+  nlohmann::ordered_json json =
+      compare::surface_json(surface, integrators::measure_quality(surface.mesh));
   if (options.samples > 0) {
     report(request.progress, 1, "measuring the distance to the exact surface");
     integrators::SurfaceError error =
         integrators::measure_error(surface.mesh, request, options.samples);
-    add_error(json, error);
+    compare::add_error_json(json, error);
     if (!options.error_picture.empty())
       write_error_picture(options.error_picture, surface.mesh, error.at_vertices);
     surface.mesh.scalars["error"] = std::move(error.at_vertices);
@@ -171,14 +131,7 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
   const integrators::IntegratedLines lines =
       integrators::integrate_lines(options.integrator, request);
   geometry::write_lines(options.output, lines.lines);
-  print(options, globals,
-        {{"particles", lines.stats.particles},
-         {"lines", lines.lines.line_count()},
-         {"vertices", lines.lines.positions.size()},
-         {"evaluations", lines.stats.evaluations},
-         {"seconds", lines.stats.seconds},
-         {"bytes", lines.stats.bytes},
-         {"ends", to_json(lines.stats.ends)}});
+  print(options, globals, compare::lines_json(lines));
 }
 
 /// Is the integrator one of lines? Throws InputError that lists those of both kinds.

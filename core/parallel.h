@@ -83,11 +83,21 @@ const Body& FencedBody(const Body& body, TaskFence&) {
 
 #endif
 
+/// Cancelled is thrown by a loop whose work nobody wants any more: the tbb::task_group_context in
+/// which it runs was cancelled. It is no std::exception, since it is no failure: who makes a row of
+/// each failure, and goes on with the next, lets it pass.
+struct Cancelled {};
+
 /// A LoopContext carries the floating-point environment (rounding, denormal numbers) of the thread
 /// that makes it into the tasks that are given it.
 class LoopContext {
  public:
   operator tbb::task_group_context&() { return context_; }
+  /// Throws Cancelled when the loop has ended early because it, or what it is part of, was
+  /// cancelled.
+  void check() {
+    if (context_.is_group_execution_cancelled()) throw Cancelled();
+  }
 
  private:
   using Context = tbb::task_group_context;
@@ -102,6 +112,7 @@ void parallel_for(Index first, Index last, const Body& body) {
   fence.open();
   tbb::parallel_for(first, last, FencedBody(body, fence), context);
   fence.join();
+  context.check();
 }
 
 /// Calls body(part) for parts of a TBB range, on TBB's threads and in any order.
@@ -112,6 +123,7 @@ void parallel_ranges(const Range& range, const Body& body) {
   fence.open();
   tbb::parallel_for(range, FencedBody(body, fence), context);
   fence.join();
+  context.check();
 }
 
 /// Returns the sum of body(part, identity) by join(left, right), the same to the last bit for any
@@ -124,6 +136,7 @@ Sum parallel_sum(const Range& range, const Sum& identity, const Body& body, cons
   const Sum sum = tbb::parallel_deterministic_reduce(range, identity, FencedBody(body, fence),
                                                      FencedBody(join, fence), context);
   fence.join();
+  context.check();
   return sum;
 }
 

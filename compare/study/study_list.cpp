@@ -7,6 +7,7 @@
 #include "compare/study/study.h"
 #include "core/error.h"
 #include "core/files/json_node.h"
+#include "core/files/own_files.h"
 #include "core/options/names.h"
 
 namespace pellucid::compare {
@@ -14,13 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the studies that come with the program lie.
-fs::path studies_folder() { return PELLUCID_STUDIES_DIR; }
-
 std::vector<fs::path> study_files() {
   std::vector<fs::path> files;
   std::error_code missing;
-  for (const fs::directory_entry& entry : fs::directory_iterator(studies_folder(), missing))
+  for (const fs::directory_entry& entry : fs::directory_iterator(data_folder("studies"), missing))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;

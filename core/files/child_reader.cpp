@@ -20,6 +20,7 @@
 #include "core/files/files_read.h"
 #include "core/files/memory_file.h"
 #include "core/files/output_file.h"
+#include "core/files/own_files.h"
 
 namespace pellucid {
 namespace {
@@ -47,11 +48,6 @@ class SpawnFiles {
  private:
   posix_spawn_file_actions_t actions_;
 };
-
-fs::path folder_of_this_program() {
-  std::error_code code;
-  return fs::read_symlink("/proc/self/exe", code).parent_path();
-}
 
 pid_t start(const fs::path& program, std::vector<std::string> words, int result) {
   std::vector<char*> argv;
@@ -155,7 +151,7 @@ ReadLimits read_limits(std::uint64_t size) {
 Blocks read_in_child(std::string_view program, const fs::path& file,
                      const std::vector<std::string>& arguments, std::uint64_t at_least) {
   require_file(file);
-  const fs::path path = folder_of_this_program() / program;
+  const fs::path path = helper_program(program);
   note_read(file);
   note_read(path);
   ReadLimits limits = read_limits(fs::file_size(file));

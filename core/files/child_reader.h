@@ -27,7 +27,7 @@ struct ReadLimits {
 /// than a 64th of it, a large field of one value, need more.
 ReadLimits read_limits(std::uint64_t size);
 
-/// Runs `program`, which lies beside this one, on the file with further arguments, and returns the
+/// Runs the helper_program() of this name on the file with further arguments, and returns the
 /// blocks that it leaves. Its limits are read_limits(), and no less than `at_least` bytes. Notes
 /// that file and program were read. Throws InputError that names the file when it is no regular
 /// file, when the program complains of it, dies over it or exceeds the limits; WorkError when the

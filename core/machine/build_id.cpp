@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <link.h>
 
+#include <cstdint>
 #include <cstring>
 #include <span>
 
@@ -31,7 +32,19 @@ std::string id_in(Bytes notes) {
   return {};
 }
 
-int visit_program(dl_phdr_info* program, std::size_t, void* result) {
+/// Is this code part of the loaded file?
+bool holds_this_code(const dl_phdr_info& file) {
+  const auto here = reinterpret_cast<std::uintptr_t>(&build_id);
+  for (int i = 0; i < file.dlpi_phnum; ++i) {
+    const std::uintptr_t begin = file.dlpi_addr + file.dlpi_phdr[i].p_vaddr;
+    const bool inside = here >= begin && here - begin < file.dlpi_phdr[i].p_memsz;
+    if (file.dlpi_phdr[i].p_type == PT_LOAD && inside) return true;
+  }
+  return false;
+}
+
+int visit_file(dl_phdr_info* program, std::size_t, void* result) {
+  if (!holds_this_code(*program)) return 0;
   for (int i = 0; i < program->dlpi_phnum; ++i) {
     const ElfW(Phdr)& part = program->dlpi_phdr[i];
     if (part.p_type != PT_NOTE) continue;
@@ -39,14 +52,14 @@ int visit_program(dl_phdr_info* program, std::size_t, void* result) {
     std::string id = id_in({begin, part.p_memsz});
     if (!id.empty()) *static_cast<std::string*>(result) = std::move(id);
   }
-  return 1;  // the program itself comes first: its libraries are not asked
+  return 1;  // no other file is asked
 }
 
 }  // namespace
 
 std::string build_id() {
   std::string id = "unknown";
-  ::dl_iterate_phdr(visit_program, &id);
+  ::dl_iterate_phdr(visit_file, &id);
   return id;
 }
 

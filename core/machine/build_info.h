@@ -13,9 +13,9 @@ extern const char* const build_commit;
 extern const char* const build_compiler;
 ///@}
 
-/// Returns the hash of this program's code and data that the linker made (GNU build ID), in
-/// hexadecimal digits: two programs share it when they were built from the same sources by the same
-/// tools. Returns "unknown" where the linker made none.
+/// Returns the hash of the code and data of this program, or of the library that holds this code,
+/// that the linker made (GNU build ID), in hexadecimal digits: two programs share it when they were
+/// built from the same sources by the same tools. Returns "unknown" where the linker made none.
 std::string build_id();
 
 }  // namespace pellucid

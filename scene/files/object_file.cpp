@@ -152,9 +152,22 @@ class ObjectReader {
     if (node_.has("halo")) node_["halo"].fail("only lines have one");
   }
 
+  /// Returns the shape that the node names: one that was given, or that of a file.
+  template <class Shape>
+  Shape shape_of(const JsonNode& node, Shape (*read_file)(const fs::path&)) const {
+    const auto given = context_.given.find(node.string());
+    if (given == context_.given.end())
+      return at_place(node, [&] { return read_file(path_of(node)); });
+    const Shape* shape = std::get_if<Shape>(given->second.get());
+    if (!shape)
+      node.fail(
+          "its shape is of another kind; accepted: a mesh as \"mesh\", lines as "
+          "\"lines\", points as \"points\"");
+    return *shape;
+  }
+
   void read_mesh_file(const JsonNode& node) {
-    geometry::TriangleMesh mesh =
-        at_place(node, [&] { return geometry::read_mesh(path_of(node)); });
+    geometry::TriangleMesh mesh = shape_of(node, geometry::read_mesh);
     note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()));
     draw(std::move(mesh));
   }
@@ -195,7 +208,7 @@ class ObjectReader {
   }
 
   geometry::LineSet line_file(const JsonNode& node) {
-    geometry::LineSet lines = at_place(node, [&] { return geometry::read_lines(path_of(node)); });
+    geometry::LineSet lines = shape_of(node, geometry::read_lines);
     note(fmt::format("{}, {} lines, {} points", file_name(node), lines.line_count(),
                      lines.positions.size()));
     return lines;
@@ -218,8 +231,7 @@ class ObjectReader {
   }
 
   void read_point_object(const JsonNode& node) {
-    geometry::PointSet points =
-        at_place(node, [&] { return geometry::read_points(path_of(node)); });
+    geometry::PointSet points = shape_of(node, geometry::read_points);
     note(fmt::format("{}, {} points", file_name(node), points.positions.size()));
     draw(std::move(points));
   }

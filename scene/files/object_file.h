@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
+#include <variant>
 
 #include "core/files/json_node.h"
 #include "core/progress.h"
@@ -11,11 +13,17 @@
 
 namespace pellucid::scene {
 
+/// A GivenShape is geometry in memory; what its positions and indices claim has been checked.
+using GivenShape = std::variant<geometry::TriangleMesh, geometry::LineSet, geometry::PointSet>;
+/// GivenShapes stand for files: a scene's text names them where it may name a file.
+using GivenShapes = std::map<std::string, std::shared_ptr<const GivenShape>, std::less<>>;
+
 /// An ObjectContext is what all objects of a scene file share while they are read.
 struct ObjectContext {
   std::filesystem::path folder;  // where relative paths start
   const Progress& progress;
   std::map<std::string, std::string>& provenance;  // gets a line on how the object was made
+  const GivenShapes& given;
 };
 
 /// Reads or integrates one of a scene file's objects and applies its appearance. Throws InputError

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/files/json_node.h"
@@ -74,47 +74,65 @@ EnergyWeights read_energy(const JsonNode& node) {
   return energy_weights(given, {});
 }
 
+/// The keys of a scene that do not say what it holds.
+constexpr std::array<std::string_view, 6> view_keys{"resolution", "samples",  "camera",
+                                                    "background", "lighting", "energy"};
+
+void read_resolution(const JsonNode& node, Scene& scene) {
+  const auto sides = node.elements();
+  if (sides.size() != 2) node.fail("accepted: two integers, width and height");
+  scene.width = sides[0].integer(1, max_side);
+  scene.height = sides[1].integer(1, max_side);
+}
+
+void read_view(const JsonNode& root, Scene& scene) {
+  if (root.has("resolution")) read_resolution(root["resolution"], scene);
+  if (root.has("samples")) scene.samples = read_samples(root["samples"]);
+  if (root.has("camera")) {
+    scene.camera = read_camera(root["camera"]);
+    at_place(root, [&] { return camera_frame(scene.camera); });
+  }
+  if (root.has("background")) {
+    scene.background = root["background"].vec3();
+    for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
+  }
+  if (root.has("lighting")) scene.lighting = read_lighting(root["lighting"]);
+  if (root.has("energy")) scene.energy = read_energy(root["energy"]);
+}
+
+void light(SceneObject& object, Lighting lighting) {
+  auto* mesh = std::get_if<geometry::TriangleMesh>(&object.shape);
+  if (mesh && lighting != Lighting::none) ensure_normals(*mesh);
+}
+
 struct Loader {
-  fs::path folder;
-  Progress progress;
+  const SceneSource& source;
+  const Progress& progress;
   Scene scene;
 
   void read(const JsonNode& root) {
-    root.accept_keys({"format", "version", "resolution", "samples", "camera", "camera_path",
-                      "background", "lighting", "energy", "objects"});
+    std::vector<std::string_view> keys{"format", "version", "camera_path", "objects"};
+    keys.insert(keys.end(), view_keys.begin(), view_keys.end());
+    root.accept_keys(keys);
     root["format"].one_of({"pellucid-scene"});
     root["version"].integer(1, 1);
-    if (root.has("resolution")) {
-      const auto sides = root["resolution"].elements();
-      if (sides.size() != 2) root["resolution"].fail("accepted: two integers, width and height");
-      scene.width = sides[0].integer(1, max_side);
-      scene.height = sides[1].integer(1, max_side);
-    }
-    if (root.has("samples")) scene.samples = read_samples(root["samples"]);
-    // A wrong camera is refused before anything is integrated.
-    if (root.has("camera")) {
-      scene.camera = read_camera(root["camera"]);
-      at_place(root, [&] { return camera_frame(scene.camera); });
-    }
-    if (root.has("background")) {
-      scene.background = root["background"].vec3();
-      for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
-    }
-    if (root.has("lighting")) scene.lighting = read_lighting(root["lighting"]);
-    if (root.has("energy")) scene.energy = read_energy(root["energy"]);
+    read_view(root, scene);  // a wrong camera is refused before anything is integrated
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
     for (std::size_t i = 0; i < objects.size(); ++i) {
       report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
-      scene.objects.push_back(read_object(objects[i], {folder, progress, scene.provenance}));
-      if (auto* mesh = std::get_if<geometry::TriangleMesh>(&scene.objects.back().shape);
-          mesh && scene.lighting != Lighting::none)
-        ensure_normals(*mesh);
+      add(objects[i]);
     }
     if (!root.has("camera")) scene.camera = fitted_camera(scene.bounds());
     if (root.has("camera_path"))
       scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
     place_halos(scene);
+  }
+
+  void add(const JsonNode& node) {
+    scene.objects.push_back(
+        read_object(node, {source.folder, progress, scene.provenance, source.given}));
+    light(scene.objects.back(), scene.lighting);
   }
 };
 
@@ -122,10 +140,50 @@ struct Loader {
 
 Scene load_scene(const fs::path& path, const Progress& progress) {
   const nlohmann::json json = read_json(path);
-  Loader loader{path.parent_path(), progress, {}};
-  loader.scene.name = path.stem().string();
-  loader.read(JsonNode(path.string(), json));
+  Scene scene = read_scene(json, {path.string(), path.parent_path()}, progress);
+  scene.name = path.stem().string();
+  return scene;
+}
+
+Scene read_scene(const nlohmann::json& text, const SceneSource& source, const Progress& progress) {
+  Loader loader{source, progress, {}};
+  loader.read(JsonNode(source.file, text));
   return std::move(loader.scene);
+}
+
+void append_object(const nlohmann::json& object, const SceneSource& source, Scene& scene,
+                   const Progress& progress) {
+  const auto count = std::ranges::count(scene.objects, false, &SceneObject::is_halo);
+  const std::string place = fmt::format("objects[{}]", count);
+  std::map<std::string, std::string> provenance;
+  SceneObject made = read_object(JsonNode(source.file + ": " + place, object),
+                                 {source.folder, progress, provenance, source.given});
+  if (made.name.empty()) made.name = place;
+  light(made, scene.lighting);
+  scene.objects.push_back(std::move(made));
+  place_halos(scene);
+  for (auto& [where, how] : provenance) scene.provenance[place + where] = std::move(how);
+}
+
+void change_view(const nlohmann::json& text, Scene& scene) {
+  const JsonNode root("scene", text);
+  root.accept_keys(view_keys);
+  Scene view;
+  view.width = scene.width;
+  view.height = scene.height;
+  view.samples = scene.samples;
+  view.camera = scene.camera;
+  view.background = scene.background;
+  view.lighting = scene.lighting;
+  view.energy = scene.energy;
+  read_view(root, view);
+  view.name = std::move(scene.name);
+  view.objects = std::move(scene.objects);
+  view.camera_path = std::move(scene.camera_path);
+  view.provenance = std::move(scene.provenance);
+  scene = std::move(view);
+  for (SceneObject& object : scene.objects) light(object, scene.lighting);
+  place_halos(scene);
 }
 
 }  // namespace pellucid::scene

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "core/progress.h"
+#include "scene/files/object_file.h"
 #include "scene/scene.h"
 
 namespace pellucid::scene {
@@ -11,5 +14,26 @@ namespace pellucid::scene {
 /// Reads a scene file ("pellucid-scene", version 1), its meshes, and integrates its surfaces.
 /// Scene::name is the file's stem. Throws InputError that names file, key and accepted values.
 Scene load_scene(const std::filesystem::path& path, const Progress& progress = {});
+
+/// A SceneSource is where a scene's text comes from, if it is no file.
+struct SceneSource {
+  std::string file = "scene";      // stands for the file in messages
+  std::filesystem::path folder{};  // where relative paths start; empty: the current folder
+  GivenShapes given{};
+};
+
+/// Reads a scene from what a scene file would hold. Scene::name stays empty. Throws as
+/// load_scene().
+Scene read_scene(const nlohmann::json& text, const SceneSource& source,
+                 const Progress& progress = {});
+
+/// Reads one of a scene's objects, and appends it as load_scene() would have. Throws InputError,
+/// and leaves the scene as it was.
+void append_object(const nlohmann::json& object, const SceneSource& source, Scene& scene,
+                   const Progress& progress = {});
+
+/// Changes those of a scene's keys resolution, samples, camera, background, lighting and energy
+/// that `text` has; halos follow the camera. Throws InputError, and leaves the scene as it was.
+void change_view(const nlohmann::json& text, Scene& scene);
 
 }  // namespace pellucid::scene

@@ -81,5 +81,24 @@ TEST(UnitParallel, ALoopCarriesItsCallersRounding) {
   EXPECT_EQ(other, 0);
 }
 
+TEST(UnitParallel, ALoopThatIsCancelledDoesNotReturn) {
+  tbb::task_group_context work;
+  tbb::task_group group(work);
+  std::atomic<int> turns = 0;
+  bool returned = false, left = false;
+  group.run_and_wait([&] {
+    try {
+      parallel_for(0, 1000000, [&](int) {
+        if (++turns == 100) work.cancel_group_execution();
+      });
+      returned = true;
+    } catch (const Cancelled&) {
+      left = true;
+    }
+  });
+  EXPECT_TRUE(left && !returned);
+  EXPECT_LT(turns, 1000000);
+}
+
 }  // namespace
 }  // namespace pellucid

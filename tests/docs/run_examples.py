@@ -138,6 +138,8 @@ def check_document(path):
 def put_program_on_path(folder):
     program = Path(os.environ.get("PELLUCID_PROGRAM", "build/release/pellucid"))
     (Path(folder) / "pellucid").symlink_to(program.resolve())
+    if "PELLUCID_PYTHON" in os.environ:  # the one that the module is for
+        (Path(folder) / "python3").symlink_to(os.environ["PELLUCID_PYTHON"])
     os.environ["PATH"] = f"{folder}:{os.environ['PATH']}"
 
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "compare/methods/method_call.h"
+
+namespace pellucid::compare {
+
+/// Returns what a picture took, as `render --stats` writes it: the call, seconds by step, bytes by
+/// what they are for, counts, measures and the machine. `renderer` made the picture.
+nlohmann::json render_json(const MethodCall& call, const std::optional<MethodCall>& opacities,
+                           const scene::RenderStats& stats, scene::Renderer& renderer);
+
+}  // namespace pellucid::compare

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/pictures/image_file.h"
+#include "compare/results/result_row.h"
+#include "core/error.h"
+#include "module/module.h"
+#include "module/scene.h"
+#include "module/values.h"
+#include "module/work.h"
+
+namespace pellucid::python {
+namespace {
+
+/// The picture that Python names: a Rendering, an array, or a file.
+Image picture_of(const py::object& value, std::string_view what) {
+  if (py::isinstance<Rendering>(value)) return *value.cast<Rendering&>().image;
+  const bool is_file = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
+  if (!is_file) return image_of(value, what);
+  const std::string file = path_of(value, what);
+  return result_unlocked([&](const Progress&) { return compare::read_image(file); });
+}
+
+/// JSON has no infinity, which a metric of equal pictures may be.
+py::dict metrics_dict(const nlohmann::json& json, const compare::Metrics& metrics) {
+  py::dict dict = python_of(json);
+  for (std::size_t row = 0; row < compare::metrics().size(); ++row) {
+    const compare::MetricRow& metric = compare::metrics()[row];
+    if (json.contains(metric.name) && metrics[row])
+      dict[py::str(std::string(metric.name))] = *metrics[row];
+  }
+  return dict;
+}
+
+py::dict compare_pictures(const py::object& reference, const py::object& test) {
+  const Image a = picture_of(reference, "compare: a"), b = picture_of(test, "compare: b");
+  const compare::Comparison comparison =
+      result_unlocked([&](const Progress&) { return compare::compare_images(a, b); });
+  const nlohmann::json json = compare::to_json(comparison);
+  py::dict dict = metrics_dict(json, comparison.linear);
+  dict["displayed"] = metrics_dict(json.at("displayed"), comparison.displayed);
+  return dict;
+}
+
+constexpr const char* compare_doc = R"(Says how far picture b is from the reference a.
+
+a, b: a Rendering, an array (H, W, 3) or (H, W, 4) of floats or of uint8 as n/255, or a picture's file.
+Returns a dict of the numbers of `pellucid list metrics`, of the float values, and under 'displayed' of
+the 8-bit values. None: the pictures are too small for it. Raises InputError for other sizes and for
+values that are not finite.)";
+
+}  // namespace
+
+void define_compare(py::module_& module) {
+  module.def("compare", compare_pictures, py::arg("a"), py::arg("b"), compare_doc);
+}
+
+}  // namespace pellucid::python

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Comparison, surfaces and studies."""
+
+import csv
+import json
+import math
+import os
+import subprocess
+
+import numpy as np
+import pellucid
+import pytest
+from sheets import sheet
+
+PROGRAM = os.environ["PELLUCID_PROGRAM"]
+
+
+def test_a_constant_difference_is_the_rmse():
+    a = np.full((32, 40, 3), 0.25, dtype=np.float32)
+    metrics = pellucid.compare(a, a + np.float32(0.125))
+    assert metrics["rmse"] == 0.125 and metrics["max_error"] == 0.125
+    assert metrics["psnr"] == pytest.approx(20 * math.log10(8))
+    assert pellucid.compare(a, a)["psnr"] == math.inf and pellucid.compare(a, a)["ssim"] == 1
+    assert pellucid.compare(a[:5, :5], a[:5, :5])["ssim"] is None
+
+
+def test_bytes_are_n_of_255():
+    a = np.zeros((16, 16, 3), dtype=np.uint8)
+    assert pellucid.compare(a, a + np.uint8(51))["rmse"] == pytest.approx(0.2, rel=1e-7)
+
+
+def test_the_program_measures_the_same(tmp_path):
+    rng = np.random.default_rng(3)
+    scene = pellucid.load_scene({"resolution": (64, 48), "objects": [{"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))}]})
+    picture = scene.render()
+    picture.save(tmp_path / "a.exr")
+    picture.image[..., :3] = rng.uniform(0, 1, (48, 64, 3))
+    picture.save(tmp_path / "b.exr")
+    printed = subprocess.run([PROGRAM, "compare", tmp_path / "a.exr", tmp_path / "b.exr", "--json"], check=True,
+                             capture_output=True, text=True).stdout
+    assert pellucid.compare(tmp_path / "a.exr", picture) == json.loads(printed)
+
+
+def test_every_metric_of_the_table_is_there():
+    listed = subprocess.run([PROGRAM, "list", "metrics", "--json"], check=True, capture_output=True, text=True)
+    names = {row["name"] for row in json.loads(listed.stdout)}
+    a = np.zeros((200, 200, 3), dtype=np.float32)
+    assert {"rmse", "psnr", "ssim", "max_error"} <= names & set(pellucid.compare(a, a))
+
+
+def test_a_uniform_flow_sweeps_a_plane():
+    surface = pellucid.trace("formula:u=0,v=2,w=0", "fixed-front:particles=5", [[0, 0, 0], [3, 0, 0]], 0.5,
+                             samples=50)
+    corners = surface.vertices[surface.triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    assert areas.sum() == pytest.approx(3, rel=1e-12)
+    assert np.abs(surface.vertices[:, 2]).max() == 0 and np.abs(surface.normals[:, 2]).min() == 1
+    assert surface.scalars["speed"] == pytest.approx(np.full(len(surface.vertices), 2))
+    assert surface.quality["triangles"] == len(surface.triangles)
+    assert surface.quality["distance"]["max"] < 1e-9
+    scene = pellucid.load_scene({"objects": [{"mesh": surface, "color": {"by": "t", "map": "viridis"}}]})
+    assert scene.render().layers.max() == 1
+
+
+def test_lines_of_a_rotation_stay_on_circles():
+    lines = pellucid.trace("formula:u=-y,v=x,w=0", "stream-lines:particles=4", [[1, 0, 0], [2, 0, 0]], 3)
+    assert isinstance(lines, pellucid.Lines) and lines.stats["lines"] == 4
+    for first, last in zip(lines.offsets[:-1], lines.offsets[1:]):
+        radii = np.linalg.norm(lines.vertices[int(first):int(last)], axis=1)
+        assert radii == pytest.approx(np.full(len(radii), radii[0]), rel=1e-4)
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("study")
+    sheet(0, (0.2, 0.4, 0.6, 0.5)).save(folder / "sheet.ply")
+    scene = {"format": "pellucid-scene", "version": 1, "resolution": [48, 48], "objects": [{"mesh": "sheet.ply"}]}
+    (folder / "one.json").write_text(json.dumps(scene))
+    text = {"format": "pellucid-study", "version": 1, "title": "One", "scenes": ["one.json"],
+            "reference": "raytrace", "methods": ["weighted-average"], "repeats": 1}
+    (folder / "study.json").write_text(json.dumps(text))
+    return folder, pellucid.run_study(folder / "study.json", folder / "out")
+
+
+def test_the_rows_are_those_of_the_table(study):
+    folder, results = study
+    with open(folder / "out/results.csv", newline="") as file:
+        written = list(csv.DictReader(file))
+    assert len(results.rows) == len(written) == 2
+    for row, line in zip(results.rows, written):
+        assert row["scene"] == line["scene"] == "one" and row["method"] == line["method"]
+        for name in set(row) & set(line) - {"scene", "method", "parameters", "error", "reference"}:
+            assert (line[name] == "") == (row[name] is None), name
+            if row[name] is not None and math.isfinite(row[name]):
+                assert float(line[name]) == pytest.approx(row[name], rel=1e-5), name
+    assert (folder / "out/report.html").exists() and results.folder == str(folder / "out")
+
+
+def test_rows_become_a_data_frame(study):
+    pandas = pytest.importorskip("pandas")
+    frame = study[1].to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and list(frame["method"]) == ["raytrace", "weighted-average"]
+    assert frame["rmse"].dtype.kind == "f"
+
+
+def test_the_studies_that_come_with_the_program_are_found(tmp_path):
+    with pytest.raises(pellucid.InputError, match="--only.*fits no cell"):
+        pellucid.run_study("quickstart", tmp_path, only="nothing/fits")
