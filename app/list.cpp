@@ -40,8 +40,24 @@ void print(const nlohmann::ordered_json& rows) {
   }
 }
 
+/// Every column of rows that have no source of their own.
+void print_markdown_of_all(const nlohmann::ordered_json& rows) {
+  std::string head, line;
+  for (const auto& [key, value] : rows.front().items())
+    head += fmt::format("| {} ", key), line += "|---";
+  std::cout << head << "|\n" << line << "|\n";
+  for (const nlohmann::ordered_json& row : rows) {
+    for (const auto& [key, value] : row.items())
+      std::cout << (key == "name" ? fmt::format("| `{}` ", text_of(value))
+                                  : fmt::format("| {} ", text_of(value)));
+    std::cout << "|\n";
+  }
+}
+
 /// The columns that are short enough for a table: name, title, citation.
 void print_markdown(const nlohmann::ordered_json& rows) {
+  const nlohmann::ordered_json& first = rows.front();
+  if (!first.contains("citation") && !first.contains("source")) return print_markdown_of_all(rows);
   std::cout << "| name | what it is | source |\n|---|---|---|\n";
   for (const nlohmann::ordered_json& row : rows)
     std::cout << fmt::format("| `{}` | {} | {} |\n", text_of(row["name"]), text_of(row["title"]),

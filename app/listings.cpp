@@ -168,17 +168,22 @@ nlohmann::ordered_json list_formats() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Row& row : geometry::mesh_formats()) {
     std::string read = kinds(row, &Row::read_mesh, &Row::read_lines, &Row::read_points);
-    if (fields::file_format(row.ending)) read += ", field";
+    const fields::FileFormatRow* field = fields::file_format(row.ending);
+    if (field) read += ", field";
     rows.push_back(
         {{"name", row.ending},
          {"title", row.title},
          {"read as", read},
-         {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)}});
+         {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)},
+         {"to know", field ? field->traps : ""}});
   }
   for (const fields::FileFormatRow& row : fields::field_formats())
     if (!geometry::mesh_format("file" + std::string(row.ending)))
-      rows.push_back(
-          {{"name", row.ending}, {"title", row.title}, {"read as", "field"}, {"written", ""}});
+      rows.push_back({{"name", row.ending},
+                      {"title", row.title},
+                      {"read as", "field"},
+                      {"written", ""},
+                      {"to know", row.traps}});
   return rows;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -15,11 +16,13 @@
 #include "core/options/names.h"
 #include "core/options/split.h"
 #include "fields/make_field.h"
+#include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/files/mesh_formats.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_quality.h"
+#include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
 
@@ -30,6 +33,7 @@ struct TraceOptions {
   std::string field, integrator, seed, output;
   bool closed = false;
   double duration = 0;
+  bool both = false;
   double start_time = 0;
   bool path = false;
   std::uint64_t samples = 500;
@@ -92,11 +96,12 @@ void write_error_picture(const std::string& file, const geometry::TriangleMesh& 
 }
 
 void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
-                   const fields::VectorField& field) {
+                   const std::shared_ptr<const fields::VectorField>& field) {
+  const auto way = options.duration < 0 ? fields::reversed(field, options.start_time) : field;
   integrators::SurfaceRequest request;
-  request.field = &field;
+  request.field = way.get();
   request.seed = integrators::polyline_seed(parse_seed(options.seed), options.closed);
-  request.duration = options.duration;
+  request.duration = std::abs(options.duration);
   request.start_time = options.start_time;
   request.path = options.path;
   request.progress = console_progress(globals);
@@ -114,6 +119,8 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
     surface.mesh.scalars["error"] = std::move(error.at_vertices);
   }
   if (!options.against.empty()) add_distance_between(json, options, surface.mesh, request);
+  integrators::turn_back(surface.mesh, *way);
+  json["field"] = way->description();
   geometry::write_mesh(options.output, surface.mesh);
   print(options, globals, json);
 }
@@ -128,10 +135,13 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
                                           integrators::line_particles(options.integrator));
   request.duration = options.duration;
   request.start_time = options.start_time;
+  request.both = options.both;
   const integrators::IntegratedLines lines =
       integrators::integrate_lines(options.integrator, request);
   geometry::write_lines(options.output, lines.lines);
-  print(options, globals, compare::lines_json(lines));
+  nlohmann::ordered_json json = compare::lines_json(lines);
+  json["field"] = field.description();
+  print(options, globals, json);
 }
 
 /// Is the integrator one of lines? Throws InputError that lists those of both kinds.
@@ -149,7 +159,9 @@ bool draws_lines(std::string_view integrator) {
 
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
-  const auto field = fields::make_field(options.field);
+  const std::shared_ptr<const fields::VectorField> field = fields::make_field(options.field);
+  if (options.both && !draws_lines(options.integrator))
+    throw InputError("--both: accepted: with an integrator of lines; of a surface run each way");
   const bool measures = options.samples > 0 && !draws_lines(options.integrator);
   for (const auto& [name, value] : {std::pair("--error-picture", &options.error_picture),
                                     std::pair("--against", &options.against)})
@@ -159,7 +171,7 @@ void trace(const TraceOptions& options, const GlobalOptions& globals) {
   if (draws_lines(options.integrator))
     trace_lines(options, globals, *field);
   else
-    trace_surface(options, globals, *field);
+    trace_surface(options, globals, field);
 }
 
 }  // namespace
@@ -176,9 +188,12 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--seed", options->seed, "Polyline X,Y,Z:X,Y,Z[:...] of the seeds")
       ->required();
   command->add_flag("--closed", options->closed, "Join the polyline's ends");
-  command->add_option("--duration", options->duration, "Time to integrate, > 0")
+  command
+      ->add_option("--duration", options->duration,
+                   "Time to integrate, not 0; below 0 back in time")
       ->required()
       ->check(finite_number());
+  command->add_flag("--both", options->both, "Lines: as far back in time, too, as one line");
   command->add_option("--start-time", options->start_time, "The field's time at the seeds")
       ->check(finite_number());
   command->add_flag("--path", options->path, "Path surface: the field's time runs along");
@@ -199,6 +214,13 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--against", options->against,
                       "Another integrator for the same surface, a finer one for instance: prints "
                       "how far the two are apart, both ways");
+  command->footer(
+      "Examples:\n"
+      "  pellucid trace --field abc --integrator hultquist:threshold=0.05 \\\n"
+      "      --seed 2.6,3.1,3.1:3.6,3.1,3.1 --duration 4 -o surface.ply\n"
+      "  pellucid trace --field winds.nc:array=u,v,time=last \\\n"
+      "      --integrator stream-lines:particles=1 --seed 10,45,0 --duration 3 --both -o line.vtp\n"
+      "What may stand behind a file's name: docs/fields.md; formats: pellucid list formats.");
   add_global_options(*command, globals);
   command->callback([options, &globals] { trace(*options, globals); });
 }

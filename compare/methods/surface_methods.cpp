@@ -9,6 +9,7 @@
 #include "core/options/names.h"
 #include "groundtruth/methods/raytrace.h"
 #include "integrators/mesh/mesh_quality.h"
+#include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
 
@@ -133,6 +134,7 @@ class SurfaceMethod : public scene::Renderer {
   integrators::SurfaceStats integrate() {
     integrators::IntegratedSurface surface = row_.run(request_, parameters_);
     if (surface.mesh.triangles.empty()) throw WorkError("nothing to draw: it has no triangle");
+    integrators::turn_back(surface.mesh, *object_.source->field);
     scene::apply_appearance(object_.source->appearance, surface.mesh);
     if (scene_.lighting != scene::Lighting::none) scene::ensure_normals(surface.mesh);
     object_.shape = std::move(surface.mesh);

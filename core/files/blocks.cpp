@@ -88,10 +88,11 @@ BlockWriter::BlockWriter(int file) : file_(file) {
 
 void BlockWriter::add(std::string_view name, NumberType type, std::uint32_t components,
                       std::uint64_t tuples, const void* numbers) {
-  const Head head{std::uint32_t(name.size()), std::uint32_t(type), components, 0, tuples, 0};
+  const std::string full = prefix_ + std::string(name);
+  const Head head{std::uint32_t(full.size()), std::uint32_t(type), components, 0, tuples, 0};
   write(&head, sizeof head);
-  write(name.data(), name.size());
-  pad(name.size());
+  write(full.data(), full.size());
+  pad(full.size());
   const std::size_t size = size_of(type) * components * tuples;
   write(numbers, size);
   pad(size);
@@ -136,6 +137,17 @@ Blocks::Blocks(int file) {
     if (head.name_length == 0) return;
     blocks_.push_back(take_block(head, rest));
   }
+}
+
+Blocks Blocks::within(std::string_view prefix) const {
+  Blocks some;
+  some.memory_ = memory_;
+  for (const Block& block : blocks_)
+    if (block.name.starts_with(prefix)) {
+      some.blocks_.push_back(block);
+      some.blocks_.back().name.erase(0, prefix.size());
+    }
+  return some;
 }
 
 const Block* Blocks::find(std::string_view name) const {

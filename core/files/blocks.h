@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace pellucid {
@@ -68,6 +69,8 @@ class BlockWriter {
     add(name, number_type<T>(), components, numbers.size() / components, numbers.data());
   }
   void add_text(std::string_view name, std::string_view text);
+  /// Puts `prefix` before the names of all blocks from now on: several data sets in one file.
+  void name_within(std::string prefix) { prefix_ = std::move(prefix); }
   /// Writes the end, without which the blocks do not count as whole.
   void finish();
 
@@ -76,6 +79,7 @@ class BlockWriter {
   void pad(std::size_t size);
 
   int file_;
+  std::string prefix_;
 };
 
 /// Blocks are what a BlockWriter has written to a file, mapped into memory: the arrays are where
@@ -84,6 +88,8 @@ class Blocks {
  public:
   /// Maps the file and checks every claim in it against its size. Throws BlockError.
   explicit Blocks(int file);
+  /// Returns the blocks whose names begin with the prefix, without it; they share the memory.
+  Blocks within(std::string_view prefix) const;
 
   const std::vector<Block>& all() const { return blocks_; }
   /// Returns the block of this name, or nullptr.
@@ -94,6 +100,8 @@ class Blocks {
   std::string text(std::string_view name) const;
 
  private:
+  Blocks() = default;
+
   std::shared_ptr<const std::byte> memory_;
   std::vector<Block> blocks_;
 };

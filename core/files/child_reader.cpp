@@ -149,12 +149,13 @@ ReadLimits read_limits(std::uint64_t size) {
 }
 
 Blocks read_in_child(std::string_view program, const fs::path& file,
-                     const std::vector<std::string>& arguments, std::uint64_t at_least) {
+                     const std::vector<std::string>& arguments, std::uint64_t at_least,
+                     std::uint64_t beside) {
   require_file(file);
   const fs::path path = helper_program(program);
   note_read(file);
   note_read(path);
-  ReadLimits limits = read_limits(fs::file_size(file));
+  ReadLimits limits = read_limits(fs::file_size(file) + beside);
   limits.bytes = std::max(limits.bytes, at_least);
   std::vector<std::string> words{path.string(), file.string(), std::to_string(limits.bytes),
                                  std::to_string(limits.cpu_seconds),

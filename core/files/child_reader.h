@@ -28,12 +28,14 @@ struct ReadLimits {
 ReadLimits read_limits(std::uint64_t size);
 
 /// Runs the helper_program() of this name on the file with further arguments, and returns the
-/// blocks that it leaves. Its limits are read_limits(), and no less than `at_least` bytes. Notes
+/// blocks that it leaves. Its limits are read_limits() of the file's bytes and those `beside` it,
+/// of other files that the program reads, and no less than `at_least` bytes. Notes
 /// that file and program were read. Throws InputError that names the file when it is no regular
 /// file, when the program complains of it, dies over it or exceeds the limits; WorkError when the
 /// program cannot be started.
 Blocks read_in_child(std::string_view program, const std::filesystem::path& file,
-                     const std::vector<std::string>& arguments = {}, std::uint64_t at_least = 0);
+                     const std::vector<std::string>& arguments = {}, std::uint64_t at_least = 0,
+                     std::uint64_t beside = 0);
 
 /// Is all that such a program does: sets the limits that its parent gave, calls
 /// read(file, further arguments, out), leaves what it throws as the complaint, and ends the

@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <filesystem>
 #include <string>
 
-class vtkDataArray;
 class vtkDataSet;
 
 namespace pellucid::fields {
 
-/// Returns the point array `name`; or, when it is empty, the active vectors or else the only array
-/// with three components. Throws InputError that lists the file's vector arrays when there is no
-/// such array, and when it does not have one vector a point.
-vtkDataArray* pick_vectors(vtkDataSet* data, const std::string& name,
-                           const std::filesystem::path& path);
+/// A CellValues says what becomes of vectors that a file has at its cells: the mean of the cells
+/// around each point, or one vector in the whole of a cell.
+enum class CellValues { averaged, constant };
+
+/// Vectors are three numbers for each point of a data set, or for each cell.
+struct Vectors {
+  vtkSmartPointer<vtkDataArray> values;
+  bool of_cells = false;  // and constant in each
+  bool averaged = false;  // to points, from cells
+  std::string title;      // what they are, for reports: "U", "U of the cells, averaged to points"
+};
+
+/// Returns the vectors that `wanted` names: an array of three components; three arrays of one,
+/// "U,V,W"; and of a data set that is flat along one axis also two of these, the third being 0.
+/// "point:NAME" and "cell:NAME" tell arrays of one name apart. When `wanted` is empty they are the
+/// active ones, or else the only ones, points before cells. Vectors of cells are averaged, or kept
+/// where `cells` says so; then arrays of points do not count. Throws InputError that lists the
+/// file's arrays when there are none such.
+Vectors pick_vectors(vtkDataSet& data, const std::string& wanted, CellValues cells,
+                     const std::filesystem::path& path);
 
 }  // namespace pellucid::fields

@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <new>
 #include <stdexcept>
 
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/output_file.h"
+#include "core/options/split.h"
+#include "fields/files/periods.h"
 
 namespace pellucid::fields {
 namespace {
@@ -19,12 +22,20 @@ struct PathAndOptions {
   const FileFormatRow* format = nullptr;
 };
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
 /// The options begin at the first colon behind a known ending, so that a path may hold colons.
-PathAndOptions split(std::string_view text) {
+PathAndOptions path_and_options(std::string_view text) {
   PathAndOptions best{text, {}};
+  if (text.starts_with("formula:")) return best;  // 2.e is a number there
+  const std::string lower = lower_case(text);
   for (const FileFormatRow& row : field_formats())
-    for (std::size_t at = text.find(row.ending); at != std::string_view::npos;
-         at = text.find(row.ending, at + 1)) {
+    for (std::size_t at = lower.find(row.ending); at != std::string_view::npos;
+         at = lower.find(row.ending, at + 1)) {
       const std::size_t end = at + row.ending.size();
       const bool ends_here = end == text.size() || text[end] == ':';
       if (ends_here && (!best.format || end < best.path.size()))
@@ -33,9 +44,30 @@ PathAndOptions split(std::string_view text) {
   return best;
 }
 
+/// Values may have commas: what follows one without "=" belongs to the value before it.
+RawOptions raw_options(const PathAndOptions& parts) {
+  RawOptions options;
+  std::string* value = nullptr;
+  if (parts.options.size() < 2) return options;
+  for (const std::string_view part : split(parts.options.substr(1), ',')) {
+    const std::size_t equals = part.find('=');
+    if (value && equals == std::string_view::npos) {
+      *value += fmt::format(",{}", part);
+      continue;
+    }
+    if (equals == std::string_view::npos || equals == 0)
+      throw InputError(
+          fmt::format("{}: option '{}' is not of the form key=value", parts.path, part));
+    const auto [place, is_new] = options.emplace(part.substr(0, equals), part.substr(equals + 1));
+    if (!is_new)
+      throw InputError(fmt::format("{}: option '{}' is given twice", parts.path, place->first));
+    value = &place->second;
+  }
+  return options;
+}
+
 FileOptions parse_options(const PathAndOptions& parts) {
-  const auto given = parse_name_and_options(fmt::format("file{}", parts.options));
-  return file_options().read(Parameters(parts.path, file_options().specs(), given.options));
+  return file_options().read(Parameters(parts.path, file_options().specs(), raw_options(parts)));
 }
 
 }  // namespace
@@ -43,10 +75,17 @@ FileOptions parse_options(const PathAndOptions& parts) {
 const OptionTable<FileOptions>& file_options() {
   static const OptionTable<FileOptions> table{
       text("array", &FileOptions::array,
-           "name of the vectors; by default the active or the only ones"),
+           "vectors, NAME or three scalars U,V,W; by default the active or the only ones"),
       choice("sampler", &FileOptions::interpolation,
              {{"linear", Interpolation::linear}, {"c1", Interpolation::c1}},
-             "c1: cubic, continuous with its derivative")};
+             "c1: cubic, continuous with its derivative"),
+      choice("cells", &FileOptions::cells,
+             {{"averaged", CellValues::averaged}, {"constant", CellValues::constant}},
+             "vectors of cells: averaged to points, or constant in each cell"),
+      text("periodic", &FileOptions::periodic,
+           "axes along which the grid repeats itself: x,y or x:LENGTH; none: not even a longitude"),
+      text("block", &FileOptions::block, "blocks by name, A or A,B; by default all are merged"),
+      text("time", &FileOptions::time, "first, last or a number: the field at that time alone")};
   return table;
 }
 
@@ -58,9 +97,20 @@ std::string file_endings() {
 }
 
 const FileFormatRow* file_format(std::string_view path) {
+  const std::string lower = lower_case(path);
   for (const FileFormatRow& row : field_formats())
-    if (path.ends_with(row.ending)) return &row;
+    if (lower.ends_with(row.ending)) return &row;
   return nullptr;
+}
+
+void refuse_grid_options(const FileOptions& options, const std::filesystem::path& path) {
+  if (options.cells == CellValues::constant)
+    throw InputError(fmt::format(
+        "{}: cells=constant: its samples are at points; accepted: cells=averaged", path.string()));
+  if (parse_periods(options.periodic, path.string()).any())
+    throw InputError(fmt::format(
+        "{}: periodic={}: accepted of image, rectilinear and MetaImage data; here: periodic=none",
+        path.string(), options.periodic));
 }
 
 std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
@@ -79,7 +129,7 @@ std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
 
 std::unique_ptr<VectorField> read_file_field(std::string_view text,
                                              const std::filesystem::path& base) {
-  const PathAndOptions parts = split(text);
+  const PathAndOptions parts = path_and_options(text);
   if (!parts.format) return nullptr;
   return read_file(base / parts.path, *parts.format, parse_options(parts));
 }

@@ -11,14 +11,19 @@
 
 #include "core/options/option_table.h"
 #include "fields/field.h"
+#include "fields/files/vector_array.h"
 #include "fields/sampled/dense_field.h"
 
 namespace pellucid::fields {
 
 /// FileOptions are what may be asked of a sampled field: "FILE:array=NAME,sampler=c1".
 struct FileOptions {
-  std::string array;  // empty: the active vectors, or the only array of three components
+  std::string array;  // as pick_vectors() takes it; empty: the active vectors or the only ones
   Interpolation interpolation = Interpolation::linear;
+  CellValues cells = CellValues::averaged;
+  std::string periodic;  // as parse_periods() takes it
+  std::string block;     // as readers::chosen_blocks() takes it; empty: all
+  std::string time;      // as chosen_time() takes it; empty: all
 };
 
 /// Returns the table of what may stand behind a file's name.
@@ -29,6 +34,7 @@ struct FileFormatRow {
   std::string_view ending;  // ".vti"
   std::string_view title;
   std::unique_ptr<VectorField> (*read)(const std::filesystem::path&, const FileOptions&);
+  std::string_view traps = {};  // what to know of it, for the documents
 };
 
 /// Returns all formats of sampled fields; field_formats.cpp lists them.
@@ -39,6 +45,10 @@ std::string file_endings();
 
 /// The format that a path ends as, or nothing.
 const FileFormatRow* file_format(std::string_view path);
+
+/// Throws InputError where options ask for what only grids along axes have: cells=constant,
+/// periodic=….
+void refuse_grid_options(const FileOptions& options, const std::filesystem::path& path);
 
 /// Throws InputError for a file that cannot be read or trusted.
 std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,

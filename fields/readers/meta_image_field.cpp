@@ -18,7 +18,7 @@
 #include "core/files/files_read.h"
 #include "core/files/output_file.h"
 #include "fields/readers/file_field.h"
-#include "fields/sampled/dense_field.h"
+#include "fields/readers/grid_source.h"
 
 namespace pellucid::fields {
 namespace {
@@ -91,16 +91,17 @@ Layout parse(const Header& header, const Path& path) {
   require(header, "CompressedData", "False", {"False"}, path);
   require(header, "TransformMatrix", "1 0 0 0 1 0 0 0 1", {"1 0 0 0 1 0 0 0 1"}, path);
   const Vec3 size = three_numbers(header, {"DimSize"}, "", path);
-  const auto is_size = [](double n) { return n >= 2 && n <= 1e6 && n == std::floor(n); };
+  const auto is_size = [](double n) { return n >= 1 && n <= 1e6 && n == std::floor(n); };
   if (!is_size(size.x) || !is_size(size.y) || !is_size(size.z))
-    fail(path, fmt::format("DimSize = {} {} {}; a field needs two or more samples along each axis",
+    fail(path, fmt::format("DimSize = {} {} {}; accepted: three whole numbers from 1 to 1000000",
                            size.x, size.y, size.z));
   Layout layout;
   layout.size = {std::size_t(size.x), std::size_t(size.y), std::size_t(size.z)};
   layout.origin = three_numbers(header, {"Offset", "Position", "Origin"}, "0 0 0", path);
   layout.spacing = three_numbers(header, {"ElementSpacing", "ElementSize"}, "1 1 1", path);
   for (int a = 0; a < 3; ++a)
-    if (!Axis::can_be_uniform(layout.origin[a], layout.spacing[a], layout.size[std::size_t(a)]))
+    if (layout.size[std::size_t(a)] > 1 &&
+        !Axis::can_be_uniform(layout.origin[a], layout.spacing[a], layout.size[std::size_t(a)]))
       fail(path, fmt::format("ElementSpacing {} from {} along axis {}", layout.spacing[a],
                              layout.origin[a], a));
   layout.is_double = value_of(header, {"ElementType"}, "") == "MET_DOUBLE";
@@ -141,20 +142,30 @@ std::ifstream open_beside(const Path& header, const std::string& name) {
 
 template <class Number>
 std::unique_ptr<VectorField> make_field(const Layout& layout, std::string bytes,
-                                        Interpolation interpolation, std::string description) {
+                                        const FileOptions& options, const Path& path) {
   if (layout.big_endian)
     for (std::size_t i = 0; i < bytes.size(); i += sizeof(Number))
       std::reverse(&bytes[i], &bytes[i] + sizeof(Number));
   const auto axis = [&](int a) {
-    return Axis::uniform(layout.origin[a], layout.spacing[a], layout.size[std::size_t(a)]);
+    const std::size_t count = layout.size[std::size_t(a)];
+    if (count == 1) return FileAxis{std::nullopt, layout.origin[a]};
+    return FileAxis{Axis::uniform(layout.origin[a], layout.spacing[a], count)};
   };
-  DenseGrid<glm::vec<3, Number>> grid{{axis(0), axis(1), axis(2)}, {}, std::nullopt};
-  grid.samples.resize(bytes.size() / (3 * sizeof(Number)));
-  std::memcpy(grid.samples.data(), bytes.data(), bytes.size());
-  return make_dense_field(std::move(grid), interpolation, std::move(description));
+  GridSource<glm::vec<3, Number>> source;
+  source.axes = {axis(0), axis(1), axis(2)};
+  source.samples.resize(bytes.size() / (3 * sizeof(Number)));
+  std::memcpy(source.samples.data(), bytes.data(), bytes.size());
+  source.interpolation = options.interpolation;
+  source.periods = parse_periods(options.periodic, path.string());
+  source.file = path.string();
+  source.description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
+                                   layout.size[0], layout.size[1], layout.size[2]);
+  return make_grid_field(std::move(source));
 }
 
 std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileOptions& options) {
+  if (options.cells == CellValues::constant)
+    fail(path, "cells=constant: its samples are at points; accepted: cells=averaged");
   if (!options.array.empty() && options.array != "velocity")
     fail(path, fmt::format("array={}: no such vectors; point arrays of three components: velocity",
                            options.array));
@@ -165,11 +176,8 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   std::ifstream beside;
   if (data != "LOCAL") beside = open_beside(path, data);
   std::string bytes = read_bytes(data == "LOCAL" ? file : beside, path, layout);
-  const std::string description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
-                                              layout.size[0], layout.size[1], layout.size[2]);
-  return layout.is_double
-             ? make_field<double>(layout, std::move(bytes), options.interpolation, description)
-             : make_field<float>(layout, std::move(bytes), options.interpolation, description);
+  return layout.is_double ? make_field<double>(layout, std::move(bytes), options, path)
+                          : make_field<float>(layout, std::move(bytes), options, path);
 }
 
 }  // namespace

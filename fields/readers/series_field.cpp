@@ -16,16 +16,14 @@
 #include "core/files/json_text.h"
 #include "fields/lazy.h"
 #include "fields/readers/file_field.h"
+#include "fields/readers/series_field.h"
+#include "readers/vtk/times.h"
 
 namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
 
-struct Frame {
-  double time;
-  std::unique_ptr<VectorField> field;
-};
 using Frames = std::vector<Frame>;
 
 /// Where a time lies between two frames.
@@ -157,10 +155,13 @@ class SeriesField final : public VectorField {
   }
 
   /// Place i of a low-discrepancy sequence in the domain: multiples of the powers of 1/φ₃, the root
-  /// of φ⁴ = φ + 1.
+  /// of φ⁴ = φ + 1. Along an axis without an end, of a field that repeats itself, on 1000 cells.
   Vec3 spread_place(int i) const {
     const Vec3 s = glm::fract(double(i) * Vec3(0.8191725134, 0.6710436067, 0.5497004779));
-    const Box3 box = domain();
+    Box3 box = domain();
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(box.max[axis] - box.min[axis]))
+        box.min[axis] = 0, box.max[axis] = 1000 * cell_size().value_or(1);
     return box.min + (box.max - box.min) * s;
   }
 
@@ -175,18 +176,23 @@ constexpr std::string_view series_ending = ".series";
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
-Frame read_frame(const nlohmann::json& entry, std::size_t number, const Path& path,
-                 const FileOptions& options) {
+double time_of(const nlohmann::json& entry, std::size_t number, const Path& path) {
   if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() ||
       !entry.contains("time") || !entry["time"].is_number())
     fail(path, fmt::format("files[{}]: expected {{\"name\": text, \"time\": number}}", number));
+  return entry["time"];
+}
+
+std::unique_ptr<VectorField> read_frame(const nlohmann::json& entry, std::size_t number,
+                                        const Path& path, FileOptions options) {
   const std::string name = entry["name"];
   const FileFormatRow* format = file_format(name);
   if (!format || format->ending == series_ending)
     fail(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
                            number, name, file_endings()));
+  options.time.clear();  // of the series, not of its files
   try {
-    return {entry["time"], read_file(path.parent_path() / name, *format, options)};
+    return read_file(path.parent_path() / name, *format, options);
   } catch (const InputError& error) {
     fail(path, fmt::format("files[{}]: {}", number, error.what()));
   }
@@ -197,20 +203,41 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
   if (!description.is_object() || !description.contains("files") ||
       !description["files"].is_array() || description["files"].size() < 2)
     fail(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");
-  Frames frames;
-  for (const nlohmann::json& entry : description["files"]) {
-    frames.push_back(read_frame(entry, frames.size(), path, options));
-    if (frames.size() > 1 && !(frames.back().time > frames[frames.size() - 2].time))
-      fail(path, fmt::format("files[{}]: time {} after {}; times have to ascend", frames.size() - 1,
-                             frames.back().time, frames[frames.size() - 2].time));
-  }
-  std::string text = fmt::format("{}: {} files from t = {} to {}, the first {}",
+  std::vector<double> times;
+  for (const nlohmann::json& entry : description["files"])
+    times.push_back(time_of(entry, times.size(), path));
+  return field_over_times(times, options.time, path, [&](std::size_t i) {
+    return read_frame(description["files"][i], i, path, options);
+  });
+}
+
+void require_ascending(std::span<const double> times, const Path& path) {
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+      fail(path, fmt::format("its time number {} is {}, after {}; times have to ascend", i,
+                             times[i], i > 0 ? times[i - 1] : 0));
+}
+
+}  // namespace
+
+std::unique_ptr<VectorField> make_series_field(std::vector<Frame> frames, const Path& path) {
+  if (frames.size() == 1) return std::move(frames.front().field);
+  std::string text = fmt::format("{}: {} times from t = {} to {}, the first {}",
                                  path.filename().string(), frames.size(), frames.front().time,
                                  frames.back().time, frames.front().field->description());
   return std::make_unique<SeriesField>(std::move(frames), std::move(text));
 }
 
-}  // namespace
+std::unique_ptr<VectorField> field_over_times(
+    std::span<const double> times, const std::string& wanted, const Path& path,
+    const std::function<std::unique_ptr<VectorField>(std::size_t)>& frame_at) {
+  if (!wanted.empty()) return frame_at(readers::chosen_time(times, wanted, path));
+  if (times.size() == 1) return frame_at(0);
+  require_ascending(times, path);
+  Frames frames;
+  for (std::size_t i = 0; i < times.size(); ++i) frames.push_back({times[i], frame_at(i)});
+  return make_series_field(std::move(frames), path);
+}
 
 std::vector<FileFormatRow> series_formats() {
   return {{series_ending, "time series of files, as ParaView writes it", read_series_field}};

@@ -155,6 +155,7 @@ namespace {
 
 /// Of the grids that are not meant only names and types are read where a name is given.
 std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
+  refuse_grid_options(options, path);
   return field_of(readers::read_vdb_grids(path, options.array), options, path);
 }
 

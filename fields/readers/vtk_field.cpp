@@ -6,21 +6,23 @@
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkRectilinearGrid.h>
-#include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/error.h"
+#include "fields/files/periods.h"
 #include "fields/files/vector_array.h"
 #include "fields/finite.h"
+#include "fields/readers/grid_source.h"
+#include "fields/readers/series_field.h"
 #include "fields/sampled/cell_field.h"
-#include "fields/sampled/dense_field.h"
 #include "readers/vtk/shown_cells.h"
 #include "readers/vtk/vtk_file.h"
+#include "readers/vtk/vtk_formats.h"
 
 namespace pellucid::fields {
 namespace {
@@ -31,24 +33,18 @@ using Path = std::filesystem::path;
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
-void require_two_samples(const int dimensions[3], const Path& path) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (dimensions[axis] < 2)
-      fail(path, fmt::format("{} × {} × {} samples; a field needs two or more along each axis",
-                             dimensions[0], dimensions[1], dimensions[2]));
-}
-
 /// Axes of an image whose rows run along the world's axes, or its own axes in units of samples.
-std::array<Axis, 3> axes_of(vtkImageData* image, bool turned, const Path& path) {
+std::array<FileAxis, 3> axes_of(vtkImageData* image, bool turned, const Path& path) {
   const int* extent = image->GetExtent();
   const double *origin = image->GetOrigin(), *spacing = image->GetSpacing();
   const auto axis = [&](int a) {
     const double step = turned ? 1 : spacing[a];
     const double first = turned ? extent[2 * a] : origin[a] + extent[2 * a] * step;
     const auto count = std::size_t(image->GetDimensions()[a]);
+    if (count == 1 && std::isfinite(first)) return FileAxis{std::nullopt, first};
     if (!Axis::can_be_uniform(first, step, count))
       fail(path, fmt::format("spacing {} from {} along axis {}", step, first, a));
-    return Axis::uniform(first, step, count);
+    return FileAxis{Axis::uniform(first, step, count)};
   };
   return {axis(0), axis(1), axis(2)};
 }
@@ -68,7 +64,7 @@ std::optional<GridFrame> frame_of(vtkImageData* image, const Path& path) {
   return GridFrame{grid_from_world, world_origin};
 }
 
-Axis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
+FileAxis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
   std::vector<double> positions(std::size_t(coordinates->GetNumberOfTuples()));
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] = coordinates->GetComponent(vtkIdType(i), 0);
@@ -76,69 +72,88 @@ Axis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
     if (!std::isfinite(positions[i]) || (i > 0 && !(positions[i] > positions[i - 1])))
       fail(path, fmt::format("coordinate {} of axis {} is {}; they have to ascend", i, number,
                              positions[i]));
-  return Axis(std::move(positions));
+  if (positions.size() == 1) return {std::nullopt, positions.front()};
+  return {Axis(std::move(positions))};
 }
 
 /// Samples that the file hides become NaN.
 template <class Sample>
-std::vector<Sample> copy_samples(vtkDataSet* data, vtkDataArray* vectors) {
-  std::vector<Sample> samples(std::size_t(vectors->GetNumberOfTuples()));
-  const vtkUnsignedCharArray* ghosts = data->GetPointGhostArray();
+std::vector<Sample> copy_samples(vtkDataSet* data, const Vectors& vectors) {
+  std::vector<Sample> samples(std::size_t(vectors.values->GetNumberOfTuples()));
+  const bool hides = !vectors.of_cells && data->GetPointGhostArray();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     double v[3];
-    vectors->GetTuple(vtkIdType(i), v);
+    vectors.values->GetTuple(vtkIdType(i), v);
     samples[i] = Sample(v[0], v[1], v[2]);
-    if (ghosts && ghosts->GetValue(vtkIdType(i)) & vtkDataSetAttributes::HIDDENPOINT)
+    if (hides && readers::hides_point(data, vtkIdType(i)))
       samples[i] = Sample(std::numeric_limits<float>::quiet_NaN());
   }
   return samples;
 }
 
-struct DenseParts {
-  std::array<Axis, 3> axes;
+/// Where a file's grid along axes has its samples.
+struct Shape {
+  std::array<FileAxis, 3> axes;
   std::optional<GridFrame> frame;
 };
 
-template <class Sample>
-std::unique_ptr<VectorField> make_dense(DenseParts parts, vtkDataSet* data, vtkDataArray* vectors,
-                                        Interpolation interpolation, std::string description) {
-  return make_dense_field(
-      DenseGrid<Sample>{std::move(parts.axes), copy_samples<Sample>(data, vectors), parts.frame},
-      interpolation, std::move(description));
+Shape shape_of(vtkImageData* image, const Path& path) {
+  const auto frame = frame_of(image, path);
+  return {axes_of(image, frame.has_value(), path), frame};
 }
 
-std::unique_ptr<VectorField> make_dense(DenseParts parts, vtkDataSet* data,
-                                        const FileOptions& options, const Path& path) {
-  vtkDataArray* vectors = pick_vectors(data, options.array, path);
-  std::string description =
-      fmt::format("{}: {} × {} × {} samples of {}", path.filename().string(), parts.axes[0].size(),
-                  parts.axes[1].size(), parts.axes[2].size(),
-                  vectors->GetName() ? vectors->GetName() : "vectors");
-  if (vectors->GetDataType() == VTK_DOUBLE)
-    return make_dense<Vec3>(std::move(parts), data, vectors, options.interpolation, description);
-  return make_dense<glm::vec3>(std::move(parts), data, vectors, options.interpolation, description);
-}
-
-std::unique_ptr<VectorField> from_image(vtkImageData* image, const FileOptions& options,
-                                        const Path& path) {
-  require_two_samples(image->GetDimensions(), path);
-  auto frame = frame_of(image, path);
-  auto axes = axes_of(image, frame.has_value(), path);
-  return make_dense({std::move(axes), frame}, image, options, path);
-}
-
-std::unique_ptr<VectorField> from_rectilinear(vtkRectilinearGrid* grid, const FileOptions& options,
-                                              const Path& path) {
-  require_two_samples(grid->GetDimensions(), path);
+Shape shape_of(vtkRectilinearGrid* grid, const Path& path) {
   vtkDataArray* coordinates[3] = {grid->GetXCoordinates(), grid->GetYCoordinates(),
                                   grid->GetZCoordinates()};
   for (int a = 0; a < 3; ++a)
     if (!coordinates[a] || coordinates[a]->GetNumberOfTuples() != grid->GetDimensions()[a])
       fail(path, fmt::format("axis {} does not have one coordinate per sample", a));
-  return make_dense({{axis_of(coordinates[0], 0, path), axis_of(coordinates[1], 1, path),
-                      axis_of(coordinates[2], 2, path)},
-                     std::nullopt},
-                    grid, options, path);
+  return {{axis_of(coordinates[0], 0, path), axis_of(coordinates[1], 1, path),
+           axis_of(coordinates[2], 2, path)},
+          std::nullopt};
+}
+
+Interpolation interpolation_of(const Vectors& vectors, const FileOptions& options,
+                               const Path& path) {
+  if (!vectors.of_cells) return options.interpolation;
+  if (options.interpolation == Interpolation::c1)
+    fail(path,
+         "sampler=c1: values that are constant in cells have no slope; accepted: "
+         "cells=averaged");
+  return Interpolation::constant;
+}
+
+template <class Sample>
+std::unique_ptr<VectorField> make_dense_of(Shape shape, vtkDataSet* data, const Vectors& vectors,
+                                           const FileOptions& options, const Path& path) {
+  const auto count = [&](std::size_t a) {
+    return shape.axes[a].axis ? shape.axes[a].axis->size() : 1;
+  };
+  std::string description = fmt::format("{}: {} × {} × {} samples of {}", path.filename().string(),
+                                        count(0), count(1), count(2), vectors.title);
+  return make_grid_field(GridSource<Sample>{
+      std::move(shape.axes), copy_samples<Sample>(data, vectors), shape.frame,
+      interpolation_of(vectors, options, path), parse_periods(options.periodic, path.string()),
+      vectors.averaged, path.string(), std::move(description)});
+}
+
+std::unique_ptr<VectorField> make_dense(Shape shape, vtkDataSet* data, const Vectors& vectors,
+                                        const FileOptions& options, const Path& path) {
+  if (vectors.values->GetDataType() == VTK_DOUBLE)
+    return make_dense_of<Vec3>(std::move(shape), data, vectors, options, path);
+  return make_dense_of<glm::vec3>(std::move(shape), data, vectors, options, path);
+}
+
+/// Cells are searched one by one: they have neither slopes nor an end that is a beginning.
+void require_plain(const FileOptions& options, const Path& path) {
+  if (options.interpolation != Interpolation::linear)
+    fail(path,
+         "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
+         "sampler=linear");
+  if (parse_periods(options.periodic, path.string()).any())
+    fail(path, fmt::format("periodic={} needs image or rectilinear data without hidden cells; this "
+                           "grid takes periodic=none",
+                           options.periodic));
 }
 
 /// Hidden points alone can be had in a dense array: they are NaN there.
@@ -149,34 +164,44 @@ bool hides_some_cells(vtkDataSet* data) {
 }  // namespace
 
 std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
-                                      const FileOptions& options, const Path& path) {
+                                      const FileOptions& options, const Path& path,
+                                      const std::string& note) {
+  Vectors vectors = pick_vectors(*data, options.array, options.cells, path);
+  vectors.title += note;
   // A dense array has no cell that is missing: where some are hidden, cells are searched.
   const bool is_dense = !hides_some_cells(data);
   if (auto* image = vtkImageData::SafeDownCast(data); image && is_dense)
-    return from_image(image, options, path);
+    return make_dense(shape_of(image, path), data, vectors, options, path);
   if (auto* grid = vtkRectilinearGrid::SafeDownCast(data); grid && is_dense)
-    return from_rectilinear(grid, options, path);
-  if (options.interpolation != Interpolation::linear)
-    fail(path,
-         "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
-         "sampler=linear");
-  return make_cell_field(data, pick_vectors(data, options.array, path), path);
+    return make_dense(shape_of(grid, path), data, vectors, options, path);
+  require_plain(options, path);
+  return make_cell_field(data, vectors, path);
 }
 
 namespace {
 
+std::string note_of(const std::vector<std::string>& blocks) {
+  if (blocks.empty()) return {};
+  if (blocks.size() == 1) return fmt::format(", block {}", blocks.front());
+  return fmt::format(", {} blocks merged", blocks.size());
+}
+
 std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
-  return field_of(readers::read_vtk_data_set(path), options, path);
+  const auto read = readers::read_vtk_file(path, options.block, options.time);
+  std::vector<double> times;
+  for (const readers::VtkTime& one : read) times.push_back(one.time);
+  return field_over_times(times, {}, path, [&](std::size_t number) {
+    return field_of(read[number].data, options, path, note_of(read[number].blocks));
+  });
 }
 
 }  // namespace
 
 std::vector<FileFormatRow> vtk_formats() {
-  return {{".vti", "VTK image", read_vtk_field},
-          {".vtr", "VTK rectilinear grid", read_vtk_field},
-          {".vts", "VTK structured grid", read_vtk_field},
-          {".vtu", "VTK unstructured grid", read_vtk_field},
-          {".vtk", "legacy VTK", read_vtk_field}};
+  std::vector<FileFormatRow> rows;
+  for (const readers::VtkFormat& format : readers::vtk_formats())
+    rows.push_back({format.ending, format.title, read_vtk_field, format.traps});
+  return rows;
 }
 
 }  // namespace pellucid::fields

@@ -10,9 +10,10 @@ class vtkDataSet;
 namespace pellucid::fields {
 
 /// Makes a field of a data set whose indices have been checked (readers/vtk/cell_rules.h); `path`
-/// names it in messages. Throws InputError for data that hold no such field.
+/// names it in messages, and `note` is added to the description. Throws InputError for data that
+/// hold no such field.
 std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
-                                      const FileOptions& options,
-                                      const std::filesystem::path& path);
+                                      const FileOptions& options, const std::filesystem::path& path,
+                                      const std::string& note = {});
 
 }  // namespace pellucid::fields

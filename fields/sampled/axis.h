@@ -35,6 +35,8 @@ class Axis {
   double position(std::size_t i) const { return positions_[i]; }
   double width(std::size_t cell) const { return positions_[cell + 1] - positions_[cell]; }
   double smallest_width() const;
+  /// Returns the spacing of an axis made by uniform(), 0 of others.
+  double uniform_spacing() const { return inverse_spacing_ > 0 ? 1 / inverse_spacing_ : 0; }
 
   /// A Place says where a position lies among the samples.
   struct Place {
@@ -59,6 +61,18 @@ class Axis {
  private:
   std::vector<double> positions_;
   double inverse_spacing_ = 0;  // 0: positions are not evenly spaced
+};
+
+/// A ConstantInterpolation gives a whole cell its one sample: samples are between the positions,
+/// one fewer than these.
+class ConstantInterpolation {
+ public:
+  static constexpr int support = 1;
+  static constexpr const char* name = "constant in cells";
+
+  explicit ConstantInterpolation(const Axis&) {}
+
+  Stencil<1> stencil(const Axis& axis, double p) const { return {axis.locate(p).cell, {1}, {0}}; }
 };
 
 /// A LinearInterpolation draws straight lines between samples: it is continuous.

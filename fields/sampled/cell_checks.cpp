@@ -12,9 +12,13 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
 
 #include "core/error.h"
+#include "fields/finite.h"
+#include "fields/sampled/planar_cells.h"
 #include "readers/vtk/shown_cells.h"
 
 namespace pellucid::fields {
@@ -59,9 +63,16 @@ void check_type(vtkIdType number, int type, const Path& path) {
                            number, type));
 }
 
+/// Only where there are volume cells a surface cell is but their border.
+bool has_volume(vtkUnstructuredGrid* grid) {
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    if (!is_among(lower_dimensional, grid->GetCellType(i))) return true;
+  return false;
+}
+
 /// The grid's volume cells alone, without those that it hides. Their indices and numbers of points
 /// have been checked where the file was parsed (readers/vtk/cell_rules.h).
-vtkSmartPointer<vtkDataSet> volume_of(vtkUnstructuredGrid* grid, const Path& path) {
+void take_volume(vtkUnstructuredGrid* grid, const Path& path, CheckedCells& checked) {
   const auto volume = vtkSmartPointer<vtkUnstructuredGrid>::New();
   volume->SetPoints(grid->GetPoints());
   volume->Allocate(grid->GetNumberOfCells());
@@ -73,28 +84,58 @@ vtkSmartPointer<vtkDataSet> volume_of(vtkUnstructuredGrid* grid, const Path& pat
     if (readers::hides_cell(grid, i)) continue;
     grid->GetCells()->GetCellAtId(i, points);
     volume->InsertNextCell(type, points);
+    checked.numbers.push_back(i);
   }
-  return volume;
+  checked.cells = volume;
+}
+
+Box3 checked_bounds(vtkDataSet* data, const Path& path) {
+  Box3 bounds;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    double x[3];
+    data->GetPoint(i, x);
+    if (!is_finite(Vec3(x[0], x[1], x[2]))) fail(path, fmt::format("point {} is not finite", i));
+    bounds.extend({x[0], x[1], x[2]});
+  }
+  return bounds;
+}
+
+/// How many samples a structured grid has along its three axes, if it is one.
+std::optional<std::array<int, 3>> dimensions_of(vtkDataSet* data) {
+  std::array<int, 3> size{};
+  if (auto* image = vtkImageData::SafeDownCast(data))
+    return image->GetDimensions(size.data()), size;
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
+    return grid->GetDimensions(size.data()), size;
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
+    return grid->GetDimensions(size.data()), size;
+  return std::nullopt;
+}
+
+/// Along how many axes there are two samples or more.
+int dimension_of(const std::array<int, 3>& size, const Path& path) {
+  const auto dimension = int(std::ranges::count_if(size, [](int n) { return n >= 2; }));
+  if (dimension < 2)
+    fail(path, fmt::format("{} × {} × {} samples; a field needs two or more along two axes at "
+                           "least",
+                           size[0], size[1], size[2]));
+  return dimension;
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const Path& path) {
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data)) return volume_of(grid, path);
-  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data))
-    return readers::shown_cells(data);
-  auto* structured = vtkStructuredGrid::SafeDownCast(data);
-  if (!structured)
-    fail(path, fmt::format("it holds a {}; accepted: image, rectilinear, structured and "
-                           "unstructured data",
-                           data->GetClassName()));
-  int size[3];
-  structured->GetDimensions(size);
-  if (size[0] < 2 || size[1] < 2 || size[2] < 2)
-    fail(path, fmt::format("{} × {} × {} samples; a field needs two or more along each axis",
-                           size[0], size[1], size[2]));
-  if (readers::hides_cells(data)) return readers::shown_cells(data);
-  return data;
+CheckedCells checked_cells(vtkDataSet* data, const Path& path) {
+  CheckedCells checked{data, {}, std::nullopt, checked_bounds(data, path)};
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  const auto size = dimensions_of(data);
+  const bool is_volume = grid ? has_volume(grid) : size && dimension_of(*size, path) == 3;
+  if (!is_volume) return planar_cells(*data, checked.bounds, path);
+  if (grid)
+    take_volume(grid, path, checked);
+  else if (readers::hides_cells(data) || !vtkStructuredGrid::SafeDownCast(data))
+    checked.cells = readers::shown_cells(data, &checked.numbers);
+  if (checked.cells->GetNumberOfCells() == 0) fail(path, "it has no volume cells that it shows");
+  return checked;
 }
 
 }  // namespace pellucid::fields

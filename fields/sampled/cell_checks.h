@@ -5,12 +5,27 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "fields/sampled/planar_field.h"
 
 namespace pellucid::fields {
 
-/// Returns the volume cells of a grid, without those of lower dimension and those that it hides.
-/// Throws InputError, naming `path`, where a cell is of another kind, and for fewer than two
-/// samples along an axis of a structured grid.
-vtkSmartPointer<vtkDataSet> checked_volume(vtkDataSet* data, const std::filesystem::path& path);
+/// CheckedCells are volume cells that can be searched, and where they come from in a file's grid.
+struct CheckedCells {
+  vtkSmartPointer<vtkDataSet> cells;
+  std::vector<vtkIdType> numbers;  // in the file, of each cell; empty: as they are
+  /// Set when the file's cells lie on a plane, which prisms on both sides of it stand for: the
+  /// file's points, moved to its one side, and all of them once more on the other.
+  std::optional<Plane> plane;
+  Box3 bounds;  // of the file's points, world units
+};
+
+/// Returns the volume cells of a grid, without those of lower dimension and those that it hides; of
+/// a grid that has none the surface cells, where they lie on a plane. Throws InputError, naming
+/// `path`, where a cell is of another kind, for fewer than two samples along two axes of a
+/// structured grid, points that are not finite, surfaces that are no plane, and no cell at all.
+CheckedCells checked_cells(vtkDataSet* data, const std::filesystem::path& path);
 
 }  // namespace pellucid::fields

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <vtkCellType.h>
-#include <vtkDataArray.h>
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
 #include <vtkStaticCellLocator.h>
@@ -13,6 +12,7 @@
 #include "fields/finite.h"
 #include "fields/lazy.h"
 #include "fields/sampled/cell_grid.h"
+#include "fields/sampled/planar_field.h"
 
 namespace pellucid::fields {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 class CellSampler final : public FieldSampler {
  public:
   CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
-      : locator_(locator), grid_(grid), rounding_(1e-14 * grid.bounds.diagonal()) {}
+      : locator_(locator), grid_(grid), rounding_(1e-14 * grid.search_box.diagonal()) {}
 
   SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
     if (!find(x)) return SampleStatus::outside;
@@ -33,17 +33,17 @@ class CellSampler final : public FieldSampler {
   SampleStatus velocity_and_jacobian(const Vec3& x, double, Vec3& v, Mat3& jacobian) override {
     if (!find(x)) return SampleStatus::outside;
     v = interpolate();
-    jacobian = grid_.jacobian(*cell_, parametric_);
+    jacobian = grid_.constant ? Mat3(0) : grid_.jacobian(*cell_, parametric_);
     return is_finite(v) && is_finite(jacobian) ? SampleStatus::ok : SampleStatus::not_finite;
   }
 
  private:
   bool find(const Vec3& x) {
-    if (!grid_.bounds.contains(x)) return false;
+    if (!grid_.search_box.contains(x)) return false;
     double position[3] = {x.x, x.y, x.z};
-    if (locator_->FindCell(position, 0, cell_, parametric_, weights_.data()) < 0) return false;
-    polish(x);
-    return true;
+    number_ = locator_->FindCell(position, 0, cell_, parametric_, weights_.data());
+    if (number_ >= 0 && !grid_.constant) polish(x);
+    return number_ >= 0;
   }
 
   /// One more step of Newton's iteration: VTK stops when a step is below a thousandth of a cell,
@@ -62,6 +62,7 @@ class CellSampler final : public FieldSampler {
   }
 
   Vec3 interpolate() const {
+    if (grid_.constant) return grid_.velocity(number_);
     Vec3 sum(0);
     for (vtkIdType i = 0; i < cell_->GetNumberOfPoints(); ++i)
       sum += weights_[std::size_t(i)] * grid_.velocity(cell_->GetPointId(int(i)));
@@ -72,6 +73,7 @@ class CellSampler final : public FieldSampler {
   const CellGrid& grid_;
   double rounding_;  // of a position in the grid
   vtkNew<vtkGenericCell> cell_;
+  vtkIdType number_ = -1;  // of the cell
   std::array<double, CellGrid::largest_cell> weights_{};
   double parametric_[3] = {0, 0, 0};
 };
@@ -104,14 +106,17 @@ class CellField final : public VectorField {
 
 }  // namespace
 
-std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, vtkDataArray* vectors,
+std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, const Vectors& vectors,
                                              const std::filesystem::path& path) {
   CellGrid grid = make_cell_grid(data, vectors, path);
-  std::string description =
-      fmt::format("{}: {} points, {} cells, {}, linear", path.filename().string(),
-                  grid.cells->GetNumberOfPoints(), grid.cells->GetNumberOfCells(),
-                  vectors->GetName() ? vectors->GetName() : "vectors");
-  return std::make_unique<CellField>(std::move(grid), std::move(description));
+  std::string description = fmt::format("{}: {} points, {} cells, {}{}", path.filename().string(),
+                                        data->GetNumberOfPoints(), grid.cells->GetNumberOfCells(),
+                                        vectors.title, grid.constant ? "" : ", linear");
+  const std::optional<Plane> plane = grid.plane;
+  const Box3 bounds = grid.bounds;
+  std::unique_ptr<VectorField> field =
+      std::make_unique<CellField>(std::move(grid), std::move(description));
+  return plane ? make_planar_field(std::move(field), *plane, bounds) : std::move(field);
 }
 
 }  // namespace pellucid::fields

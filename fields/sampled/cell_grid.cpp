@@ -4,23 +4,16 @@
 #include <fmt/format.h>
 #include <vtkDataArray.h>
 #include <vtkGenericCell.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
-#include "fields/finite.h"
 #include "fields/sampled/cell_checks.h"
 
 namespace pellucid::fields {
 namespace {
-
-using Path = std::filesystem::path;
-
-[[noreturn]] void fail(const Path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
 
 Vec3 tuple_at(vtkDataArray* array, vtkIdType i) {
   double v[3];
@@ -32,16 +25,6 @@ Vec3 point_at(vtkDataSet* data, vtkIdType i) {
   double x[3];
   data->GetPoint(i, x);
   return {x[0], x[1], x[2]};
-}
-
-Box3 checked_bounds(vtkDataSet* data, const Path& path) {
-  Box3 bounds;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
-    const Vec3 x = point_at(data, i);
-    if (!is_finite(x)) fail(path, fmt::format("point {} is not finite", i));
-    bounds.extend(x);
-  }
-  return bounds;
 }
 
 template <class Visit>
@@ -81,6 +64,26 @@ std::vector<Mat3> mean_jacobians(const CellGrid& grid) {
   return sums;
 }
 
+double error_of_constant_cells(const CellGrid& grid) {
+  std::vector<Vec3> sums(std::size_t(grid.cells->GetNumberOfPoints()), Vec3(0));
+  std::vector<int> counts(sums.size(), 0);
+  const auto for_each_corner_of = [&](const auto& visit) {
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType i = 0; i < grid.cells->GetNumberOfCells(); ++i) {
+      grid.cells->GetCellPoints(i, corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+        visit(grid.velocity(i), std::size_t(corners->GetId(k)));
+    }
+  };
+  for_each_corner_of([&](const Vec3& v, std::size_t point) { sums[point] += v, ++counts[point]; });
+  double largest = 0;
+  for_each_corner_of([&](const Vec3& v, std::size_t point) {
+    const double error = glm::length(v - sums[point] / double(counts[point]));
+    if (std::isfinite(error)) largest = std::max(largest, error);
+  });
+  return largest;
+}
+
 }  // namespace
 
 Vec3 CellGrid::point(vtkIdType number) const { return point_at(cells, number); }
@@ -118,6 +121,7 @@ double CellGrid::smallest_width() const {
 }
 
 double CellGrid::sampling_error() const {
+  if (constant) return error_of_constant_cells(*this);
   const std::vector<Mat3> mean = mean_jacobians(*this);
   double largest = 0;
   for_each_cell(cells, [&](vtkGenericCell& cell) {
@@ -131,15 +135,37 @@ double CellGrid::sampling_error() const {
   return largest;
 }
 
-CellGrid make_cell_grid(vtkDataSet* data, vtkDataArray* vectors, const Path& path) {
-  CellGrid grid;
-  grid.cells = checked_volume(data, path);
-  if (grid.cells->GetNumberOfCells() == 0) fail(path, "it has no volume cells");
-  grid.bounds = checked_bounds(grid.cells, path);
-  grid.velocities.reserve(std::size_t(vectors->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
-    grid.velocities.push_back(tuple_at(vectors, i));
-  return grid;
+namespace {
+
+Box3 box_of(vtkDataSet* cells) {
+  double bounds[6];
+  cells->GetBounds(bounds);
+  return {{bounds[0], bounds[2], bounds[4]}, {bounds[1], bounds[3], bounds[5]}};
+}
+
+/// Of each point or cell of the checked ones. Points on a plane are there twice.
+std::vector<Vec3> velocities_of(const CheckedCells& checked, const Vectors& vectors) {
+  const vtkIdType given = vectors.values->GetNumberOfTuples();
+  const vtkIdType count =
+      vectors.of_cells ? checked.cells->GetNumberOfCells() : checked.cells->GetNumberOfPoints();
+  std::vector<Vec3> velocities;
+  velocities.reserve(std::size_t(count));
+  for (vtkIdType i = 0; i < count; ++i) {
+    const bool is_renumbered = vectors.of_cells && !checked.numbers.empty();
+    const vtkIdType number = is_renumbered ? checked.numbers[std::size_t(i)] : i % given;
+    velocities.push_back(tuple_at(vectors.values, number));
+  }
+  return velocities;
+}
+
+}  // namespace
+
+CellGrid make_cell_grid(vtkDataSet* data, const Vectors& vectors,
+                        const std::filesystem::path& path) {
+  const CheckedCells checked = checked_cells(data, path);
+  return {checked.cells,    velocities_of(checked, vectors),
+          vectors.of_cells, checked.plane,
+          checked.bounds,   box_of(checked.cells)};
 }
 
 }  // namespace pellucid::fields

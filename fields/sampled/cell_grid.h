@@ -5,26 +5,32 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "core/vec.h"
+#include "fields/files/vector_array.h"
+#include "fields/sampled/planar_field.h"
 
-class vtkDataArray;
 class vtkGenericCell;
 
 namespace pellucid::fields {
 
-/// A CellGrid holds volume cells with a velocity at each point: checked, so that VTK can search
-/// them safely. Positions are in world coordinates.
+/// A CellGrid holds volume cells with a velocity at each point, or one in each cell: checked, so
+/// that VTK can search them safely. Positions are in world coordinates.
 struct CellGrid {
   static constexpr int largest_cell = 27;  // most points of a cell that is accepted
 
   vtkSmartPointer<vtkDataSet> cells;
-  std::vector<Vec3> velocities;  // by point, world units per unit of time
-  Box3 bounds;
+  std::vector<Vec3> velocities;  // by point or by cell, world units per unit of time
+  bool constant = false;         // by cell
+  std::optional<Plane> plane;    // set: the cells are prisms around it (CheckedCells)
+  Box3 bounds;                   // of what the file has: flat where it lies on a plane
+  Box3 search_box;               // of the cells
 
   Vec3 point(vtkIdType number) const;
-  const Vec3& velocity(vtkIdType point) const { return velocities[std::size_t(point)]; }
+  /// Returns the velocity of a point, or of a cell where it is constant.
+  const Vec3& velocity(vtkIdType number) const { return velocities[std::size_t(number)]; }
 
   /// Slopes say how positions and velocities change with a cell's parametric coordinates: column k
   /// by the k-th.
@@ -47,13 +53,14 @@ struct CellGrid {
   /// |(mean Jacobian of the cells around a node - the cell's own there) (node - cell's centre)|.
   /// In one dimension with even spacing h that is h²/8 |f''|, the error of straight lines: the
   /// Jacobians differ by h f''/2 and the centre is h/2 away. (The gradient recovery of O. C.
-  /// Zienkiewicz and J. Z. Zhu, Int. J. Numer. Meth. Engng. 24 (1987).)
+  /// Zienkiewicz and J. Z. Zhu, Int. J. Numer. Meth. Engng. 24 (1987).) Of constant cells it is the
+  /// largest |cell's velocity - mean of the cells around a corner|: that of a straight field there.
   double sampling_error() const;
 };
 
-/// Checks the cells of `data` and copies the velocities of its points. Throws InputError, naming
-/// `path`, for connectivity that points nowhere, cells that cannot be searched, no volume cell, and
-/// points that are not finite.
-CellGrid make_cell_grid(vtkDataSet* data, vtkDataArray* vectors, const std::filesystem::path& path);
+/// Checks the cells of `data` and copies the velocities of its points or cells. Throws InputError,
+/// naming `path`, as checked_cells() does.
+CellGrid make_cell_grid(vtkDataSet* data, const Vectors& vectors,
+                        const std::filesystem::path& path);
 
 }  // namespace pellucid::fields

@@ -31,12 +31,17 @@ struct DenseData {
       : grid(std::move(grid_)),
         box(grid_box(grid.axes)),
         slack(edge_rounding * smallest_widths(grid.axes)),
+        stride_y(grid.axes[0].size() - fewer),
+        stride_z(stride_y * (grid.axes[1].size() - fewer)),
         interpolants{Interpolant(grid.axes[0]), Interpolant(grid.axes[1]),
                      Interpolant(grid.axes[2])} {}
 
   DenseGrid<Sample> grid;
+  static constexpr std::size_t fewer = Interpolant::support == 1;  // samples than positions
+
   Box3 box;    // in grid coordinates
   Vec3 slack;  // so little beyond the box is still in it
+  std::size_t stride_y, stride_z;
   std::array<Interpolant, 3> interpolants;
 };
 
@@ -105,8 +110,7 @@ class DenseSampler final : public FieldSampler {
   }
 
   const Sample* row_begin(std::size_t i, std::size_t j, std::size_t k) const {
-    const auto& axes = data_.grid.axes;
-    return data_.grid.samples.data() + (k * axes[1].size() + j) * axes[0].size() + i;
+    return data_.grid.samples.data() + k * data_.stride_z + j * data_.stride_y + i;
   }
 
   Vec3 row(const Stencil<N>& w, std::size_t j, std::size_t k) const {
@@ -186,20 +190,40 @@ double GridFrame::smallest_unit() const {
                    glm::length(world_from_grid[2])});
 }
 
-template <class Sample>
-std::unique_ptr<VectorField> make_dense_field(DenseGrid<Sample> grid, Interpolation interpolation,
-                                              std::string description) {
-  const std::size_t needed = interpolation == Interpolation::linear ? 2 : 4;
-  for (const Axis& axis : grid.axes)
+namespace {
+
+[[maybe_unused]] std::size_t sample_count(const std::array<Axis, 3>& axes, std::size_t fewer) {
+  return (axes[0].size() - fewer) * (axes[1].size() - fewer) * (axes[2].size() - fewer);
+}
+
+void require_positions(const std::array<Axis, 3>& axes, std::size_t needed,
+                       const std::string& description) {
+  for (const Axis& axis : axes)
     if (axis.size() < needed)
       throw InputError(fmt::format("{}: {} samples along an axis; sampler={} needs {}", description,
                                    axis.size(), needed == 2 ? "linear" : "c1", needed));
-  assert(grid.samples.size() == grid.axes[0].size() * grid.axes[1].size() * grid.axes[2].size());
-  if (interpolation == Interpolation::linear)
-    return std::make_unique<DenseField<Sample, LinearInterpolation>>(std::move(grid),
-                                                                     std::move(description));
-  return std::make_unique<DenseField<Sample, CubicInterpolation>>(std::move(grid),
-                                                                  std::move(description));
+}
+
+}  // namespace
+
+template <class Sample>
+std::unique_ptr<VectorField> make_dense_field(DenseGrid<Sample> grid, Interpolation interpolation,
+                                              std::string description) {
+  require_positions(grid.axes, interpolation == Interpolation::c1 ? 4 : 2, description);
+  assert(grid.samples.size() == sample_count(grid.axes, interpolation == Interpolation::constant));
+  const auto field = [&]<class Interpolant>() -> std::unique_ptr<VectorField> {
+    return std::make_unique<DenseField<Sample, Interpolant>>(std::move(grid),
+                                                             std::move(description));
+  };
+  switch (interpolation) {
+    case Interpolation::c1:
+      return field.template operator()<CubicInterpolation>();
+    case Interpolation::constant:
+      return field.template operator()<ConstantInterpolation>();
+    case Interpolation::linear:
+      break;
+  }
+  return field.template operator()<LinearInterpolation>();
 }
 
 template std::unique_ptr<VectorField> make_dense_field(DenseGrid<glm::vec3>, Interpolation,

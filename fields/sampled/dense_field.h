@@ -12,9 +12,9 @@
 
 namespace pellucid::fields {
 
-/// An Interpolation says how values between samples are made: see LinearInterpolation and
-/// CubicInterpolation (c1).
-enum class Interpolation { linear, c1 };
+/// An Interpolation says how values between samples are made: see LinearInterpolation,
+/// CubicInterpolation (c1) and ConstantInterpolation.
+enum class Interpolation { linear, c1, constant };
 
 /// A position beyond the last sample by less than this many cells counts as at it.
 inline constexpr double edge_rounding = 1e-9;
@@ -29,9 +29,10 @@ struct GridFrame {
   double smallest_unit() const;  // the world's length of the shortest step between samples
 };
 
-/// A DenseGrid holds samples of a velocity at all crossings of three axes, in world units per unit
-/// of time. Sample is glm::vec3 where a file holds floats, Vec3 where it holds doubles. A sample
-/// that is not finite makes its cells `not_finite`.
+/// A DenseGrid holds samples of a velocity at all crossings of three axes, or in all cells between
+/// them (Interpolation::constant), in world units per unit of time. Sample is glm::vec3 where a
+/// file holds floats, Vec3 where it holds doubles. A sample that is not finite makes its cells
+/// `not_finite`.
 template <class Sample>
 struct DenseGrid {
   std::array<Axis, 3> axes;
@@ -40,7 +41,7 @@ struct DenseGrid {
 };
 
 /// Makes a steady field of the grid's samples. Throws InputError naming `description` when the grid
-/// has too few samples for the interpolation: linear needs 2 along each axis, c1 needs 4.
+/// has too few positions for the interpolation: c1 needs 4 along each axis, the others 2.
 template <class Sample>
 std::unique_ptr<VectorField> make_dense_field(DenseGrid<Sample> grid, Interpolation interpolation,
                                               std::string description);

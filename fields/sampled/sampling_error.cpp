@@ -58,10 +58,31 @@ class AxisError {
   std::size_t stride_ = 1;
 };
 
+/// |difference| / 2 from a cell to the next along each axis, summed; the largest of all cells.
+template <class Sample>
+double error_of_steps(const DenseGrid<Sample>& grid) {
+  const std::size_t nx = grid.axes[0].size() - 1, ny = grid.axes[1].size() - 1,
+                    nz = grid.axes[2].size() - 1;
+  const auto step = [&](std::size_t index, std::size_t i, std::size_t count, std::size_t stride) {
+    if (i + 1 >= count) return 0.0;
+    const double half = glm::length(Vec3(grid.samples[index + stride] - grid.samples[index])) / 2;
+    return std::isfinite(half) ? half : 0;
+  };
+  double largest = 0;
+  std::size_t index = 0;
+  for (std::size_t k = 0; k < nz; ++k)
+    for (std::size_t j = 0; j < ny; ++j)
+      for (std::size_t i = 0; i < nx; ++i, ++index)
+        largest = std::max(
+            largest, step(index, i, nx, 1) + step(index, j, ny, nx) + step(index, k, nz, nx * ny));
+  return largest;
+}
+
 }  // namespace
 
 template <class Sample>
 double estimate_sampling_error(const DenseGrid<Sample>& grid, int support) {
+  if (support == 1) return error_of_steps(grid);
   const AxisError<Sample> axes[3] = {{grid, 0}, {grid, 1}, {grid, 2}};
   const auto error = [&](int axis, std::size_t index, std::size_t i) {
     return support == 2 ? axes[axis].of_lines(index, i) : axes[axis].of_cubics(index, i);

@@ -6,8 +6,11 @@
 namespace pellucid::fields {
 
 /// Estimates the largest difference between the interpolant and the smooth field that was sampled,
-/// in the samples' unit. `support` is the interpolation's: 2 (linear) or 4 (c1). Samples that are
-/// not finite, and axes too short for the differences, are passed over.
+/// in the samples' unit. `support` is the interpolation's: 1 (constant), 2 (linear) or 4 (c1).
+/// Samples that are not finite, and axes too short for the differences, are passed over.
+///
+/// Of samples that hold in whole cells it is half the step between two cells, at their face, where
+/// the field is straight; the axes' are summed, as at a cell's corner.
 ///
 /// Along one axis of spacing h the largest error of straight lines is h²/8 |f''|. That of cubic
 /// Hermite pieces with three-point slopes is, with s in [0, 1] the place in the cell,

@@ -12,6 +12,7 @@
 #include "core/machine/stopwatch.h"
 #include "core/options/names.h"
 #include "core/parallel.h"
+#include "integrators/lines/line_directions.h"
 #include "integrators/lines/line_options.h"
 #include "integrators/lines/seeds_extent.h"
 #include "integrators/paths/counting_sampler.h"
@@ -159,7 +160,6 @@ void refuse_if_nowhere(const LineRequest& request, const IntegratedLines& result
 template <class One>
 IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepping, bool path,
                         const One& one) {
-  check(request);
   const Stopwatch watch;
   const Journey journey{request.duration, request.start_time, path};
   const TrajectoryOptions options =
@@ -175,7 +175,6 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
   IntegratedLines result;
   result.lines = joined(lines, result.stats);
   for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;
-  refuse_if_nowhere(request, result);
   for (const CountingSampler& sampler : samplers) result.stats.evaluations += sampler.evaluations();
   // Position and three scalars, once in the single lines and once in the set.
   result.stats.bytes = result.lines.positions.size() * 2 * sizeof(Line::Point);
@@ -255,7 +254,13 @@ int line_particles(std::string_view integrator) {
 
 IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& request) {
   const auto [row, parameters] = parse(integrator);
-  return row.run(request, parameters);
+  check(request);
+  IntegratedLines result =
+      run_in_directions(request, [&, &row = row, &parameters = parameters](const LineRequest& one) {
+        return row.run(one, parameters);
+      });
+  refuse_if_nowhere(request, result);
+  return result;
 }
 
 std::vector<Vec3> seeds_on(const SeedCurve& curve, int count) {

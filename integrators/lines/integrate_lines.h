@@ -18,9 +18,10 @@ namespace pellucid::integrators {
 struct LineRequest {
   const fields::VectorField* field = nullptr;
   std::vector<Vec3> seeds;
-  double duration = 0;  // > 0
+  double duration = 0;  // not 0; below it the way back in time
   double start_time = 0;
   Progress progress;
+  bool both = false;  // |duration| in both directions, one line of both ways
 };
 
 /// LineStats are what the lines took: seconds of wall clock, bytes of lines and trajectories, and
@@ -34,7 +35,7 @@ struct LineStats {
 };
 
 /// One line per seed, in their order; empty where the seed has no velocity. The scalars are "t"
-/// (since the particle was let go), "time" (the field's) and "speed".
+/// (since the particle was let go; below 0 on the way back), "time" (the field's) and "speed".
 struct IntegratedLines {
   geometry::LineSet lines;
   LineStats stats;

@@ -31,7 +31,8 @@ double default_step(const fields::VectorField& field, const TrajectoryOptions& o
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping) {
   if (!(journey.duration > 0) || !std::isfinite(journey.duration))
-    throw InputError(fmt::format("duration: {}; accepted: a finite number > 0", journey.duration));
+    throw InputError(
+        fmt::format("duration: {}; accepted: a finite number that is not 0", journey.duration));
   if (!std::isfinite(journey.start_time))
     throw InputError(fmt::format("start-time: {}; accepted: a finite number", journey.start_time));
   TrajectoryOptions options;

@@ -34,7 +34,7 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
     // Over the seam of a closed curve s jumps from 1 to 0.
     const double turn = closed ? std::round(first - s[corners[k]]) : 0;
     sample.s += place.barycentric[k] * (s[corners[k]] + turn);
-    sample.t += place.barycentric[k] * t[corners[k]];
+    sample.t += place.barycentric[k] * std::abs(t[corners[k]]);  // below 0 on the way back
   }
   const Vec3& x = mesh.positions[corners[0]];
   const Vec3 area = glm::cross(mesh.positions[corners[1]] - x, mesh.positions[corners[2]] - x);

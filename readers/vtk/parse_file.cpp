@@ -3,22 +3,20 @@
 
 #include <fmt/format.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetReader.h>
 #include <vtkInformation.h>
-#include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLRectilinearGridReader.h>
-#include <vtkXMLStructuredGridReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include "core/error.h"
+#include "readers/vtk/blocks_of.h"
+#include "readers/vtk/times.h"
+#include "readers/vtk/vtk_formats.h"
 #include "readers/vtk/vtk_messages.h"
 
 namespace pellucid::readers {
@@ -63,18 +61,11 @@ void refuse_absurd_extent(vtkAlgorithm* reader, const std::filesystem::path& pat
   for (int axis = 0; axis < 3; ++axis)
     points *= double(extent[2 * axis + 1]) - double(extent[2 * axis]) + 1;
   constexpr double largest_compression = 8192;
-  const double bytes = double(std::filesystem::file_size(path));
+  double bytes = double(std::filesystem::file_size(path));
+  for (const auto& file : files_beside(path, *vtk_format(path)))
+    bytes += double(std::filesystem::file_size(file));
   if (points > largest_compression * bytes)
     fail(path, fmt::format("it claims {:.3g} points in {:.0f} bytes", points, bytes));
-}
-
-void prepare(vtkAlgorithm*) {}
-
-/// A legacy reader hides all but the first vectors and scalars unless asked.
-void prepare(vtkDataSetReader* reader) {
-  reader->ReadAllVectorsOn();
-  reader->ReadAllScalarsOn();
-  reader->ReadAllFieldsOn();
 }
 
 /// VTK stops reading an XML file where appended data begin, and does not miss their end.
@@ -87,34 +78,67 @@ void require_closing_tag(const std::filesystem::path& path) {
     fail(path, "it does not end with </VTKFile>: truncated?");
 }
 
-template <class Reader>
-vtkSmartPointer<vtkDataSet> read(const std::filesystem::path& path) {
-  if constexpr (!std::is_same_v<Reader, vtkDataSetReader>) require_closing_tag(path);
-  const VtkMessages messages;
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  prepare(reader.Get());
-  reader->UpdateInformation();
+bool is_xml(std::string_view ending) {
+  return (ending.starts_with(".vt") || ending.starts_with(".pvt")) && ending != ".vtk" &&
+         ending != ".vtkhdf";
+}
+
+std::vector<double> times_of(vtkAlgorithm& reader) {
+  vtkInformation* about = reader.GetOutputInformation(0);
+  const auto key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  if (!about || !about->Has(key)) return {};
+  const double* times = about->Get(key);
+  return {times, times + about->Length(key)};
+}
+
+/// What the reader has at a time, or without times.
+ParsedTime parse_time(vtkAlgorithm& reader, std::optional<double> time, const VtkRequest& request,
+                      const VtkMessages& messages, const std::filesystem::path& path) {
+  if (time)
+    reader.UpdateTimeStep(*time);
+  else
+    reader.Update();
   refuse_messages(messages, path);
-  refuse_absurd_extent(reader, path);
-  reader->Update();
+  const auto blocks =
+      chosen_blocks(blocks_within(reader.GetOutputDataObject(0)), request.block, path.string());
+  if (blocks.empty()) fail(path, "it holds no points");
+  ParsedTime parsed;
+  for (const NamedBlock& block : blocks)
+    if (!block.name.empty()) parsed.blocks.push_back(block.name);
+  parsed.data = merged(blocks);
   refuse_messages(messages, path);
-  vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!data || data->GetNumberOfPoints() == 0) fail(path, "it holds no points");
-  return data;
+  return parsed;
+}
+
+vtkSmartPointer<vtkAlgorithm> reader_of(const std::filesystem::path& path,
+                                        std::span<const VtkReader> readers) {
+  const VtkFormat* format = vtk_format(path);
+  for (const VtkReader& reader : readers)
+    if (format && reader.ending == format->ending) return reader.make(path);
+  fail(path, "there is no reader of it here");
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkDataSet> parse_vtk_file(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending == ".vti") return read<vtkXMLImageDataReader>(path);
-  if (ending == ".vtr") return read<vtkXMLRectilinearGridReader>(path);
-  if (ending == ".vts") return read<vtkXMLStructuredGridReader>(path);
-  if (ending == ".vtu") return read<vtkXMLUnstructuredGridReader>(path);
-  if (ending == ".vtp") return read<vtkXMLPolyDataReader>(path);
-  return read<vtkDataSetReader>(path);
+std::vector<double> parse_vtk_file(const std::filesystem::path& path,
+                                   std::span<const VtkReader> readers, const VtkRequest& request,
+                                   const std::function<void(const ParsedTime&)>& take) {
+  if (const VtkFormat* format = vtk_format(path); format && is_xml(format->ending))
+    require_closing_tag(path);
+  const VtkMessages messages;
+  const auto reader = reader_of(path, readers);
+  reader->UpdateInformation();
+  refuse_messages(messages, path);
+  refuse_absurd_extent(reader, path);
+  std::vector<double> times = times_of(*reader);
+  if (times.empty()) {
+    if (request.time != "first" && !request.time.empty()) chosen_time(times, request.time, path);
+    take(parse_time(*reader, std::nullopt, request, messages, path));
+    return times;
+  }
+  if (!request.time.empty()) times = {times[chosen_time(times, request.time, path)]};
+  for (const double time : times) take(parse_time(*reader, time, request, messages, path));
+  return times;
 }
 
 }  // namespace pellucid::readers

@@ -1,18 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// VTK's readers: for the process that pellucid-read-vtk is, and no other.
+// VTK's readers: for the processes that pellucid-read-vtk and pellucid-read-simulation are, and no
+// other.
 
+#include <vtkAlgorithm.h>
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 class vtkDataSet;
 
 namespace pellucid::readers {
 
-/// Parses .vti, .vtr, .vts, .vtu, .vtp and legacy .vtk with VTK's readers, which a wrong file may
-/// crash. Throws InputError for a file without points, a truncated one, and whatever else VTK would
-/// print about it.
-vtkSmartPointer<vtkDataSet> parse_vtk_file(const std::filesystem::path& path);
+/// A VtkRequest says what of a file is wanted: blocks by name (chosen_blocks()), and which of its
+/// times (chosen_time()); of both all when they are empty.
+struct VtkRequest {
+  std::string block, time;
+};
+
+/// A ParsedTime is what a file holds at one time.
+struct ParsedTime {
+  vtkSmartPointer<vtkDataSet> data;
+  std::vector<std::string> blocks;  // names of those in `data`, when they are parts of more
+};
+
+/// One reader of VTK: made for a file, whose name and options it has.
+struct VtkReader {
+  std::string_view ending;  // of a row of vtk_formats()
+  vtkSmartPointer<vtkAlgorithm> (*make)(const std::filesystem::path& path);
+};
+
+/// VTK's own formats.
+std::span<const VtkReader> plain_readers();
+/// The formats of simulations and of images of other programs.
+std::span<const VtkReader> simulation_readers();
+
+/// Parses a file with the reader that its ending names, which a wrong file may crash, gives what it
+/// holds at each wanted time to `take`, one after another, and returns these times: none of a file
+/// without. Throws InputError for a file without points, a truncated one, and whatever else VTK
+/// would print about it.
+std::vector<double> parse_vtk_file(const std::filesystem::path& path,
+                                   std::span<const VtkReader> readers, const VtkRequest& request,
+                                   const std::function<void(const ParsedTime&)>& take);
 
 }  // namespace pellucid::readers

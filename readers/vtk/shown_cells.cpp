@@ -69,7 +69,7 @@ bool hides_cell(vtkDataSet* data, vtkIdType cell) {
   return false;
 }
 
-vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data) {
+vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data, std::vector<vtkIdType>* numbers) {
   const auto shown = vtkSmartPointer<vtkUnstructuredGrid>::New();
   shown->SetPoints(points_of(data));
   shown->GetPointData()->ShallowCopy(data->GetPointData());
@@ -81,6 +81,7 @@ vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data) {
     data->GetCellPoints(i, corners);
     if (hides_cell(data, i) || corners->GetNumberOfIds() == 0) continue;
     insert(data, i, corners, shown);
+    if (numbers) numbers->push_back(i);
     shown->GetCellData()->CopyData(data->GetCellData(), i, shown->GetNumberOfCells() - 1);
   }
   shown->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());

@@ -6,6 +6,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <vector>
+
 class vtkDataSet;
 
 namespace pellucid::readers {
@@ -22,7 +24,8 @@ bool hides_point(vtkDataSet* data, vtkIdType point);
 
 /// Returns the cells that are not hidden, as an unstructured grid with all points, under their
 /// numbers, and all arrays but the marks. Indices are those of points: data_set_of() has seen to
-/// it.
-vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data);
+/// it. `numbers`, where given, gets the number in `data` of each cell.
+vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data,
+                                        std::vector<vtkIdType>* numbers = nullptr);
 
 }  // namespace pellucid::readers

@@ -11,8 +11,8 @@
 #include "core/parallel.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/level_field.h"
+#include "fields/levels/level_files.h"
 #include "fields/levels/surface_extraction.h"
-#include "fields/levels/vdb_levels.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/solid_mesh.h"
 #include "scene/appearance/colormap.h"
@@ -45,7 +45,7 @@ std::vector<Levels> read_files(const JsonNode& node, const std::filesystem::path
     at_place(name, [&] {
       for (std::size_t i = 0; i < scalars.size(); ++i)
         for (fields::ScalarLevel& level :
-             fields::read_vdb_levels(folder / name.string(), scalars[i], velocity))
+             fields::read_levels(folder / name.string(), scalars[i], velocity))
           all[i].push_back(std::move(level));
     });
   return all;

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "fields/make_field.h"
+#include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
 #include "integrators/lines/integrate_lines.h"
+#include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "scene/datasets/dataset.h"
 #include "scene/files/isosurface_file.h"
@@ -186,6 +189,7 @@ class ObjectReader {
           "it ends unfinished after {} triangles; accepted: a shorter seed or duration, a coarser "
           "threshold or tolerance, a larger max-triangles",
           surface.mesh.triangles.size()));
+    integrators::turn_back(surface.mesh, *source.field);
     note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
                      surface.stats.particles, surface.mesh.triangles.size()));
     draw(std::move(surface.mesh));
@@ -197,9 +201,11 @@ class ObjectReader {
     source.field = at_place(
         node["field"], [&] { return fields::make_field(node["field"].string(), context_.folder); });
     source.seed = at_place(node["seed"], [&] { return read_seed(node["seed"]); });
-    source.duration = node["duration"].number(0, any);
+    source.duration = node["duration"].number(-any, any);
     if (node.has("start_time")) source.start_time = node["start_time"].number(-any, any);
     if (node.has("path")) source.path = node["path"].boolean();
+    if (source.duration < 0) source.field = fields::reversed(source.field, source.start_time);
+    source.duration = std::abs(source.duration);
     return source;
   }
 
@@ -215,16 +221,20 @@ class ObjectReader {
   }
 
   geometry::LineSet integrated_lines(const JsonNode& node) {
-    node.accept_keys({"field", "integrator", "seed", "duration", "start_time"});
+    node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "both"});
     const std::string integrator = node["integrator"].string();
     const FlowSource source = read_flow(node);
-    const integrators::IntegratedLines lines = at_place(node, [&] {
+    integrators::IntegratedLines lines = at_place(node, [&] {
       const integrators::LineRequest request{
           source.field.get(),
           integrators::seeds_on(source.seed, integrators::line_particles(integrator)),
-          source.duration, source.start_time, context_.progress};
+          source.duration,
+          source.start_time,
+          context_.progress,
+          node.has("both") && node["both"].boolean()};
       return integrators::integrate_lines(integrator, request);
     });
+    integrators::turn_back(lines.lines, *source.field);
     note(fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
                      lines.lines.line_count(), lines.lines.positions.size()));
     return lines.lines;

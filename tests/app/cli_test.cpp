@@ -102,6 +102,35 @@ TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
               HasSubstr("--error-picture"));
 }
 
+TEST_F(UnitCommandLine, TracesAgainstTime) {
+  // (x, y) = (x₀ exp t, y₀ exp -t): the line's last point is at t = -1, or at 1 and its first at
+  // -1.
+  const fs::path file = folder_ / "l.obj";
+  const std::string trace = "trace --field saddle --seed 1,1,0 -o " + file.string() +
+                            " --integrator stream-lines:particles=1 --quiet";
+  EXPECT_EQ(run(trace + " --duration -1").exit_code, 0);
+  EXPECT_THAT(read_text(file), HasSubstr("v 0.36787944"));
+  EXPECT_THAT(read_text(file), ::testing::Not(HasSubstr("v 2.7182818")));
+  EXPECT_EQ(run(trace + " --duration 1 --both").exit_code, 0);
+  EXPECT_THAT(read_text(file), AllOf(HasSubstr("v 0.36787944"), HasSubstr("v 2.7182818")));
+  fs::remove(file);
+  EXPECT_THAT(refusal(trace + " --duration 0"), HasSubstr("duration"));
+  // A surface's sheet goes the other way, and is as good.
+  const fs::path mesh = folder_ / "s.obj";
+  const std::string surface =
+      "trace --field formula:u=1,v=0,w=0 --seed 0,0,0:0,1,0 --duration -2 "
+      "--integrator fixed-front:particles=3,rows=4 --json --quiet -o " +
+      mesh.string();
+  const Outcome outcome = run(surface);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_LE(json["distance"]["max"], 1e-9);
+  EXPECT_LE(json["normal_degrees"]["max"], 1e-6);
+  EXPECT_THAT(read_text(mesh), HasSubstr("v -2 "));
+  fs::remove(mesh);
+  EXPECT_THAT(refusal(surface + " --both"), HasSubstr("--both"));
+}
+
 TEST_F(UnitCommandLine, TraceMeasuresASurfaceAgainstAnotherRun) {
   const std::string trace =
       "trace --field formula:u=-y,v=x,w=0 --integrator fixed-front:particles=3,rows=10 "

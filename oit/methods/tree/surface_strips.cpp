@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "integrators/front/front_particle.h"
+#include "integrators/paths/backward.h"
 
 namespace pellucid::oit {
 namespace {
@@ -163,6 +164,7 @@ geometry::TriangleMesh SurfaceStrips::line(const integrators::LineSeeds::Seed& s
     strip.add(point, source_.start_time + point.t, 0.5 * width);
   });
   geometry::TriangleMesh mesh = strip.take();
+  integrators::turn_back(mesh, *source_.field);
   scene::apply_appearance(source_.appearance, mesh);
   return mesh;
 }

@@ -84,14 +84,15 @@ TEST_F(UnitSeries, RefusesWhatItCannotRead) {
   EXPECT_THAT(complaint(R"({"files": [{"name": "0.vti", "time": 0}]})"), HasSubstr("two or more"));
   EXPECT_THAT(
       complaint(R"({"files": [{"name": "0.vti", "time": 1}, {"name": "1.vti", "time": 1}]})"),
-      HasSubstr("files[1]: time 1 after 1; times have to ascend"));
+      HasSubstr("its time number 1 is 1, after 1; times have to ascend"));
   EXPECT_THAT(
       complaint(R"({"files": [{"name": "0.vti", "time": 0}, {"name": "9.vti", "time": 1}]})"),
       ::testing::ContainsRegex("bad.series: files\\[1\\]: .*9.vti: cannot read"));
   EXPECT_THAT(complaint(R"({"files": [{"name": "0.vti"}, {"name": "1.vti", "time": 1}]})"),
               HasSubstr("files[0]: expected"));
-  EXPECT_THAT(complaint(R"({"files": [{"name": "bad.series", "time": 0}, 1]})"),
-              HasSubstr("no series in a series"));
+  EXPECT_THAT(
+      complaint(R"({"files": [{"name": "bad.series", "time": 0}, {"name": "1.vti", "time": 1}]})"),
+      HasSubstr("no series in a series"));
 }
 
 }  // namespace

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fields/levels/level_files.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "fields/files/array_list.h"
+#include "fields/files/vector_array.h"
+#include "fields/levels/derived_scalar.h"
+#include "fields/levels/vdb_levels.h"
+#include "readers/vtk/shown_cells.h"
+#include "readers/vtk/vtk_file.h"
+#include "readers/vtk/vtk_formats.h"
+
+namespace pellucid::fields {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a cell: spacings are written in decimals, coordinates kept in floats.
+constexpr double cube_rounding = 1e-5;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw InputError(fmt::format("{}: {}", path.string(), why));
+}
+
+/// A grid of points along the axes: its first one, the step along each, and how many there are.
+struct Lattice {
+  Vec3 origin{0}, step{0};
+  std::array<int, 3> size{};
+};
+
+Lattice lattice_of(vtkImageData& image, const fs::path& path) {
+  if (!image.GetDirectionMatrix()->IsIdentity())
+    fail(path, "its axes are turned; accepted: axes along the world's");
+  Lattice lattice;
+  image.GetDimensions(lattice.size.data());
+  double first[3];
+  image.GetPoint(0, first);
+  for (int a = 0; a < 3; ++a) lattice.origin[a] = first[a], lattice.step[a] = image.GetSpacing()[a];
+  return lattice;
+}
+
+Lattice lattice_of(vtkRectilinearGrid& grid, const fs::path& path) {
+  Lattice lattice;
+  grid.GetDimensions(lattice.size.data());
+  vtkDataArray* axes[3] = {grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates()};
+  for (int a = 0; a < 3; ++a) {
+    const int count = lattice.size[std::size_t(a)];
+    lattice.origin[a] = axes[a]->GetComponent(0, 0);
+    lattice.step[a] = (axes[a]->GetComponent(count - 1, 0) - lattice.origin[a]) / (count - 1);
+    for (int i = 0; i < count; ++i)
+      if (const double off = axes[a]->GetComponent(i, 0) - lattice.origin[a] - i * lattice.step[a];
+          !(std::abs(off) <= cube_rounding * std::abs(lattice.step[a])))
+        fail(path, fmt::format("its spacing along {} is not even; accepted: cubes. ParaView: "
+                               "Resample To Image",
+                               "xyz"[a]));
+  }
+  return lattice;
+}
+
+Lattice lattice_of(vtkDataSet& data, const fs::path& path) {
+  if (readers::hides_cells(&data))
+    fail(path, "it hides some cells; accepted of an isosurface: grids without");
+  if (auto* image = vtkImageData::SafeDownCast(&data)) return lattice_of(*image, path);
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(&data)) return lattice_of(*grid, path);
+  fail(path, fmt::format("it holds a {}; accepted of an isosurface: images and rectilinear grids. "
+                         "ParaView: Resample To Image, or Contour, saved as .ply",
+                         data.GetClassName()));
+}
+
+/// The lattice's own width. Throws InputError where cells are no cubes.
+double width_of(const Lattice& lattice, const fs::path& path) {
+  const Vec3& step = lattice.step;
+  const double width = (step.x + step.y + step.z) / 3;
+  for (int a = 0; a < 3; ++a)
+    if (!(std::abs(step[a] - width) <= cube_rounding * width))
+      fail(path, fmt::format("its cells are {} × {} × {}; accepted: cubes. ParaView: Resample To "
+                             "Image",
+                             step.x, step.y, step.z));
+  return width;
+}
+
+/// The level without its samples: at the lattice's points, or in the middle of its cells.
+template <class T>
+Level<T> empty_level(const Lattice& lattice, bool of_cells, const fs::path& path) {
+  Level<T> level{lattice.origin, width_of(lattice, path), lattice.size, {}};
+  if (!of_cells) return level;
+  level.origin += 0.5 * level.width;
+  for (int& count : level.size) count = std::max(count - 1, 1);
+  return level;
+}
+
+ScalarLevel scalars_of_array(const Lattice& lattice, vtkDataArray& array, bool of_cells,
+                             const fs::path& path) {
+  ScalarLevel level = empty_level<float>(lattice, of_cells, path);
+  level.samples.reserve(std::size_t(array.GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
+    level.samples.push_back(float(array.GetComponent(i, 0)));
+  check_level(path.string(), level);
+  return level;
+}
+
+ScalarLevel derived_level(vtkDataSet& data, const Lattice& lattice, const fs::path& path,
+                          std::string_view scalar, const std::string& velocity) {
+  const bool has_points = data.GetPointData()->GetNumberOfArrays() > 0;
+  const Vectors vectors =
+      pick_vectors(data, velocity, has_points ? CellValues::averaged : CellValues::constant, path);
+  VectorLevel level = empty_level<glm::vec3>(lattice, vectors.of_cells, path);
+  for (vtkIdType i = 0; i < vectors.values->GetNumberOfTuples(); ++i) {
+    double v[3];
+    vectors.values->GetTuple(i, v);
+    level.samples.emplace_back(v[0], v[1], v[2]);
+  }
+  check_level(path.string(), level);
+  return scalars_of(std::vector{std::move(level)}, scalar).front();
+}
+
+vtkDataArray* scalar_in(vtkDataSetAttributes& arrays, std::string_view name) {
+  vtkDataArray* array = arrays.GetArray(std::string(name).c_str());
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+}  // namespace
+
+ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view scalar,
+                     const std::string& velocity) {
+  const Lattice lattice = lattice_of(data, path);
+  if (vtkDataArray* array = scalar_in(*data.GetPointData(), scalar))
+    return scalars_of_array(lattice, *array, false, path);
+  if (vtkDataArray* array = scalar_in(*data.GetCellData(), scalar))
+    return scalars_of_array(lattice, *array, true, path);
+  const auto is_this = [&](const auto& row) { return row.name == scalar; };
+  if (std::ranges::any_of(derived_scalars(), is_this))
+    return derived_level(data, lattice, path, scalar, velocity);
+  fail(path, fmt::format("no array is the scalar '{}'; arrays: {}", scalar, describe_arrays(data)));
+}
+
+std::vector<ScalarLevel> read_levels(const fs::path& path, std::string_view scalar,
+                                     const std::string& velocity) {
+  if (!readers::vtk_format(path)) return read_vdb_levels(path, scalar, velocity);
+  return {level_of(*readers::read_vtk_data_set(path), path, scalar, velocity)};
+}
+
+}  // namespace pellucid::fields

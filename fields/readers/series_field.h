@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fields/field.h"
+
+namespace pellucid::fields {
+
+/// A Frame is a steady field at one moment, in units of time.
+struct Frame {
+  double time = 0;
+  std::unique_ptr<VectorField> field;
+};
+
+/// Makes a field that is linear in time between two frames or more, and `outside` before the first
+/// and after the last; a field of one frame is that frame's. Throws InputError, naming `path`,
+/// where times do not ascend.
+std::unique_ptr<VectorField> make_series_field(std::vector<Frame> frames,
+                                               const std::filesystem::path& path);
+
+/// Makes a field of what `frame_at` makes at each of the times, one or more: of all of them, or of
+/// the one that `wanted` names (readers::chosen_time()).
+std::unique_ptr<VectorField> field_over_times(
+    std::span<const double> times, const std::string& wanted, const std::filesystem::path& path,
+    const std::function<std::unique_ptr<VectorField>(std::size_t)>& frame_at);
+
+}  // namespace pellucid::fields

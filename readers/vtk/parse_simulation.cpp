@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linked to pellucid-read-simulation alone: these readers load a hundred libraries.
+#include <vtkCGNSReader.h>
+#include <vtkExodusIIReader.h>
+#include <vtkGenericEnSightReader.h>
+#include <vtkHDFReader.h>
+#include <vtkMRCReader.h>
+#include <vtkMultiBlockPLOT3DReader.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNetCDFCFReader.h>
+#include <vtkOpenFOAMReader.h>
+#include <vtkTecplotReader.h>
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "readers/vtk/parse_file.h"
+
+namespace pellucid::readers {
+namespace {
+
+using Path = std::filesystem::path;
+
+template <class Reader>
+vtkSmartPointer<Reader> reader_of(const Path& path) {
+  const auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> make(const Path& path) {
+  return reader_of<Reader>(path);
+}
+
+/// Cell data as they are in the case, and polyhedra cut into cells that can be searched.
+vtkSmartPointer<vtkAlgorithm> make_foam(const Path& path) {
+  const auto reader = reader_of<vtkOpenFOAMReader>(path);
+  reader->DecomposePolyhedraOn();
+  reader->CreateCellToPointOff();
+  reader->SkipZeroTimeOff();
+  return reader;
+}
+
+/// All results of the nodes and elements.
+vtkSmartPointer<vtkAlgorithm> make_exodus(const Path& path) {
+  const auto reader = reader_of<vtkExodusIIReader>(path);
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> make_cgns(const Path& path) {
+  const auto reader = reader_of<vtkCGNSReader>(path);
+  reader->UpdateInformation();
+  reader->EnableAllBases();
+  reader->EnableAllPointArrays();
+  reader->EnableAllCellArrays();
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> make_ensight(const Path& path) {
+  const auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
+  reader->SetCaseFileName(path.c_str());
+  reader->ReadAllVariablesOn();
+  return reader;
+}
+
+/// A text begins with the number of grids, alone in its line, or with the sizes of the only one;
+/// nothing of a binary file, of which VTK finds such things out.
+std::optional<int> numbers_in_first_line(const Path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line(256, '\0');
+  file.read(line.data(), std::streamsize(line.size()));
+  line.resize(std::size_t(file.gcount()));
+  if (line.find_first_not_of("0123456789 \t\r\n+-.eEdD") != std::string::npos) return std::nullopt;
+  std::istringstream words(line.substr(0, line.find('\n')));
+  int count = 0;
+  for (std::string word; words >> word;) ++count;
+  return count;
+}
+
+vtkSmartPointer<vtkAlgorithm> make_plot3d(const Path& path) {
+  const auto reader = vtkSmartPointer<vtkMultiBlockPLOT3DReader>::New();
+  constexpr int velocity = 200;  // of VTK's numbers of functions
+  reader->SetXYZFileName(path.c_str());
+  if (const Path solution = Path(path).replace_extension(".q"); std::filesystem::exists(solution))
+    reader->SetQFileName(solution.c_str());
+  const auto numbers = numbers_in_first_line(path);
+  reader->SetAutoDetectFormat(!numbers);
+  reader->SetBinaryFile(!numbers);
+  reader->SetMultiGrid(numbers == 1);
+  reader->AddFunction(velocity);
+  return reader;
+}
+
+/// On axes as the file has them; values that are missing are no numbers.
+vtkSmartPointer<vtkAlgorithm> make_netcdf(const Path& path) {
+  const auto reader = reader_of<vtkNetCDFCFReader>(path);
+  reader->SphericalCoordinatesOff();
+  reader->ReplaceFillValueWithNanOn();
+  return reader;
+}
+
+constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
+                                 {".foam", make_foam},
+                                 {".case", make_ensight},
+                                 {".encas", make_ensight},
+                                 {".ex2", make_exodus},
+                                 {".exo", make_exodus},
+                                 {".e", make_exodus},
+                                 {".cgns", make_cgns},
+                                 {".xyz", make_plot3d},
+                                 {".p3d", make_plot3d},
+                                 {".tec", make<vtkTecplotReader>},
+                                 {".nc", make_netcdf},
+                                 {".cdf", make_netcdf},
+                                 {".nii", make<vtkNIFTIImageReader>},
+                                 {".nii.gz", make<vtkNIFTIImageReader>},
+                                 {".mrc", make<vtkMRCReader>},
+                                 {".rec", make<vtkMRCReader>}};
+
+}  // namespace
+
+std::span<const VtkReader> simulation_readers() { return readers; }
+
+}  // namespace pellucid::readers

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readers/vtk/vtk_formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "readers/vtk/xml_tags.h"
+
+namespace pellucid::readers {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view plain = "pellucid-read-vtk", simulation = "pellucid-read-simulation";
+
+constexpr std::string_view pieces = "its pieces are read together";
+constexpr VtkFormat table[] = {
+    {".vti", "VTK image", plain},
+    {".vtr", "VTK rectilinear grid", plain},
+    {".vts", "VTK structured grid", plain},
+    {".vtu", "VTK unstructured grid", plain},
+    {".vtp", "VTK poly data", plain},
+    {".vtk", "legacy VTK", plain},
+    {".pvti", "VTK image in pieces", plain, Beside::named, {}, pieces},
+    {".pvtr", "VTK rectilinear grid in pieces", plain, Beside::named, {}, pieces},
+    {".pvts", "VTK structured grid in pieces", plain, Beside::named, {}, pieces},
+    {".pvtu", "VTK unstructured grid in pieces", plain, Beside::named, {}, pieces},
+    {".pvtp", "VTK poly data in pieces", plain, Beside::named, {}, pieces},
+    {".vtm",
+     "VTK data in blocks",
+     plain,
+     Beside::named,
+     {},
+     "blocks are merged; arrays that one of them lacks are lost; block=NAME chooses"},
+    {".vtpd", "VTK partitioned data", plain, Beside::named, {}, "partitions are merged"},
+    {".vtpc", "VTK partitioned data in blocks", plain, Beside::named, {}, "as .vtm"},
+    {".vtkhdf",
+     "VTK HDF",
+     simulation,
+     Beside::nothing,
+     {},
+     "images and unstructured grids; VTK 9.1 reads version 1, which knows no times"},
+    {".foam",
+     "OpenFOAM case",
+     simulation,
+     Beside::tree,
+     {},
+     "an empty file in the case's folder; the inner mesh; polyhedra as VTK divides them; cell "
+     "data"},
+    {".case", "EnSight", simulation, Beside::folder, {}, "parts are merged; block=PART chooses"},
+    {".encas", "EnSight", simulation, Beside::folder, {}, "as .case"},
+    {".ex2", "Exodus II", simulation, Beside::nothing, {}, "element blocks are merged"},
+    {".exo", "Exodus II", simulation, Beside::nothing, {}, "as .ex2"},
+    {".e", "Exodus II", simulation, Beside::nothing, {}, "as .ex2"},
+    {".cgns", "CGNS", simulation, Beside::nothing, {}, "zones are merged; block=ZONE chooses"},
+    {".xyz", "PLOT3D", simulation, Beside::second, ".q",
+     "the solution is NAME.q beside it; the velocity is momentum over density"},
+    {".p3d", "PLOT3D", simulation, Beside::second, ".q", "as .xyz"},
+    {".tec",
+     "Tecplot text",
+     simulation,
+     Beside::nothing,
+     {},
+     "zones are merged; variables are scalars: array=U,V,W"},
+    {".nc",
+     "NetCDF, with the CF conventions",
+     simulation,
+     Beside::nothing,
+     {},
+     "variables are scalars: array=u,v; axes are degrees where the file's are"},
+    {".cdf", "NetCDF, with the CF conventions", simulation, Beside::nothing, {}, "as .nc"},
+    {".nii",
+     "NIfTI image",
+     simulation,
+     Beside::nothing,
+     {},
+     "the file's matrix is not applied: origin and spacing alone"},
+    {".nii.gz", "NIfTI image, compressed", simulation, Beside::nothing, {}, "as .nii"},
+    {".mrc", "MRC image", simulation, Beside::nothing, {}, "one scalar"},
+    {".rec", "MRC image", simulation, Beside::nothing, {}, "as .mrc"},
+};
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+void keep_files(std::vector<fs::path>& paths, const fs::path& without) {
+  std::erase_if(paths, [&](const fs::path& path) {
+    std::error_code code;
+    return !fs::is_regular_file(path, code) || fs::equivalent(path, without, code);
+  });
+  std::ranges::sort(paths);
+}
+
+template <class Iterator>
+std::vector<fs::path> all_in(const fs::path& file) {
+  std::error_code code;
+  std::vector<fs::path> paths;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (auto entry = Iterator(folder, options, code); !code && entry != Iterator();
+       entry.increment(code))
+    paths.push_back(entry->path());
+  return paths;
+}
+
+/// Names in VTK's XML, and in the files that these name.
+void add_named(const fs::path& file, std::vector<fs::path>& paths, int depth) {
+  constexpr int deepest = 4;  // blocks of pieces of blocks; a file may name itself
+  if (depth > deepest) return;
+  for (const XmlTag& tag : xml_tags(file))
+    for (const char* key : {"file", "Source"})
+      if (const auto name = tag.attributes.find(key); name != tag.attributes.end()) {
+        const fs::path named = file.parent_path() / name->second;
+        paths.push_back(named);
+        if (const VtkFormat* format = vtk_format(named); format && format->beside == Beside::named)
+          add_named(named, paths, depth + 1);
+      }
+}
+
+}  // namespace
+
+std::span<const VtkFormat> vtk_formats() { return table; }
+
+const VtkFormat* vtk_format(const fs::path& path) {
+  const std::string name = lower_case(path.filename().string());
+  const auto found = std::ranges::find_if(
+      table, [&](const VtkFormat& format) { return name.ends_with(format.ending); });
+  return found == std::end(table) ? nullptr : found;
+}
+
+std::vector<fs::path> files_beside(const fs::path& path, const VtkFormat& format) {
+  std::vector<fs::path> paths;
+  switch (format.beside) {
+    case Beside::nothing:
+      break;
+    case Beside::named:
+      add_named(path, paths, 0);
+      break;
+    case Beside::second:
+      paths.push_back(fs::path(path).replace_extension(format.second));
+      break;
+    case Beside::folder:
+      paths = all_in<fs::directory_iterator>(path);
+      break;
+    case Beside::tree:
+      paths = all_in<fs::recursive_directory_iterator>(path);
+      break;
+  }
+  keep_files(paths, path);
+  return paths;
+}
+
+}  // namespace pellucid::readers

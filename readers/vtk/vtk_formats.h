@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace pellucid::readers {
+
+/// Beside says which other files VTK reads together with one: those named in it; the one of the
+/// same name whose ending is `second`; all in its folder; all below it.
+enum class Beside { nothing, named, second, folder, tree };
+
+/// One kind of file that VTK reads. Which of VTK's readers it is stands in the program's own table
+/// (parse_file.cpp, parse_simulation.cpp).
+struct VtkFormat {
+  std::string_view ending;  // ".vti"
+  std::string_view title;
+  std::string_view
+      program;  // that parses it: loading all of VTK's readers takes longer than most files
+  Beside beside = Beside::nothing;
+  std::string_view second = {};  // ".q"
+  std::string_view traps = {};   // what to know of it, for the documents
+};
+
+/// Returns the table.
+std::span<const VtkFormat> vtk_formats();
+
+/// Returns the row that the path ends as, in small or capital letters, or nullptr.
+const VtkFormat* vtk_format(const std::filesystem::path& path);
+
+/// Returns the other files that VTK may read together with this one, by its row; such that are
+/// there. The limits of the program that parses it count their bytes, and reports note them.
+std::vector<std::filesystem::path> files_beside(const std::filesystem::path& path,
+                                                const VtkFormat& format);
+
+}  // namespace pellucid::readers

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "core/files/blocks.h"
+#include "readers/vtk/parse_file.h"
+
+namespace pellucid::readers {
+
+/// Parses a file and writes what read_vtk_file() reads: per time number N the data set's blocks
+/// and "blocks" (names, one a line) within "N|", and the "times". `arguments` are the request's
+/// block and time.
+void write_parsed(const std::filesystem::path& path, std::span<const VtkReader> readers,
+                  std::span<const std::string> arguments, BlockWriter& out);
+
+}  // namespace pellucid::readers
