@@ -41,6 +41,7 @@ STUDIES = [
     {**STUDY, **UNKNOWN},
     {**STUDY, "methods": [{"method": "*", **UNKNOWN}]},
     {**STUDY, "integrators": [{"integrator": "*", **UNKNOWN}]},
+    {**STUDY, "timing": UNKNOWN},
     {**STUDY, "claims": [UNKNOWN]},
     {**STUDY, "published": UNKNOWN},
     {**STUDY, "published": {"machine": "", "rows": [UNKNOWN]}},
