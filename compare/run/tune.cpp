@@ -25,6 +25,7 @@ constexpr int small_by = 4;             // a small picture has so many times few
 constexpr double contender_within = 2;  // a single picture's time is known to such a factor
 constexpr std::size_t most_contenders = 12;  // they have their memory at once
 constexpr double narrow = 0.01;
+constexpr double drawing_part = 0.7;  // of the time; the rest is for the contenders
 constexpr int fewest_times = 5;
 
 /// Also for equal costs the order does not depend on chance.
@@ -74,7 +75,10 @@ class Tuning {
   Cell cell(const MethodCall& call) const {
     return {request_.scene, scene_name(request_.scene), call};
   }
-  bool is_over() const { return request_.max_seconds && clock_.seconds() > *request_.max_seconds; }
+  /// Whether this part of the time is over.
+  bool is_over(double part = 1) const {
+    return request_.max_seconds && clock_.seconds() > part * *request_.max_seconds;
+  }
   void leave_out(const Entrant& entrant, std::string why) {
     outcome_.left_out.push_back({entrant.call.text(), std::move(why)});
   }
@@ -161,7 +165,7 @@ TuneEstimate Tuning::estimate() const {
 /// Draws the whole picture, unless it cannot win any more.
 void Tuning::enter(std::size_t index) {
   Entrant& entrant = entrants_[index];
-  if (is_over()) return leave_out(entrant, "not drawn: the time was over");
+  if (is_over(drawing_part)) return leave_out(entrant, "not drawn: the time was over");
   double best = std::numeric_limits<double>::infinity();
   for (const Entrant& other : entrants_)
     if (other.meter && request_.cost == Cost::seconds) best = std::min(best, other.least_seconds());

@@ -69,7 +69,8 @@ struct TuneOutcome {
 ///    further.
 /// 4. The contenders that are left are timed in turn, at most `repeats` times. Who is slower than
 ///    the fastest by intervals that do not overlap is out. It ends when one is left, when the
-///    intervals of all are within a hundredth of their medians, or when the time is over.
+///    intervals of all are within a hundredth of their medians, or when the time is over,
+///    of which the last three tenths are for this round.
 ///
 /// If several are left they are tied, and the cheapest is of them the one with the fewest bytes,
 /// then of the least error, then the first of the candidates: none of this is chance.
