@@ -28,7 +28,7 @@ struct Spread {
 /// Returns the spread of times that were measured by the rule, in seconds. A rule that looks at its
 /// interval after each time stops where chance has made it narrow, so that fewer than 95 % of
 /// nominal 95 % intervals hold their median: 91 % in the worst simulation of
-/// tests/compare/timing/timing_rule_test.cpp. Its intervals are nominally of 96.5 %, and 94 to 97 %
+/// tests/compare/timing/timing_rule_test.cpp. Its intervals are nominally of 96.5 %, and 93 to 97 %
 /// of them do.
 Spread spread_of(std::span<const double> seconds, const TimingRule& rule);
 
