@@ -23,17 +23,34 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FramesOptions {
-  std::string scene, method, opacities, output;
+  std::string scene, method, opacities, reference, output;
   std::optional<double> orbit;
   int frames = 30;
 };
 
+/// The metrics that a frame's row has: those that pictures are captioned with.
+std::vector<const compare::MetricRow*> shown_metrics() {
+  std::vector<const compare::MetricRow*> shown;
+  for (const compare::MetricRow& metric : compare::metrics())
+    if (metric.shown.card) shown.push_back(&metric);
+  return shown;
+}
+
 /// Rows of frames.csv, and the same as JSON.
 class FrameTable {
  public:
+  explicit FrameTable(bool has_reference) {
+    if (has_reference) {
+      for (const compare::MetricRow* metric : shown_metrics())
+        text_ += fmt::format(",{}", metric->name);
+      text_ += ",flicker";
+    }
+    text_ += '\n';
+  }
+
   void add(const compare::SequenceFrame& frame) {
     text_ += fmt::format(
-        "{},{:.6g},{:.6g},{},{},{},{:.6g}\n", frame.index, frame.motion.degrees,
+        "{},{:.6g},{:.6g},{},{},{},{:.6g}", frame.index, frame.motion.degrees,
         frame.motion.distance, cell(frame.opacity ? &frame.opacity->mean : nullptr),
         cell(frame.opacity ? &frame.opacity->largest : nullptr),
         cell(frame.picture ? &*frame.picture : nullptr), frame.rendering.stats.seconds());
@@ -44,24 +61,64 @@ class FrameTable {
     if (frame.opacity)
       json["opacity_change"] = {{"mean", frame.opacity->mean}, {"max", frame.opacity->largest}};
     if (frame.picture) json["picture_change"] = *frame.picture;
+    if (frame.error) add_error(*frame.error, json);
+    text_ += '\n';
     json_.push_back(std::move(json));
     if (frame.opacity) largest_ = std::max(largest_, frame.opacity->largest);
   }
 
   const std::string& csv() const { return text_; }
   const nlohmann::ordered_json& json() const { return json_; }
-  double largest_change() const { return largest_; }
+  /// What is said of all frames.
+  std::string summary() const {
+    std::string text = fmt::format("largest change of an element's opacity {:.3g}", largest_);
+    if (errors_ == 0) return text;
+    text += fmt::format("; RMSE {:.3g} on average, {:.3g} at worst", rmse_ / errors_, worst_);
+    return errors_ > 1 ? text + fmt::format("; flicker {:.3g}", flicker_ / (errors_ - 1)) : text;
+  }
 
  private:
   static std::string cell(const double* value) {
     return value ? fmt::format("{:.6g}", *value) : std::string();
   }
 
+  void add_error(const compare::FrameError& error, nlohmann::ordered_json& json) {
+    for (const compare::MetricRow* metric : shown_metrics()) {
+      const std::optional<double>& value = error.metrics.linear.of(metric->name);
+      text_ += fmt::format(",{}", cell(value ? &*value : nullptr));
+      json[std::string(metric->name)] = value ? nlohmann::ordered_json(*value) : nullptr;
+    }
+    text_ += fmt::format(",{}", cell(error.flicker ? &*error.flicker : nullptr));
+    if (error.flicker) json["flicker"] = *error.flicker;
+    const double rmse = error.metrics.linear.of("rmse").value_or(0);
+    ++errors_;
+    rmse_ += rmse;
+    worst_ = std::max(worst_, rmse);
+    flicker_ += error.flicker.value_or(0);
+  }
+
   std::string text_ =
-      "frame,degrees,distance,opacity_change_mean,opacity_change_max,picture_change,seconds\n";
+      "frame,degrees,distance,opacity_change_mean,opacity_change_max,picture_change,seconds";
   nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
   double largest_ = 0;
+  int errors_ = 0;
+  double rmse_ = 0, worst_ = 0, flicker_ = 0;  // sums; the worst
 };
+
+compare::MethodCall parse_call(const std::string& text) {
+  const NameAndOptions named = parse_name_and_options(text);
+  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
+  return {&row, Parameters(row.name, row.parameters, named.options)};
+}
+
+/// A method that chooses opacities itself differs from the exact picture on purpose.
+void check_reference(const FramesOptions& options, const compare::MethodCall& method) {
+  if (!options.reference.empty() && method.row->promises.optimizes_opacity)
+    throw InputError(fmt::format(
+        "--reference beside -m {}: it chooses opacities itself, so that its pictures are meant to "
+        "differ; accepted: --opacities with a method that composites them",
+        method.row->name));
+}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -71,9 +128,10 @@ void make_folder(const fs::path& folder) {
 
 void frames(const FramesOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
-  const NameAndOptions named = parse_name_and_options(options.method);
-  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
-  const compare::MethodCall method{&row, Parameters(row.name, row.parameters, named.options)};
+  const compare::MethodCall method = parse_call(options.method);
+  check_reference(options, method);
+  std::optional<compare::MethodCall> reference;
+  if (!options.reference.empty()) reference = parse_call(options.reference);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(options.scene, progress);
@@ -82,20 +140,22 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
     throw InputError(options.scene + ": it has no camera_path; accepted: one, or --orbit DEGREES");
   const fs::path folder = options.output;
   make_folder(folder);
-  FrameTable table;
+  FrameTable table(reference.has_value());
   const auto count = double(scene.camera_path.size());
   compare::render_sequence(
-      scene, method, opacities, {.gl = globals.gl}, [&](const compare::SequenceFrame& frame) {
+      scene, method, opacities, {.gl = globals.gl},
+      [&](const compare::SequenceFrame& frame) {
         compare::write_image(folder / fmt::format("{:04}.png", frame.index), frame.rendering.image);
         table.add(frame);
         write_text(folder / "frames.csv", table.csv());
         report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
-      });
+      },
+      reference);
   if (globals.json)
     std::cout << json_text(table.json(), 2) << '\n';
   else if (!globals.quiet)
-    std::cout << fmt::format("{}: {} frames; largest change of an element's opacity {:.3g}\n",
-                             folder.string(), scene.camera_path.size(), table.largest_change());
+    std::cout << fmt::format("{}: {} frames; {}\n", folder.string(), scene.camera_path.size(),
+                             table.summary());
 }
 
 }  // namespace
@@ -113,6 +173,13 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
                    "Folder for the pictures 0000.png, ... and frames.csv")
       ->required();
   add_opacities_option(*command, options->opacities);
+  command->add_option(
+      "--reference", options->reference,
+      "Draw each frame by this method, too, such as raytrace: frames.csv has how far "
+      "the method is from it, and how its error flickers");
+  command->footer(
+      "Example: pellucid frames scenes/tornado.json -m fourier:bands=5 --reference raytrace "
+      "--orbit 90 --frames 24 -o frames");
   CLI::Option* around = command
                             ->add_option("--orbit", options->orbit,
                                          "Instead: go so many degrees around the camera's target")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <iostream>
@@ -10,7 +11,7 @@
 #include "compare/methods/given_method.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
-#include "compare/methods/sweep.h"
+#include "compare/run/entrants.h"
 #include "compare/run/tune.h"
 #include "core/error.h"
 #include "core/files/json_text.h"
@@ -23,59 +24,108 @@ namespace {
 struct TuneArguments {
   std::filesystem::path scene;
   compare::ErrorBound bound;
-  std::string cost = "seconds", opacities, command;
-  int repeats = 3;
+  std::string cost = "seconds", opacities, methods, command, region = "all";
+  int repeats = 30;
+  std::optional<double> max_seconds;
 };
 
-/// Every method but the reference, which has no error to bound.
+/// On stderr: what is printed to stdout is the answer.
+void print_estimate(const compare::TuneEstimate& estimate) {
+  std::cerr << fmt::format("pellucid: {} settings compete, about {:.0f} s\n", estimate.candidates,
+                           std::ceil(estimate.seconds));
+}
+
+/// The reference is the exact method; it competes, too.
 compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOptions& globals) {
   const scene::MethodRow& reference = compare::methods().front();
-  std::vector<compare::MethodCall> candidates =
-      compare::every_method(compare::methods().subspan(1));
+  compare::TuneRequest request{
+      .scene = arguments.scene,
+      .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
+      .candidates = compare::calls_that_fit(arguments.methods, compare::methods()),
+      .bound = arguments.bound,
+      .cost = arguments.cost == "bytes" ? compare::Cost::bytes : compare::Cost::seconds,
+      .repeats = arguments.repeats,
+      .opacities = compare::parse_opacities(arguments.opacities),
+      .context = {.gl = globals.gl},
+      .progress = console_progress(globals),
+      .on_row = {},
+      .max_seconds = arguments.max_seconds};
   if (!arguments.command.empty())
-    candidates.push_back(compare::external_call({.name = "command",
-                                                 .words = split_command(arguments.command),
-                                                 .base = std::filesystem::current_path()}));
-  return {.scene = arguments.scene,
-          .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
-          .candidates = std::move(candidates),
-          .bound = arguments.bound,
-          .cost = arguments.cost == "bytes" ? compare::Cost::bytes : compare::Cost::seconds,
-          .repeats = arguments.repeats,
-          .opacities = compare::parse_opacities(arguments.opacities),
-          .context = {.gl = globals.gl},
-          .progress = console_progress(globals),
-          .on_row = {}};
+    request.candidates.push_back(
+        compare::external_call({.name = "command",
+                                .words = split_command(arguments.command),
+                                .base = std::filesystem::current_path()}));
+  request.bound.covered = arguments.region == "covered";
+  if (!globals.quiet) request.on_estimate = print_estimate;
+  return request;
 }
 
-std::string call_text(const compare::ResultRow& row) {
-  return row.parameters.empty() ? row.method : row.method + ":" + row.parameters;
+/// "cheapest", "tied" or "within the bound".
+std::string_view place_of(const compare::TuneOutcome& outcome, std::size_t i) {
+  if (outcome.cheapest == i) return "cheapest";
+  return outcome.tied[i] ? "tied" : outcome.within_bound[i] ? "within the bound" : "";
 }
 
-void print_table(const compare::TuneOutcome& outcome) {
-  fmt::print("{:28} {:>10} {:>9} {:>10} {:>8}\n", "", "ms", "MB", "RMSE", "SSIM");
+std::string error_text(const compare::ResultRow& row, std::string_view name, bool covered) {
+  const std::optional<double> value =
+      row.metrics.linear.of(covered ? fmt::format("{}_covered", name) : std::string(name));
+  if (!value) return "none";
+  return name == "rmse" ? fmt::format("{:.3e}", *value) : fmt::format("{:.4f}", *value);
+}
+
+/// Not a number where a program of one's own does not tell.
+double megabytes_of(const compare::ResultRow& row) {
+  return !row.given.empty() && row.bytes.empty() ? NAN : 1e-6 * double(row.total_bytes());
+}
+
+void print_rows(const compare::TuneOutcome& outcome, bool covered) {
+  fmt::print("{:36} {:>9} {:>19} {:>8} {:>10} {:>8}\n", "", "ms", "95 % of the median", "MB",
+             "RMSE", "SSIM");
   for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
     const compare::ResultRow& row = outcome.rows[i];
     if (!row.error.empty()) {
-      fmt::print("{:28} failed: {}\n", call_text(row), row.error);
+      fmt::print("{:36} failed: {}\n", row.call(), row.error);
       continue;
     }
     for (const std::string& fault : row.given_faults)
-      fmt::print("{:28} the picture {}\n", call_text(row), fault);
-    const compare::Metrics& m = row.metrics.linear;
-    const std::optional<double> ssim = m.of("ssim");
-    fmt::print("{:28} {:10.1f} {:9.1f} {:10.3e} {:>8}  {}\n", call_text(row),
-               1e3 * row.seconds.median,
-               !row.given.empty() && row.bytes.empty() ? NAN : 1e-6 * double(row.total_bytes()),
-               m.of("rmse").value_or(NAN), ssim ? fmt::format("{:.4f}", *ssim) : "none",
-               outcome.within_bound[i] ? "within the bound" : "");
+      fmt::print("{:36} the picture {}\n", row.call(), fault);
+    const auto& interval = row.seconds.interval;
+    fmt::print(
+        "{:36} {:9.1f} {:>19} {:8.1f} {:>10} {:>8}  {}\n", row.call(), 1e3 * row.seconds.median,
+        interval ? fmt::format("{:.1f} to {:.1f}", 1e3 * interval->low, 1e3 * interval->high) : "",
+        megabytes_of(row), error_text(row, "rmse", covered),
+        error_text(row, "ssim", covered), place_of(outcome, i));
   }
+  for (const compare::LeftOut& out : outcome.left_out)
+    fmt::print("{:36} left out: {}\n", out.call, out.why);
+}
+
+std::vector<std::string> tied_calls(const compare::TuneOutcome& outcome) {
+  std::vector<std::string> calls;
+  for (std::size_t i = 0; i < outcome.rows.size(); ++i)
+    if (outcome.tied[i]) calls.push_back(outcome.rows[i].call());
+  return calls;
+}
+
+void print_answer(const TuneArguments& arguments, const compare::TuneOutcome& outcome) {
+  const std::string best = outcome.best()->call();
+  const bool is_given = !outcome.best()->given.empty();
+  fmt::print("\nthe cheapest in {}: {}\n", arguments.cost, is_given ? arguments.command : best);
+  if (const auto tied = tied_calls(outcome); !tied.empty())
+    fmt::print("    tied: time does not tell it from {}\n", fmt::join(tied, ", "));
+  if (is_given) return;
+  fmt::print("    pellucid render {} -m {}{} -o picture.exr\n", arguments.scene.string(), best,
+             arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities);
 }
 
 nlohmann::ordered_json to_json(const compare::TuneOutcome& outcome) {
   nlohmann::ordered_json json;
   const compare::ResultRow* best = outcome.best();
-  json["cheapest"] = best ? nlohmann::ordered_json(call_text(*best)) : nlohmann::ordered_json();
+  json["cheapest"] = best ? nlohmann::ordered_json(best->call()) : nlohmann::ordered_json();
+  json["tied"] = tied_calls(outcome);
+  json["left_out"] = nlohmann::ordered_json::array();
+  for (const compare::LeftOut& out : outcome.left_out)
+    json["left_out"].push_back({{"call", out.call}, {"why", out.why}});
   json["rows"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < outcome.rows.size(); ++i) {
     nlohmann::ordered_json row = compare::to_json(outcome.rows[i]);
@@ -87,20 +137,14 @@ nlohmann::ordered_json to_json(const compare::TuneOutcome& outcome) {
 
 void run(const TuneArguments& arguments, const GlobalOptions& globals) {
   const compare::TuneOutcome outcome = compare::tune(request_of(arguments, globals));
-  const compare::ResultRow* best = outcome.best();
   if (globals.json) {
     std::cout << json_text(to_json(outcome), 2) << '\n';
   } else {
-    print_table(outcome);
-    if (best && !best->given.empty())
-      fmt::print("\nthe cheapest in {}: {}\n", arguments.cost, arguments.command);
-    if (best && best->given.empty())
-      fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {}{} -o picture.exr\n",
-                 arguments.cost, call_text(*best), arguments.scene.string(), call_text(*best),
-                 arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities);
+    print_rows(outcome, arguments.region == "covered");
+    if (outcome.best()) print_answer(arguments, outcome);
   }
   std::cout.flush();
-  if (!best) throw WorkError("no method is within the bound");
+  if (!outcome.best()) throw WorkError("no method is within the bound");
 }
 
 }  // namespace
@@ -119,14 +163,33 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--cost", arguments->cost, "What cheap means: seconds or bytes")
       ->check(CLI::IsMember({"seconds", "bytes"}))
       ->capture_default_str();
-  command->add_option("--repeats", arguments->repeats, "Timed pictures of each; the median counts")
+  command->add_option("--methods", arguments->methods,
+                      "Who competes: a pattern of names or calls, or several, such as "
+                      "'fourier*,raytrace'; by default all");
+  command
+      ->add_option("--region", arguments->region,
+                   "RMSE and SSIM over all pixels, or those covered by a layer in the reference")
+      ->check(CLI::IsMember({"all", "covered"}))
+      ->capture_default_str();
+  command
+      ->add_option("--max-seconds", arguments->max_seconds,
+                   "Begin no picture after so many seconds; who is not told apart by then is tied")
+      ->check(CLI::PositiveNumber & finite_number());
+  command
+      ->add_option("--repeats", arguments->repeats,
+                   "Timed pictures of each contender at most; fewer than 5 tell none apart")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_option("--command", arguments->command,
                       "A program of your own as a further candidate: its words, in which {scene}, "
                       "{camera} and {output} stand for files; no shell sees it");
   add_opacities_option(*command, arguments->opacities);
-  command->footer("Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
+  command->footer(
+      "All draw a small picture, then the whole one; those within the bound and within twice the "
+      "time of the fastest are timed in turn, until the 95 % intervals of their medians part.\n"
+      "Example: pellucid tune scenes/tornado.json --min-ssim 0.95 --region covered "
+      "--methods 'raytrace*,fourier*,weighted*' --max-seconds 60\n"
+      "Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/results/measure_columns.h"
 #include "core/error.h"
 #include "core/files/json_node.h"
 #include "core/files/output_file.h"
@@ -38,9 +39,22 @@ void add_call(const MethodCall& call, Hash& hash) {
   }
 }
 
+std::string vec_text(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+std::string text_of(const Views& views) {
+  std::string text = fmt::format("{} {}", views.orbit, views.path);
+  for (const scene::Camera& c : views.cameras)
+    text += fmt::format(" {} {} {} {} {} {}", int(c.projection), vec_text(c.eye),
+                        vec_text(c.target), vec_text(c.up), c.fov, c.height);
+  return text;
+}
+
 /// A row whose picture has been lost is not finished.
 bool is_complete(const CellFiles& files, const ResultRow& row) {
-  return fs::exists(files.picture()) && fs::exists(files.preview()) &&
+  const auto views = std::size_t(measure_of(row, "views").value_or(1));
+  for (std::size_t view = 0; view < views; ++view)
+    if (!fs::exists(files.from(view).picture())) return false;
+  return fs::exists(files.preview()) &&
          std::all_of(row.pictures.begin(), row.pictures.end(),
                      [&](const RowPicture& p) { return fs::exists(files.further(p.name)); });
 }
@@ -60,6 +74,7 @@ std::vector<Cell> expand_cells(const Study& study) {
     Cell cell{study.reference_scene.value_or(scene), name, study.reference, true, study.measures};
     if (probes != study.probes.end()) cell.probes = probes->second;
     cell.opacities = study.opacities;
+    cell.views = study.views;
     cells.push_back(cell);
     cell.reference = false;
     cell.scene_file = scene;
@@ -75,11 +90,17 @@ CellFiles::CellFiles(fs::path folder, const Cell& cell)
     : folder_(std::move(folder)), scene_(cell.scene), slug_(cell.call.slug()) {}
 
 fs::path CellFiles::image(std::string_view ending) const {
-  return folder_ / "images" / scene_ / fmt::format("{}{}", slug_, ending);
+  return folder_ / "images" / scene_ / fmt::format("{}{}{}", slug_, view_, ending);
 }
 
 fs::path CellFiles::further(std::string_view name) const {
   return image(fmt::format(".{}.png", name));
+}
+
+CellFiles CellFiles::from(std::size_t view) const {
+  CellFiles files = *this;
+  if (view > 0) files.view_ = fmt::format(".view-{}", view + 1);
+  return files;
 }
 
 fs::path CellFiles::row() const { return folder_ / "cells" / scene_ / (slug_ + ".json"); }
@@ -105,17 +126,18 @@ ResultRow identity_row(const Cell& cell) {
   return row;
 }
 
-std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int repeats,
-                             const scene::RenderContext& context) {
+std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
+                             const TimingRule& timing, const scene::RenderContext& context) {
   Hash hash;
   hash.add(read_text(cell.scene_file));
   add_call(cell.call, hash);
   if (cell.call.given) hash.add(cell.call.given->fingerprint(cell.scene, cell.place.view));
   add_call(reference, hash);
   if (cell.opacities) add_call(*cell.opacities, hash);
-  hash.add(std::to_string(repeats));
+  hash.add(fmt::format("{} {} {}", timing.min, timing.max, timing.relative.value_or(0)));
   hash.add(context.gl);
   for (const std::string& measure : cell.measures) hash.add(measure);
+  hash.add(text_of(cell.views));
   for (const Pixel& pixel : cell.probes) hash.add(fmt::format("{} {}", pixel.x, pixel.y));
   return hash.hex();
 }

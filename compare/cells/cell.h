@@ -23,6 +23,7 @@ struct Cell {
   std::vector<Pixel> probes = {};                      // rays to look along
   std::optional<MethodCall> opacities = std::nullopt;  // see Study
   GivenPlace place = {};                               // of a picture from elsewhere
+  Views views = {};
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }
@@ -45,6 +46,9 @@ class CellFiles {
   std::filesystem::path layers() const { return image(".layers.exr"); }
   /// Returns the folder in which an external command runs and leaves what it prints.
   std::filesystem::path given() const { return folder_ / "given" / scene_ / slug_; }
+  /// Returns the files of the pictures from one of the study's views, counted from 0: that of the
+  /// first has no number in its names.
+  CellFiles from(std::size_t view) const;
   /// Returns the path of the row, which is written last: where it is, all the others are.
   std::filesystem::path row() const;
 
@@ -55,18 +59,18 @@ class CellFiles {
   std::filesystem::path image(std::string_view ending) const;
 
   std::filesystem::path folder_;
-  std::string scene_, slug_;
+  std::string scene_, slug_, view_;
 };
 
 /// Returns the row of a cell that nothing is known of yet: its names and parameters.
 ResultRow identity_row(const Cell& cell);
 
 /// Returns a hash of what a cell is asked to do: the scene's text, the method and the reference
-/// with all their parameters, what optimizes opacities, its measures and probes, the number of
-/// repeats, and where OpenGL runs. What it reads beside the scene's file, its row lists. Throws
-/// InputError when the scene's file cannot be read.
-std::string cell_fingerprint(const Cell& cell, const MethodCall& reference, int repeats,
-                             const scene::RenderContext& context);
+/// with all their parameters, what optimizes opacities, its measures and probes, its views, how
+/// often it is timed, and where OpenGL runs. What it reads beside the scene's file, its row lists.
+/// Throws InputError when the scene's file cannot be read.
+std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
+                             const TimingRule& timing, const scene::RenderContext& context);
 
 /// Reads the row of a cell that was finished without an error, by whichever run, for the same
 /// fingerprint and from files whose content is as it was; nothing when there is none or one of its

@@ -15,30 +15,17 @@
 namespace pellucid::compare {
 namespace {
 
-Spread spread(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return {(values[(n - 1) / 2] + values[n / 2]) / 2, values.front(), values.back()};
-}
-
 /// Steps have the same names in the same order in every repeat.
 std::vector<std::pair<std::string, Spread>> step_spreads(
-    const std::vector<scene::RenderStats>& runs) {
+    const std::vector<scene::RenderStats>& runs, const TimingRule& timing) {
   std::vector<std::pair<std::string, Spread>> steps;
   for (std::size_t i = 0; i < runs.front().steps.size(); ++i) {
     std::vector<double> seconds;
     for (const scene::RenderStats& run : runs)
       if (i < run.steps.size()) seconds.push_back(run.steps[i].seconds);
-    steps.emplace_back(runs.front().steps[i].name, spread(seconds));
+    steps.emplace_back(runs.front().steps[i].name, spread_of(seconds, timing));
   }
   return steps;
-}
-
-Spread total_spread(const std::vector<scene::RenderStats>& runs) {
-  std::vector<double> seconds;
-  seconds.reserve(runs.size());
-  for (const scene::RenderStats& run : runs) seconds.push_back(run.seconds());
-  return spread(seconds);
 }
 
 void describe(const scene::Renderer& renderer, const scene::Scene& scene, ResultRow& row) {
@@ -53,33 +40,6 @@ void check_finite(const Image& image) {
   if (bad > 0) throw WorkError(fmt::format("{} pixels of its picture are not finite", bad));
 }
 
-/// Counting takes time, so that the rendering that warms up counts and the timed ones don't.
-void warm_up(scene::Renderer& renderer, CellMeasurement& result) {
-  scene::RenderRequest counting;
-  counting.layers = true;
-  scene::Rendering rendering = renderer.render(counting);
-  result.layers = std::move(rendering.layers);
-  result.row.fragments = rendering.stats.fragments;
-  result.row.max_layers = rendering.stats.max_layers;
-  result.row.stored = rendering.stats.stored;
-  result.row.dropped = rendering.stats.dropped;
-  result.row.truncated = rendering.stats.truncated;
-}
-
-void time_renderings(scene::Renderer& renderer, int repeats, CellMeasurement& result) {
-  std::vector<scene::RenderStats> runs;
-  for (int i = 0; i < repeats; ++i) {
-    scene::Rendering rendering = renderer.render({});
-    runs.push_back(std::move(rendering.stats));
-    result.image = std::move(rendering.image);
-  }
-  check_finite(result.image);
-  result.row.repeats = repeats;
-  result.row.seconds = total_spread(runs);
-  result.row.steps = step_spreads(runs);
-  result.row.bytes = runs.back().bytes;
-}
-
 void take_findings(scene::Findings findings, CellMeasurement& result) {
   result.row.measures = std::move(findings.measures);
   for (scene::MeasurePicture& picture : findings.pictures) {
@@ -90,19 +50,60 @@ void take_findings(scene::Findings findings, CellMeasurement& result) {
 
 }  // namespace
 
-CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, int repeats,
-                             const scene::RenderContext& context) {
-  CellMeasurement result{identity_row(cell), {}, {}, {}};
+CellMeter::CellMeter(const Cell& cell, const scene::Scene& scene,
+                     const scene::RenderContext& context)
+    : cell_(cell), scene_(scene), result_{identity_row(cell), {}, {}, {}} {
   const Stopwatch setup;
-  const auto renderer = make_renderer(cell.call, scene, context, cell.place);
-  result.row.setup_seconds = setup.seconds();
-  warm_up(*renderer, result);
-  time_renderings(*renderer, repeats, result);
-  describe(*renderer, scene, result.row);
-  take_findings(renderer->findings(), result);
-  add_ray_curves(cell, scene, *renderer, result);
-  if (cell.call.given) result.row.repeats = 1;  // others are the same picture again
-  return result;
+  renderer_ = make_renderer(cell.call, scene, context, cell.place);
+  result_.row.setup_seconds = setup.seconds();
+  warm_up();
+}
+
+// Counting takes time, which is in no step: this picture's steps are those of a first frame.
+void CellMeter::warm_up() {
+  scene::RenderRequest counting;
+  counting.layers = true;
+  scene::Rendering rendering = renderer_->render(counting);
+  result_.layers = std::move(rendering.layers);
+  result_.row.first_seconds = rendering.stats.seconds();
+  result_.row.fragments = rendering.stats.fragments;
+  result_.row.max_layers = rendering.stats.max_layers;
+  result_.row.stored = rendering.stats.stored;
+  result_.row.dropped = rendering.stats.dropped;
+  result_.row.truncated = rendering.stats.truncated;
+  result_.row.bytes = std::move(rendering.stats.bytes);
+}
+
+void CellMeter::time_once() {
+  scene::Rendering rendering = renderer_->render({});
+  runs_.push_back(std::move(rendering.stats));
+  seconds_.push_back(runs_.back().seconds());
+  result_.image = std::move(rendering.image);
+}
+
+CellMeasurement CellMeter::finish(const TimingRule& timing) {
+  check_finite(result_.image);
+  ResultRow& row = result_.row;
+  row.repeats = int(runs_.size());
+  row.seconds = spread_of(seconds_, timing);
+  if (cell_.call.given) {  // others are the same picture again
+    row.repeats = 1;
+    row.seconds.interval.reset();
+  }
+  row.steps = step_spreads(runs_, timing);
+  row.bytes = runs_.back().bytes;
+  if (timing.relative) row.settled = is_settled(seconds_, timing);
+  describe(*renderer_, scene_, row);
+  take_findings(renderer_->findings(), result_);
+  add_ray_curves(cell_, scene_, *renderer_, result_);
+  return std::move(result_);
+}
+
+CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, const TimingRule& timing,
+                             const scene::RenderContext& context) {
+  CellMeter meter(cell, scene, context);
+  while (!is_over(meter.seconds(), timing)) meter.time_once();
+  return meter.finish(timing);
 }
 
 CoverageCheck check_coverage(const Image& reference, const CountImage& reference_layers,

@@ -1,14 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <span>
+#include <vector>
+
 #include "compare/cells/cell.h"
 #include "compare/results/cell_measurement.h"
 
 namespace pellucid::compare {
 
-/// Makes the renderer, renders once to warm up and to count layers, then `repeats` timed times.
-/// Throws WorkError when the picture has pixels that are not finite, and what the method throws.
-CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, int repeats,
+/// A CellMeter measures one cell while others are measured in turn with it. It throws what the
+/// method throws.
+class CellMeter {
+ public:
+  /// Makes the renderer, and renders once to warm up and to count layers. The scene has to outlive
+  /// the meter.
+  CellMeter(const Cell& cell, const scene::Scene& scene, const scene::RenderContext& context);
+
+  /// Renders once against the clock.
+  void time_once();
+  /// Returns the times until now, in seconds.
+  std::span<const double> seconds() const { return seconds_; }
+  /// Returns what is known of the row until now: of the first picture.
+  const ResultRow& row() const { return result_.row; }
+  /// Returns the picture that was timed last.
+  const Image& image() const { return result_.image; }
+  /// Returns what was measured, after one time at least. Throws WorkError when the picture has
+  /// pixels that are not finite.
+  CellMeasurement finish(const TimingRule& timing);
+
+ private:
+  void warm_up();
+
+  Cell cell_;
+  const scene::Scene& scene_;
+  CellMeasurement result_;
+  std::unique_ptr<scene::Renderer> renderer_;
+  std::vector<scene::RenderStats> runs_;
+  std::vector<double> seconds_;
+};
+
+/// Measures one cell alone: a CellMeter that is timed until the rule is met.
+CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, const TimingRule& timing,
                              const scene::RenderContext& context);
 
 /// Checks how an exact method's numbers of layers, and its picture where they agree, fit the

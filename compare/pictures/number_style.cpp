@@ -32,14 +32,16 @@ std::string four_decimals(double x) { return fmt::format("{:.4f}", x); }
 std::string one_decimal(double x) { return std::isinf(x) ? "∞" : fmt::format("{:.1f}", x); }
 std::string whole(double x) { return fmt::format("{:.0f}", x); }
 
-constexpr StyleRow styles[] = {{NumberStyle::scientific, "scientific", "", as_it_is, scientific},
-                               {NumberStyle::similarity, "similarity", "", as_it_is, four_decimals},
-                               {NumberStyle::decibels, "decibels", "dB", as_it_is, one_decimal},
-                               {NumberStyle::milliseconds, "milliseconds", "ms",
-                                [](double s) { return s * 1e3; }, one_decimal},
-                               {NumberStyle::megabytes, "megabytes", "MB",
-                                [](double bytes) { return bytes / 1e6; }, one_decimal},
-                               {NumberStyle::count, "count", "", as_it_is, whole}};
+constexpr StyleRow styles[] = {
+    {NumberStyle::scientific, "scientific", "", as_it_is, scientific},
+    {NumberStyle::similarity, "similarity", "", as_it_is, four_decimals},
+    {NumberStyle::decibels, "decibels", "dB", as_it_is, one_decimal},
+    {NumberStyle::milliseconds, "milliseconds", "ms", [](double s) { return s * 1e3; },
+     one_decimal},
+    {NumberStyle::megabytes, "megabytes", "MB", [](double bytes) { return bytes / 1e6; },
+     one_decimal},
+    {NumberStyle::count, "count", "", as_it_is, whole},
+    {NumberStyle::plain_milliseconds, "plain_milliseconds", "ms", as_it_is, one_decimal}};
 
 const StyleRow& row_of(NumberStyle style) { return styles[std::size_t(style)]; }
 

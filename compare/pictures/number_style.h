@@ -17,8 +17,17 @@ std::string_view name_of(Better better);
 /// Returns the Better of that name. Throws InputError for another one.
 Better better_of_name(std::string_view name);
 
-/// A NumberStyle says how a number is written for people.
-enum class NumberStyle { scientific, similarity, decibels, milliseconds, megabytes, count };
+/// A NumberStyle says how a number is written for people: `milliseconds` is of seconds,
+/// `plain_milliseconds` of milliseconds.
+enum class NumberStyle {
+  scientific,
+  similarity,
+  decibels,
+  milliseconds,
+  megabytes,
+  count,
+  plain_milliseconds
+};
 
 /// Returns the style's name, by which the report's page finds its own function: "milliseconds".
 std::string_view name_of(NumberStyle style);

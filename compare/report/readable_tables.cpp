@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables for people: Markdown and LaTeX.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <optional>
@@ -26,8 +27,7 @@ std::span<const Column> table_columns() {
 }
 
 std::string cell_text(const Column& column, const ResultRow& row) {
-  const std::optional<double> value = column.value(row);
-  return value ? number_for_people(column.style, *value) : "–";
+  return text_with_interval(column, row);
 }
 
 std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow> rows) {
@@ -37,16 +37,22 @@ std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow
   return chosen;
 }
 
-/// The best value of a column among the methods; nothing where no way is better.
-std::optional<double> best_of(const Column& column, std::span<const ResultRow> rows) {
-  std::optional<double> best;
+/// The method with the best value of a column; null where no way is better, or no row has one.
+const ResultRow* best_of(const Column& column, std::span<const ResultRow> rows) {
+  const ResultRow* best = nullptr;
   if (column.better == Better::neither) return best;
   for (const ResultRow& row : rows) {
-    if (row.reference || !row.error.empty()) continue;
-    const std::optional<double> value = column.value(row);
-    if (value && (!best || is_better(column, *value, *best))) best = value;
+    if (row.reference || !row.error.empty() || !column.value(row)) continue;
+    if (!best || is_better(column, *column.value(row), *column.value(*best))) best = &row;
   }
   return best;
+}
+
+/// Whether the row has the best value of a method, or one that is not told from it.
+bool is_among_best(const Column& column, const ResultRow& row, std::span<const ResultRow> rows) {
+  const ResultRow* best = best_of(column, rows);
+  if (!best || row.reference || !row.error.empty()) return false;
+  return column.value(row) == column.value(*best) || are_tied(column, row, *best);
 }
 
 /// Text of a file in a table or a heading: one line, no cell of its own, no HTML.
@@ -70,6 +76,22 @@ std::string markdown_line(const ResultRow& row) {
   return line + '\n';
 }
 
+/// "Time: a and b are tied", a line for each column whose best is not told from others.
+std::string markdown_ties(std::span<const ResultRow> rows) {
+  std::string text;
+  for (const Column& column : table_columns()) {
+    const ResultRow* best = best_of(column, rows);
+    std::vector<std::string> tied;
+    for (const ResultRow& row : rows)
+      if (best && interval_of(column, *best) && &row != best && is_among_best(column, row, rows))
+        tied.push_back(markdown_escaped(row.call()));
+    if (!tied.empty())
+      text += fmt::format("\n{}: {} is the best, tied with {}: their 95 % intervals overlap.\n",
+                          column.title, markdown_escaped(best->call()), fmt::join(tied, ", "));
+  }
+  return text;
+}
+
 std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
   std::string header = "| Method |", rule = "|---|";
   for (const Column& column : table_columns()) {
@@ -78,7 +100,7 @@ std::string markdown_block(std::string_view scene, std::span<const ResultRow> ro
   }
   std::string text = fmt::format("\n## {}\n\n{}\n{}\n", markdown_escaped(scene), header, rule);
   for (const ResultRow& row : rows) text += markdown_line(row);
-  return text;
+  return text + markdown_ties(rows);
 }
 
 /// The rows that a table of measures has as its columns.
@@ -122,12 +144,10 @@ std::string markdown_claim(const Claim& claim, const Study& study,
   const std::vector<ClaimCheck> checks = check_claim(claim, scene_names(study), rows);
   for (const ClaimCheck& check : checks) {
     text += fmt::format("- {}:", check.of);
-    for (const auto& [of, value] : check.values)
-      text += fmt::format(" {} {},", of, claim.by.text(value));
+    for (const ClaimedValue& value : check.values)
+      text += fmt::format(" {} {},", value.of, claim.by.text(value.value));
     text.back() = ';';
-    text += check.against.empty() ? " the same here" : " otherwise here:";
-    for (const std::string& words : check.against) text += fmt::format(" {};", words);
-    text += '\n';
+    text += fmt::format(" {}\n", verdict(check));
   }
   return checks.empty() ? text + "- no scene has all of its numbers\n" : text;
 }
@@ -162,9 +182,8 @@ std::string latex_line(const ResultRow& row, std::span<const ResultRow> rows) {
                               table_columns().size(), latex_escaped(row.error));
   for (const Column& column : table_columns()) {
     const std::string text = latex_number(cell_text(column, row));
-    const bool best = !row.reference && best_of(column, rows) == column.value(row) &&
-                      column.better != Better::neither;
-    line += best ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text) : " & " + text;
+    line += is_among_best(column, row, rows) ? fmt::format(" & {{\\boldmath\\textbf{{{}}}}}", text)
+                                             : " & " + text;
   }
   return line + " \\\\\n";
 }

@@ -97,12 +97,22 @@ json values_json(const ResultRow& row) {
   return values;
 }
 
+/// The intervals of these numbers, where they have one.
+json intervals_json(const ResultRow& row) {
+  json intervals = json::object();
+  for (const Column& column : columns())
+    if (const auto interval = interval_of(column, row); interval && column.shown.report)
+      intervals[column.name] = {interval->low, interval->high};
+  return intervals;
+}
+
 json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
   json j = to_json(row);
   j["name"] = cell.call.text();
   j["title"] = cell.call.row->title;
   if (!row.error.empty()) return j;
   j["values"] = values_json(row);
+  j["intervals"] = intervals_json(row);
   j["picture"] = data_uri(files.preview());
   for (json& picture : j["pictures"])
     picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));

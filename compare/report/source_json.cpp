@@ -10,9 +10,12 @@ using nlohmann::json;
 
 json check_json(const Claim& claim, const ClaimCheck& check) {
   json values = json::array();
-  for (const auto& [call, value] : check.values)
-    values.push_back({{"of", call}, {"text", claim.by.text(value)}});
-  return {{"of", check.of}, {"values", values}, {"against", check.against}};
+  for (const ClaimedValue& value : check.values)
+    values.push_back({{"of", value.of}, {"text", claim.by.text(value.value)}});
+  return {{"of", check.of},
+          {"values", values},
+          {"against", check.against},
+          {"undecided", check.undecided}};
 }
 
 json cost_line_json(const CostLine& line) {

@@ -15,7 +15,7 @@ namespace pellucid::compare {
 nlohmann::json study_json(const Study& study);
 
 /// Returns each claim with its checks: [{"text", "by", "checks": [{"of", "values": [{"of",
-/// "text"}], "against"}]}].
+/// "text"}], "against", "undecided"}]}].
 nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);
 
 /// Returns where each call breaks: {"heads": […], "lines": [{"call", "cells": […]}]}; no lines where

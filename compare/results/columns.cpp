@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/results/columns.h"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 namespace pellucid::compare {
@@ -52,6 +54,12 @@ bool is_counted(const ResultRow& r) { return r.fragments > 0; }
 
 using Style = NumberStyle;
 
+std::optional<Interval> time_interval(const ResultRow& row) { return row.seconds.interval; }
+
+std::optional<Interval> in_milliseconds(const std::optional<Interval>& seconds) {
+  return seconds ? std::optional(Interval{1e3 * seconds->low, 1e3 * seconds->high}) : std::nullopt;
+}
+
 constexpr Shown in_csv = {};
 constexpr Shown in_tables = {.tables = true, .report = true};
 
@@ -61,7 +69,8 @@ constexpr Shown as_cost(bool sweeps) {
 
 std::vector<Column> cost_columns() {
   return {{"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true),
-           unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; })},
+           unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; }),
+           time_interval},
           {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
            unless_given(is_weighed, [](const ResultRow& r) { return r.total_bytes(); })},
           {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
@@ -95,6 +104,27 @@ std::vector<Column> further_columns() {
            }}};
 }
 
+/// Of the times in milliseconds; the interval's ends are empty where repeats are too few for one.
+std::vector<Column> timing_columns() {
+  constexpr Style style = Style::plain_milliseconds;
+  const auto end = [](double Interval::*which) {
+    return [which](const ResultRow& r) {
+      return r.seconds.interval ? number(1e3 * (*r.seconds.interval).*which) : std::nullopt;
+    };
+  };
+  return {
+      {"ms", "Median time", "ms", Better::lower, style, in_csv,
+       unless_given(is_timed, [](const ResultRow& r) { return 1e3 * r.seconds.median; }),
+       [](const ResultRow& r) { return in_milliseconds(r.seconds.interval); }},
+      {"ms_low", "Median time, low end", "ms", Better::lower, style, in_csv, end(&Interval::low)},
+      {"ms_high", "Median time, high end", "ms", Better::lower, style, in_csv,
+       end(&Interval::high)},
+      {"first_frame_ms", "First picture", "ms", Better::lower, style, in_csv,
+       unless_given(never, [](const ResultRow& r) { return 1e3 * r.first_frame_seconds(); })},
+      {"repeats", "Timed pictures", "1", Better::neither, Style::count, in_csv,
+       [](const ResultRow& r) { return number(r.repeats); }}};
+}
+
 std::vector<Column> make_columns() {
   std::vector<Column> all;
   const auto append = [&](std::vector<Column> more) {
@@ -107,6 +137,7 @@ std::vector<Column> make_columns() {
   for (std::size_t row = 0; row < metrics().size(); ++row)
     if (metrics()[row].displayed) all.push_back(displayed_column(row));
   append(further_columns());
+  append(timing_columns());
   return all;
 }
 
@@ -120,6 +151,25 @@ std::span<const Column> columns() {
 bool is_better(const Column& column, double a, double b) {
   if (column.better == Better::neither) return false;
   return column.better == Better::lower ? a < b : a > b;
+}
+
+std::optional<Interval> interval_of(const Column& column, const ResultRow& row) {
+  return column.interval ? column.interval(row) : std::nullopt;
+}
+
+bool are_tied(const Column& column, const ResultRow& a, const ResultRow& b) {
+  const std::optional<Interval> of_a = interval_of(column, a), of_b = interval_of(column, b);
+  return of_a && of_b && overlap(*of_a, *of_b);
+}
+
+std::string text_with_interval(const Column& column, const ResultRow& row) {
+  const std::optional<double> value = column.value(row);
+  if (!value) return "–";
+  const std::string text = number_for_people(column.style, *value);
+  const std::optional<Interval> interval = interval_of(column, row);
+  if (!interval) return text;
+  return fmt::format("{} ({}–{})", text, number_for_people(column.style, interval->low),
+                     number_for_people(column.style, interval->high));
 }
 
 std::string heading(const Column& column) { return heading(column.title, column.style); }

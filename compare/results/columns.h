@@ -23,6 +23,8 @@ struct Column {
   Shown shown;
   /// Nothing where a row, which has no error, lacks it.
   std::function<std::optional<double>(const ResultRow&)> value;
+  /// The interval of the value, in its unit; null where the number has none, as errors have.
+  std::function<std::optional<Interval>(const ResultRow&)> interval = nullptr;
 };
 
 /// All columns in the order of results.csv.
@@ -30,6 +32,15 @@ std::span<const Column> columns();
 
 /// Says whether `a` is the better number; false where no way is better.
 bool is_better(const Column& column, double a, double b);
+
+/// Returns the interval of a row's number; nothing where it has none.
+std::optional<Interval> interval_of(const Column& column, const ResultRow& row);
+
+/// Returns the number for people, with its interval where it has one: "12.5 (12.1–13.0)".
+std::string text_with_interval(const Column& column, const ResultRow& row);
+
+/// Says whether the two rows' intervals of the column overlap, so that they are not told apart.
+bool are_tied(const Column& column, const ResultRow& a, const ResultRow& b);
 
 /// The title with the unit in which people read the number: "Time [ms]".
 std::string heading(const Column& column);

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
+
+#include "compare/results/time_warnings.h"
 
 namespace pellucid::compare {
 namespace {
@@ -44,6 +48,8 @@ std::vector<std::string> provenance_warnings(std::span<const ResultRow> rows) {
     warnings.push_back(
         fmt::format("The rows come from {} machines, so that their times do not compare: {}.",
                     machines.size(), fmt::join(machines, "; ")));
+  else
+    std::ranges::move(time_warnings(rows), std::back_inserter(warnings));
   for (const ResultRow& row : rows)
     for (const std::string& fault : row.given_faults)
       warnings.push_back(fmt::format("{}/{}: the picture {}.", row.scene, row.call(), fault));

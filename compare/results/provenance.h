@@ -10,7 +10,8 @@
 namespace pellucid::compare {
 
 /// Returns one sentence for each reason why numbers of these rows may not be compared with each
-/// other: they come from several builds of the program, or their times from several machines.
+/// other: they come from several builds of the program, their times from several machines, or from
+/// one that was disturbed (time_warnings()).
 std::vector<std::string> provenance_warnings(std::span<const ResultRow> rows);
 
 }  // namespace pellucid::compare

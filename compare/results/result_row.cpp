@@ -49,9 +49,24 @@ Metrics metrics_from(const json& j) {
   return m;
 }
 
-json spread_json(const Spread& s) { return {{"median", s.median}, {"min", s.min}, {"max", s.max}}; }
+json spread_json(const Spread& s) {
+  json j{{"median", s.median}, {"min", s.min}, {"max", s.max}};
+  if (s.interval) j["interval"] = {s.interval->low, s.interval->high};
+  return j;
+}
 
-Spread spread_from(const json& j) { return {j.at("median"), j.at("min"), j.at("max")}; }
+Spread spread_from(const json& j) {
+  Spread spread{j.at("median"), j.at("min"), j.at("max")};
+  if (j.contains("interval")) spread.interval = {j["interval"].at(0), j["interval"].at(1)};
+  return spread;
+}
+
+json calibrations_json(const ResultRow& row) {
+  json list = json::array();
+  for (const Calibration& c : row.calibrations)
+    list.push_back({{"at", c.at}, {"seconds", c.seconds}});
+  return list;
+}
 
 json seconds_json(const ResultRow& row) {
   json steps = json::array();  // in the order in which they run
@@ -62,6 +77,9 @@ json seconds_json(const ResultRow& row) {
   json seconds = spread_json(row.seconds);
   seconds["steps"] = steps;
   seconds["setup"] = row.setup_seconds;
+  seconds["first"] = row.first_seconds;
+  seconds["calibrations"] = calibrations_json(row);
+  if (row.settled) seconds["settled"] = *row.settled;
   seconds["repeats"] = row.repeats;
   return seconds;
 }
@@ -70,6 +88,10 @@ void seconds_from(const json& j, ResultRow& row) {
   row.seconds = spread_from(j);
   for (const json& step : j.at("steps")) row.steps.emplace_back(step.at("name"), spread_from(step));
   row.setup_seconds = j.at("setup");
+  row.first_seconds = j.at("first");
+  for (const json& c : j.at("calibrations"))
+    row.calibrations.push_back({c.at("at"), c.at("seconds")});
+  if (j.contains("settled")) row.settled = j["settled"].get<bool>();
   row.repeats = j.at("repeats");
 }
 

@@ -10,14 +10,11 @@
 #include <vector>
 
 #include "compare/pictures/metrics.h"
+#include "compare/timing/timing_rule.h"
+#include "core/machine/calibration.h"
 #include "scene/renderer.h"
 
 namespace pellucid::compare {
-
-/// Wall-clock seconds over the repeats.
-struct Spread {
-  double median = 0, min = 0, max = 0;
-};
 
 /// A CoverageCheck tells where a method that is exact, or makes layers of its own, sees another
 /// number of layers than the reference. An exact one does at the very edge of a triangle, which two
@@ -59,6 +56,9 @@ struct ResultRow {
   Spread seconds;
   std::vector<std::pair<std::string, Spread>> steps;
   double setup_seconds = 0;  // geometry uploaded, hierarchies built
+  double first_seconds = 0;  // of the first picture, in which drivers compile what they left open
+  std::optional<bool> settled;  // whether the interval became as narrow as asked, where it was
+  std::vector<Calibration> calibrations;  // of the machine, from before to after the cell
   std::vector<scene::NamedBytes> bytes;
   std::uint64_t fragments = 0;
   std::uint64_t stored = 0, dropped = 0, truncated = 0;  // see RenderStats
@@ -73,6 +73,8 @@ struct ResultRow {
   std::map<std::string, std::string> machine;           // with the method's own facts: driver, …
 
   std::uint64_t total_bytes() const;
+  /// Returns the seconds to the first picture: setting up, and drawing it.
+  double first_frame_seconds() const { return setup_seconds + first_seconds; }
   /// "fourier:bands=5", as MethodCall::text() of its cell.
   std::string call() const { return parameters.empty() ? method : method + ':' + parameters; }
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "compare/methods/optimize_opacities.h"
-#include "compare/pictures/metrics.h"
 #include "scene/elements/frame_memory.h"
 #include "scene/halo.h"
 
@@ -23,31 +22,69 @@ std::optional<Change> change_of(const scene::FrameMemory& memory) {
   return change;
 }
 
-scene::Rendering render_frame(const scene::Scene& scene, const MethodCall& method,
-                              const std::optional<MethodCall>& opacities,
-                              scene::RenderContext context) {
-  if (!opacities) return method.row->make(scene, method.parameters, context)->render({});
+/// A frame's picture, and the reference's where there is one.
+struct Drawn {
+  scene::Rendering rendering;
+  std::optional<Image> reference;
+};
+
+scene::Rendering draw(const scene::Scene& scene, const MethodCall& method,
+                      const scene::RenderContext& context) {
+  return method.row->make(scene, method.parameters, context)->render({});
+}
+
+/// Only what chooses opacities remembers: the stage of its own, or the method.
+Drawn draw_frame(const scene::Scene& scene, const MethodCall& method,
+                 const std::optional<MethodCall>& opacities,
+                 const std::optional<MethodCall>& reference, const scene::RenderContext& context) {
+  scene::RenderContext forgetful = context;
+  forgetful.memory = nullptr;
+  const auto draw_both = [&](const scene::Scene& seen, const scene::RenderContext& with) {
+    Drawn drawn{draw(seen, method, with), std::nullopt};
+    if (reference) drawn.reference = draw(seen, *reference, forgetful).image;
+    return drawn;
+  };
+  if (!opacities) return draw_both(scene, context);
   scene::Scene optimized = scene;
   optimize_opacities(*opacities, context, optimized);
-  context.memory = nullptr;
-  return method.row->make(optimized, method.parameters, context)->render({});
+  return draw_both(optimized, forgetful);
 }
+
+/// Compares frames with the reference's, one after another.
+class FrameErrors {
+ public:
+  FrameError next(const Image& reference, const Image& test) {
+    Image error = test;
+    for (std::size_t i = 0; i < error.pixels.size(); ++i) error.pixels[i] -= reference.pixels[i];
+    FrameError found{compare_images(reference, test), std::nullopt};
+    if (!last_.pixels.empty()) found.flicker = rmse(last_, error);
+    last_ = std::move(error);
+    return found;
+  }
+
+ private:
+  Image last_;  // signed error
+};
 
 }  // namespace
 
 void render_sequence(scene::Scene& scene, const MethodCall& method,
                      const std::optional<MethodCall>& opacities, scene::RenderContext context,
-                     const std::function<void(const SequenceFrame&)>& done) {
+                     const std::function<void(const SequenceFrame&)>& done,
+                     const std::optional<MethodCall>& reference) {
   scene::FrameMemory memory;
   context.memory = &memory;
+  FrameErrors errors;
   Image last;
   scene::Camera before = scene.camera;
   for (std::size_t i = 0; i < scene.camera_path.size(); ++i) {
     scene.camera = scene.camera_path[i];
     scene::place_halos(scene);
-    SequenceFrame frame{int(i), scene.camera, {}, {}, {}, {}};
+    SequenceFrame frame{int(i), scene.camera, {}, {}, {}, {}, {}};
     if (i > 0) frame.motion = scene::motion(before, scene.camera);
-    frame.rendering = render_frame(scene, method, opacities, context);
+    Drawn drawn = draw_frame(scene, method, opacities, reference, context);
+    frame.rendering = std::move(drawn.rendering);
+    if (drawn.reference) frame.error = errors.next(*drawn.reference, frame.rendering.image);
     frame.opacity = change_of(memory);
     if (i > 0) frame.picture = rmse(last, frame.rendering.image);
     done(frame);

@@ -20,6 +20,7 @@ struct StudyOptions {
   scene::RenderContext context;
   std::string build = build_id();  // of the program whose rows these are
   Progress progress;
+  std::function<Calibration()> calibrate = pellucid::calibrate;  // between the cells
   std::function<void(const ResultRow&)> on_row;  // called when a cell is done or has failed
 };
 

@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/run/tune.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <memory>
+#include <tuple>
 
 #include "compare/cells/measure_cell.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/given_faults.h"
+#include "compare/run/contest.h"
+#include "compare/run/entrants.h"
 #include "core/error.h"
+#include "core/machine/stopwatch.h"
 #include "scene/files/scene_file.h"
 
 namespace pellucid::compare {
 namespace {
 
-void check(const ErrorBound& bound) {
-  if (!bound.max_rmse && !bound.min_ssim)
-    throw InputError("tune: no bound; accepted: --max-rmse X or --min-ssim Y");
-  if (bound.max_rmse && !(*bound.max_rmse >= 0))
-    throw InputError("--max-rmse: accepted: a number of at least 0");
-  if (bound.min_ssim && !(*bound.min_ssim >= -1 && *bound.min_ssim <= 1))
-    throw InputError("--min-ssim: accepted: -1 … 1");
-}
-
-/// What a program of somebody else's needs is known only if it tells.
-std::uint64_t known_bytes(const ResultRow& row) {
-  const bool unknown = !row.given.empty() && row.bytes.empty();
-  return unknown ? std::numeric_limits<std::uint64_t>::max() : row.total_bytes();
-}
+constexpr int small_by = 4;             // a small picture has so many times fewer pixels on a side
+constexpr double contender_within = 2;  // a single picture's time is known to such a factor
+constexpr std::size_t most_contenders = 12;  // they have their memory at once
+constexpr double narrow = 0.01;
+constexpr double drawing_part = 0.7;  // of the time; the rest is for the contenders
+constexpr int fewest_times = 5;
+/// The others take longer than many a picture.
+const std::string judged_by[]{"rmse", "ssim",         "psnr",
+                                         "max_error", "rmse_covered", "ssim_covered"};
 
 /// Also for equal costs the order does not depend on chance.
 bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
@@ -35,80 +38,250 @@ bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
   return std::pair(known_bytes(a), a.seconds.median) < std::pair(known_bytes(b), b.seconds.median);
 }
 
+/// An Entrant is a candidate that competes.
+struct Entrant {
+  MethodCall call;
+  std::size_t place;         // among the candidates
+  double small_seconds = 0;  // of the small picture
+  double small_setup = 0;
+  std::unique_ptr<CellMeter> meter = nullptr;  // while it may be timed further
+  ResultRow row = {};                          // once the whole picture was drawn
+  bool drawn = false, within = false, tied = false;
+
+  /// The least time is nearest to what nothing disturbed.
+  double least_seconds() const { return std::ranges::min(meter->seconds()); }
+};
+
 class Tuning {
  public:
   explicit Tuning(const TuneRequest& request)
       : request_(request), scene_(scene::load_scene(request.scene, request.progress)) {
     if (request.opacities) optimize_opacities(*request.opacities, request.context, scene_);
+    small_ = scene_;
+    small_.width = std::max(1, scene_.width / small_by);
+    small_.height = std::max(1, scene_.height / small_by);
   }
 
   TuneOutcome run() {
-    progress(0, request_.reference);
-    const Image reference = measured(request_.reference, 1).image;
-    TuneOutcome outcome;
-    for (std::size_t i = 0; i < request_.candidates.size(); ++i) {
-      progress(i + 1, request_.candidates[i]);
-      outcome.rows.push_back(try_candidate(request_.candidates[i], reference));
-      if (request_.on_row) request_.on_row(outcome.rows.back());
-    }
+    choose_entrants();
+    draw_reference();
+    draw_small();
+    if (request_.on_estimate) request_.on_estimate(estimate());
+    for (std::size_t i = 0; i < entrants_.size(); ++i) enter(i);
+    time_contenders();
     report(request_.progress, 1, "tuned");
-    std::stable_sort(
-        outcome.rows.begin(), outcome.rows.end(),
-        [&](const ResultRow& a, const ResultRow& b) { return is_cheaper(request_.cost, a, b); });
-    for (const ResultRow& row : outcome.rows)
-      outcome.within_bound.push_back(request_.bound.holds_for(row));
-    return outcome;
+    return collect();
   }
 
  private:
-  void progress(std::size_t done, const MethodCall& next) const {
-    report(request_.progress, double(done) / double(request_.candidates.size() + 1), next.text());
-  }
-
   Cell cell(const MethodCall& call) const {
     return {request_.scene, scene_name(request_.scene), call};
   }
-
-  CellMeasurement measured(const MethodCall& call, int repeats) const {
-    return measure_cell(cell(call), scene_, repeats, request_.context);
+  /// Whether this part of the time is over.
+  bool is_over(double part = 1) const {
+    return request_.max_seconds && clock_.seconds() > part * *request_.max_seconds;
+  }
+  void leave_out(const Entrant& entrant, std::string why) {
+    outcome_.left_out.push_back({entrant.call.text(), std::move(why)});
   }
 
-  ResultRow try_candidate(const MethodCall& call, const Image& reference) const {
-    try {
-      CellMeasurement measurement = measured(call, request_.repeats);
-      measurement.row.metrics = compare_images(reference, measurement.image);
-      if (call.given)
-        measurement.row.given_faults =
-            given_faults(reference, measurement.image, scene_.background);
-      return std::move(measurement.row);
-    } catch (const std::exception& error) {
-      ResultRow row = identity_row(cell(call));
-      row.error = error.what();
-      return row;
-    }
-  }
+  void choose_entrants();
+  void draw_reference();
+  void draw_small();
+  TuneEstimate estimate() const;
+  void enter(std::size_t index);
+  void draw(Entrant& entrant);
+  void judge(Entrant& entrant);
+  void keep_contenders();
+  void finish(Entrant& entrant, const TimingRule& rule);
+  void time_contenders();
+  TuneOutcome collect();
 
   const TuneRequest& request_;
-  scene::Scene scene_;
+  Stopwatch clock_;
+  scene::Scene scene_, small_;
+  CellMeasurement reference_;
+  double reference_small_ = 0;  // seconds of its small picture
+  std::vector<Entrant> entrants_;
+  TuneOutcome outcome_;
 };
+
+void Tuning::choose_entrants() {
+  for (std::size_t place = 0; place < request_.candidates.size(); ++place) {
+    const MethodCall& call = request_.candidates[place];
+    if (const auto why = why_left_out(call, request_.reference, scene_))
+      outcome_.left_out.push_back({call.text(), *why});
+    else
+      entrants_.push_back({call, place});
+  }
+  if (entrants_.empty())
+    throw InputError(
+        fmt::format("{}: no candidate is left to compete: {}", request_.scene.string(),
+                    outcome_.left_out.empty() ? "there is none" : outcome_.left_out.front().why));
+}
+
+void Tuning::draw_reference() {
+  report(request_.progress, 0, request_.reference.text());
+  reference_ = measure_cell(cell(request_.reference), scene_, fixed_repeats(1), request_.context);
+  const auto& layers = reference_.layers.pixels;
+  if (request_.bound.covered && std::ranges::all_of(layers, [](auto n) { return n == 0; }))
+    throw InputError(fmt::format("--region covered: no pixel of {} is known to have a layer",
+                                 request_.scene.string()));
+  reference_small_ =
+      measure_cell(cell(request_.reference), small_, fixed_repeats(1), request_.context)
+          .row.seconds.median;
+}
+
+/// Who fails is drawn in full all the same, first: its row says why.
+void Tuning::draw_small() {
+  for (Entrant& entrant : entrants_) {
+    report(request_.progress, 0, entrant.call.text() + ", small");
+    try {
+      CellMeter meter(cell(entrant.call), small_, request_.context);
+      meter.time_once();
+      entrant.small_setup = meter.row().setup_seconds;
+      entrant.small_seconds = meter.seconds().front();
+    } catch (const std::exception&) {
+      entrant.small_seconds = 0;
+    }
+  }
+  std::ranges::stable_sort(entrants_, {}, &Entrant::small_seconds);
+}
+
+/// The whole picture takes as many times as long as the small one as the reference's does. Two of
+/// each, the first to warm up; then all times of a handful of the fastest.
+TuneEstimate Tuning::estimate() const {
+  constexpr std::size_t handful = 4;
+  const double larger = std::clamp(reference_.row.seconds.median / reference_small_, 1.0,
+                                   double(small_by * small_by));
+  TuneEstimate estimate{entrants_.size(), clock_.seconds()};
+  for (std::size_t i = 0; i < entrants_.size(); ++i) {
+    const double whole = larger * entrants_[i].small_seconds;
+    estimate.seconds += entrants_[i].small_setup + 2 * whole;
+    if (i < handful) estimate.seconds += request_.repeats * whole;
+  }
+  if (request_.max_seconds) estimate.seconds = std::min(estimate.seconds, *request_.max_seconds);
+  return estimate;
+}
+
+/// Draws the whole picture, unless it cannot win any more.
+void Tuning::enter(std::size_t index) {
+  Entrant& entrant = entrants_[index];
+  if (is_over(drawing_part)) return leave_out(entrant, "not drawn: the time was over");
+  double best = std::numeric_limits<double>::infinity();
+  for (const Entrant& other : entrants_)
+    if (other.meter && request_.cost == Cost::seconds) best = std::min(best, other.least_seconds());
+  if (entrant.small_seconds > best)
+    return leave_out(entrant,
+                     fmt::format("its picture of 1/{} the size took {:.1f} ms, the whole one of "
+                                 "another within the bound {:.1f} ms",
+                                 small_by, 1e3 * entrant.small_seconds, 1e3 * best));
+  report(request_.progress, double(index) / double(entrants_.size()), entrant.call.text());
+  try {
+    draw(entrant);
+  } catch (const std::exception& error) {
+    entrant.meter.reset();
+    entrant.row = identity_row(cell(entrant.call));
+    entrant.row.error = error.what();
+    entrant.drawn = true;
+  }
+  if (request_.on_row) request_.on_row(entrant.row);
+  keep_contenders();
+}
+
+void Tuning::draw(Entrant& entrant) {
+  entrant.meter = std::make_unique<CellMeter>(cell(entrant.call), scene_, request_.context);
+  entrant.meter->time_once();
+  judge(entrant);
+  if (!entrant.within) return finish(entrant, fixed_repeats(1));
+  entrant.meter->time_once();  // a second one, since chance may have delayed the first
+}
+
+/// Compares the picture with the reference's.
+void Tuning::judge(Entrant& entrant) {
+  const Image& image = entrant.meter->image();
+  ResultRow& row = entrant.row = entrant.meter->row();
+  const CountImage* layers = reference_.layers.pixels.empty() ? nullptr : &reference_.layers;
+  const PicturePair pair(reference_.image, image, {.mask = nullptr, .reference_layers = layers, .test_layers = nullptr});
+  row.metrics = compare_pair(pair, judged_by);
+  if (entrant.call.given)
+    row.given_faults = given_faults(reference_.image, image, scene_.background);
+  entrant.drawn = true;
+  entrant.within = request_.bound.holds_for(row);
+}
+
+/// Ends those that are too slow, or need more bytes, to be the cheapest.
+void Tuning::keep_contenders() {
+  std::vector<Entrant*> in;
+  for (Entrant& entrant : entrants_)
+    if (entrant.meter) in.push_back(&entrant);
+  if (in.empty()) return;
+  const auto bytes = [](const Entrant* e) { return known_bytes(e->meter->row()); };
+  const std::uint64_t fewest = bytes(std::ranges::min(in, {}, bytes));
+  if (request_.cost == Cost::bytes) {
+    for (Entrant* entrant : in)
+      if (bytes(entrant) > fewest) finish(*entrant, fixed_repeats(2));
+    std::erase_if(in, [](const Entrant* e) { return !e->meter; });
+  }
+  std::ranges::stable_sort(in, {}, [](const Entrant* e) { return e->least_seconds(); });
+  const double best = in.front()->least_seconds();
+  for (std::size_t i = 1; i < in.size(); ++i)
+    if (in[i]->least_seconds() > contender_within * best || i >= most_contenders)
+      finish(*in[i], fixed_repeats(2));
+}
+
+/// Takes the row, with the errors that are known, and frees what the method holds.
+void Tuning::finish(Entrant& entrant, const TimingRule& rule) {
+  CellMeasurement measured = entrant.meter->finish(rule);
+  measured.row.metrics = entrant.row.metrics;
+  measured.row.given_faults = std::move(entrant.row.given_faults);
+  entrant.row = std::move(measured.row);
+  entrant.meter.reset();
+}
+
+void Tuning::time_contenders() {
+  std::vector<Entrant*> contenders;
+  for (Entrant& entrant : entrants_)
+    if (entrant.meter) contenders.push_back(&entrant);
+  const TimingRule rule{std::min(fewest_times, request_.repeats), request_.repeats, narrow};
+  const auto time_once = [&](std::size_t i) {
+    report(request_.progress, 1, contenders[i]->call.text());
+    contenders[i]->meter->time_once();
+    return contenders[i]->meter->seconds();
+  };
+  const std::vector<bool> in =
+      fastest_of(contenders.size(), rule, time_once, [&] { return !is_over(); });
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    contenders[i]->tied = in[i];
+    finish(*contenders[i], rule);
+  }
+}
+
+TuneOutcome Tuning::collect() {
+  std::erase_if(entrants_, [](const Entrant& entrant) { return !entrant.drawn; });
+  std::ranges::stable_sort(entrants_, {}, &Entrant::place);
+  std::ranges::stable_sort(entrants_, [&](const Entrant& a, const Entrant& b) {
+    return is_cheaper(request_.cost, a.row, b.row);
+  });
+  const auto steady = [](const Entrant& e) {
+    return std::tuple(e.row.total_bytes(), e.row.metrics.linear.of("rmse").value_or(0), e.place);
+  };
+  const Entrant* cheapest = nullptr;
+  for (const Entrant& entrant : entrants_)
+    if (entrant.tied && (!cheapest || steady(entrant) < steady(*cheapest))) cheapest = &entrant;
+  for (Entrant& entrant : entrants_) {
+    if (&entrant == cheapest) outcome_.cheapest = outcome_.rows.size();
+    outcome_.within_bound.push_back(entrant.within);
+    outcome_.tied.push_back(entrant.tied && &entrant != cheapest);
+    outcome_.rows.push_back(std::move(entrant.row));
+  }
+  return std::move(outcome_);
+}
 
 }  // namespace
 
-bool ErrorBound::holds_for(const ResultRow& row) const {
-  const std::optional<double> rmse = row.metrics.linear.of("rmse");
-  const std::optional<double> ssim = row.metrics.linear.of("ssim");
-  return row.error.empty() && (!max_rmse || (rmse && *rmse <= *max_rmse)) &&
-         (!min_ssim || (ssim && *ssim >= *min_ssim)) &&
-         (!max_bytes || known_bytes(row) <= *max_bytes);
-}
-
-const ResultRow* TuneOutcome::best() const {
-  const auto found = std::find(within_bound.begin(), within_bound.end(), true);
-  return found == within_bound.end() ? nullptr : &rows[std::size_t(found - within_bound.begin())];
-}
-
 TuneOutcome tune(const TuneRequest& request) {
-  check(request.bound);
+  check_bound(request.bound);
   return Tuning(request).run();
 }
 

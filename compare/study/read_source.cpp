@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/options/names.h"
 
@@ -98,6 +99,59 @@ void read_scene_order(const JsonNode& node, const Study& study, Claim& claim) {
   if (claim.scenes.size() < 2) node.fail("accepted: at least two scenes, the best first");
 }
 
+/// The calls of a group, or of the method that it names.
+std::vector<std::string> read_calls_of(const JsonNode& node, const Study& study) {
+  std::vector<std::string> calls;
+  if (node.is_string())
+    for (const MethodCall& call : study.methods)
+      if (call.row->name == node.string()) calls.push_back(call.text());
+  return calls.size() > 1 ? calls : read_group(node, study);
+}
+
+/// The number that a call of the study gives to one of its parameters.
+double parameter_of(const std::string& text, const JsonNode& parameter, const Study& study) {
+  const auto call = std::ranges::find_if(
+      study.methods, [&](const MethodCall& method) { return method.text() == text; });
+  const RawOptions values =
+      (call == study.methods.end() ? study.reference : *call).parameters.all();
+  const auto found = values.find(parameter.string());
+  double number = 0;
+  if (found == values.end() || !parse_number(found->second, number))
+    parameter.fail(
+        fmt::format("'{}': '{}' has no such number; accepted: a parameter that is a "
+                    "number in each of the calls",
+                    parameter.string(), text));
+  return number;
+}
+
+/// Each call is better, or worse, than those with a smaller number: an order of them.
+void read_monotony(const JsonNode& node, std::string_view key, const Study& study, Claim& claim) {
+  std::map<double, std::string> calls;
+  for (const std::string& call : read_calls_of(node["of"], study))
+    if (!calls.emplace(parameter_of(call, node[key], study), call).second)
+      node[key].fail(
+          fmt::format("'{}': the same in two calls; accepted: a parameter in which all "
+                      "calls differ",
+                      node[key].string()));
+  if (calls.size() < 2) node["of"].fail("accepted: at least two calls, or a method that has them");
+  for (const auto& [value, call] : calls) claim.order.push_back({call});
+  if (key == "improves_with") std::ranges::reverse(claim.order);
+}
+
+void read_same(const JsonNode& node, const Study& study, Claim& claim) {
+  constexpr double most = 1000;
+  claim.same = true;
+  claim.order = {read_group(node["same"], study)};
+  if (claim.order[0].size() < 2) node["same"].fail("accepted: at least two calls");
+  if (node.has("within"))
+    claim.within = node["within"].number(0, most);
+  else if (!claim.by.column || !claim.by.column->interval)
+    node["same"].fail(
+        fmt::format("'{}' has no interval; accepted: beside 'within', how far the "
+                    "ratio of two may be from 1",
+                    claim.by.heading()));
+}
+
 /// "at_most" of what is better when it is lower, "at_least" of the rest: a bound is on the worse
 /// side.
 void read_bound(const JsonNode& node, Claim& claim) {
@@ -115,13 +169,24 @@ void read_bound(const JsonNode& node, Claim& claim) {
 
 Claim read_claim(const JsonNode& node, const Study& study) {
   node.accept_keys({"claim", "by", "measure", "better", "order", "factor", "of", "at_most",
-                    "at_least", "scenes", "scene_order"});
-  refuse_beside(node, "order", {"of", "at_most", "at_least", "scene_order"});
-  refuse_beside(node, "of", {"factor"});
+                    "at_least", "same", "within", "improves_with", "worsens_with", "scenes",
+                    "scene_order"});
+  refuse_beside(node, "order", {"of", "at_most", "at_least", "same", "within", "scene_order"});
+  refuse_beside(node, "of", {"factor", "same", "within"});
+  refuse_beside(node, "same", {"factor", "at_most", "at_least", "scene_order"});
   refuse_beside(node, "scene_order", {"at_most", "at_least", "scenes"});
+  for (const std::string_view key : {"improves_with", "worsens_with"})
+    refuse_beside(node, key, {"order", "same", "at_most", "at_least", "scene_order"});
+  refuse_beside(node, "improves_with", {"worsens_with"});
   Claim claim{node["claim"].string(), read_number(node), {}};
   if (node.has("order")) {
     read_order(node, study, claim);
+  } else if (node.has("same")) {
+    read_same(node, study, claim);
+  } else if (node.has("improves_with")) {
+    read_monotony(node, "improves_with", study, claim);
+  } else if (node.has("worsens_with")) {
+    read_monotony(node, "worsens_with", study, claim);
   } else {
     claim.order = {read_group(node["of"], study)};
     if (node.has("scene_order"))

@@ -9,8 +9,9 @@ namespace pellucid::compare {
 // What a study file says of its source and asks of its rows. It names scenes and calls of the
 // study, which are read before.
 
-/// Reads {"claim": text, "by": column, "order": [call or [calls], …]}. Throws InputError for calls
-/// that the study lacks, and for a column in which no way is better.
+/// Reads {"claim": text, "by": column, "order": [call or [calls], …]} and the other forms of a
+/// claim. Throws InputError for calls that the study lacks, for a column in which no way is better,
+/// and for keys that say nothing beside each other.
 Claim read_claim(const JsonNode& node, const Study& study);
 
 /// Reads {"title": text, "by": column, "bound": X, "scenes": [names]}; "measure" may stand for "by"

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/files/json_node.h"
 #include "core/options/names.h"
+#include "scene/files/camera_file.h"
 
 namespace pellucid::compare {
 namespace {
@@ -33,7 +34,17 @@ void add_given(const JsonNode& element, const Catalogue& catalogue, std::set<std
   study.methods.push_back(std::move(call));
 }
 
-/// Each call once; the reference, which has its own cell, not at all.
+bool is_star(const JsonNode& node, const Catalogue& catalogue) {
+  if (node.is_string()) return node.string() == "*";
+  return node.is_object() && node.has(catalogue.kind) && node[catalogue.kind].string() == "*";
+}
+
+bool is_same(const MethodCall& a, const MethodCall& b) {
+  return a.row == b.row && a.parameters.all() == b.parameters.all();
+}
+
+/// Each call once; the reference, which has its own cell, not at all: by "*" neither in other
+/// words.
 void add_calls(const JsonNode& node, const Catalogue& catalogue, Study& study) {
   std::set<std::string> seen{study.reference.text()};
   for (const MethodCall& call : study.methods) seen.insert(call.text());
@@ -42,7 +53,9 @@ void add_calls(const JsonNode& node, const Catalogue& catalogue, Study& study) {
       add_given(element, catalogue, seen, study);
     else
       for (MethodCall& call : read_calls(element, catalogue))
-        if (seen.insert(call.text()).second) study.methods.push_back(std::move(call));
+        if (!(is_star(element, catalogue) && is_same(call, study.reference)) &&
+            seen.insert(call.text()).second)
+          study.methods.push_back(std::move(call));
 }
 
 /// A scene that is not there, or is something else, is found before hours of work.
@@ -116,6 +129,39 @@ MethodCall read_opacities(const JsonNode& node, const Catalogue& methods, const 
   return at_place(node, [&] { return checked_opacities(read_call(node, methods)); });
 }
 
+/// {"relative": 0.05, "min": 5, "max": 50}. Fewer than five times have no interval.
+TimingRule read_timing(const JsonNode& node, int repeats) {
+  node.accept_keys({"relative", "min", "max"});
+  constexpr int fewest = 5, usual_most = 50;
+  TimingRule rule{std::max(fewest, repeats), usual_most, 0.05};
+  if (node.has("relative")) rule.relative = node["relative"].number(0.001, 1);
+  if (node.has("min")) rule.min = node["min"].integer(fewest, max_repeats);
+  rule.max = std::max(rule.max, rule.min);
+  if (node.has("max")) rule.max = node["max"].integer(rule.min, max_repeats);
+  return rule;
+}
+
+/// A number of views on an orbit, "path", or a list of cameras.
+Views read_views(const JsonNode& node) {
+  constexpr int most_views = 1000;
+  Views views;
+  if (node.is_string()) {
+    views.path = !node.one_of({"path"}).empty();
+  } else if (node.is_array()) {
+    for (const JsonNode& element : node.elements()) {
+      views.cameras.push_back(scene::read_camera(element));
+      at_place(element, [&] { return scene::camera_frame(views.cameras.back()); });
+    }
+    if (views.cameras.empty() || views.cameras.size() > std::size_t(most_views))
+      node.fail(fmt::format("{} cameras; accepted: 1 to {}", views.cameras.size(), most_views));
+  } else if (node.value().is_number()) {
+    views.orbit = node.integer(2, most_views);
+  } else {
+    node.fail("accepted: a number of views on an orbit, \"path\", or a list of cameras");
+  }
+  return views;
+}
+
 /// A Reading is a study while it is read, with the tables whose rows its calls name.
 struct Reading {
   Catalogue methods, integrators;
@@ -168,6 +214,9 @@ constexpr StudyKey keys[] = {
      true, "integrators"},
     {"repeats",
      [](const JsonNode& value, Reading& to) { to.study.repeats = value.integer(1, max_repeats); }},
+    {"timing", [](const JsonNode& value,
+                  Reading& to) { to.study.timing = read_timing(value, to.study.repeats); }},
+    {"views", [](const JsonNode& value, Reading& to) { to.study.views = read_views(value); }},
     {"crops", [](const JsonNode& value,
                  Reading& to) { to.study.crops = read_by_scene(value, to.scenes(), read_crop); }},
     {"probes",
@@ -212,6 +261,10 @@ std::vector<std::string> scene_names(const Study& study) {
   names.reserve(study.scenes.size());
   for (const fs::path& scene : study.scenes) names.push_back(scene_name(scene));
   return names;
+}
+
+TimingRule timing_of(const Study& study) {
+  return study.timing.value_or(fixed_repeats(study.repeats));
 }
 
 Study load_study(const fs::path& file, std::span<const scene::MethodRow> methods,

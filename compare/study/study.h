@@ -14,6 +14,7 @@
 #include "compare/study/claims.h"
 #include "compare/study/costs.h"
 #include "compare/study/ladders.h"
+#include "compare/timing/timing_rule.h"
 #include "scene/renderer.h"
 
 namespace pellucid::compare {
@@ -26,6 +27,16 @@ struct Pixel {
 /// A part of a picture, in pixels from the top left.
 struct Crop {
   int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Views are the cameras from which each of a study's scenes is seen; none of the three: its own.
+struct Views {
+  int orbit = 0;                       // so many at equal angles around the camera's target
+  std::vector<scene::Camera> cameras;  // these
+  bool path = false;                   // the scene's camera path
+
+  /// Returns whether there are any but the scene's own.
+  bool any() const { return orbit > 0 || path || !cameras.empty(); }
 };
 
 /// A study file: scenes × methods × parameters against one reference.
@@ -45,6 +56,8 @@ struct Study {
   std::optional<std::filesystem::path> reference_scene;
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
+  std::optional<TimingRule> timing;  // in place of the repeats; cells of a scene are interleaved
+  Views views;
   std::map<std::string, Crop> crops;                 // by scene
   std::vector<Claim> claims;                         // of the source
   std::vector<Ladder> ladders;                       // where does each method break?
@@ -52,6 +65,9 @@ struct Study {
   std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
   std::optional<PublishedCosts> published;           // times and bytes that the source printed
 };
+
+/// Returns how often each cell is timed: by its `timing`, or `repeats` times.
+TimingRule timing_of(const Study& study);
 
 /// Reads a study file ("pellucid-study", version 1) and expands its sweeps. A method is
 /// "NAME[:key=value,…]", {"method": NAME, key: value or [values], …}, or "*": every method in all

@@ -53,6 +53,7 @@ const scene::MethodRow& raytrace_method() {
                    .one_layer_unless = "precision=fast",
                    .edge_shift = 0},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, and the hierarchy",
+      .sweep = "precision=exact|fast,stop-below=0|0.01",
       .make = make};
   return row;
 }

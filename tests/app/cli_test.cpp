@@ -391,10 +391,23 @@ TEST_F(UnitCommandLine, WritesDataOfEveryKindAndRefusesOthers) {
 }
 
 TEST_F(UnitCommandLine, TunesWithinABoundAndSaysWhenNothingIs) {
-  const std::string tune = "tune " + scene().string() + " --quiet --repeats 1 ";
+  const std::string tune =
+      "tune " + scene().string() + " --quiet --repeats 1 --methods 'raytrace,march,linked-list' ";
   const Outcome outcome = run(tune + "--max-rmse 1e-4");  // one layer: most methods are exact
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("pellucid render"));
+  EXPECT_THAT(outcome.out, HasSubstr("left out: without an isosurface it draws as raytrace does"));
+  const Outcome few = run("tune " + scene().string() +
+                          " --max-rmse 1e-4 --json --methods 'raytrace*,linked-list'"
+                          " --region covered --max-seconds 60");
+  EXPECT_EQ(few.exit_code, 0) << few.err;
+  EXPECT_THAT(few.err, HasSubstr("5 settings compete, about "));
+  EXPECT_THAT(few.out, AllOf(HasSubstr("\"cheapest\""), HasSubstr("\"tied\""),
+                             HasSubstr("\"rmse_covered\"")));
+  EXPECT_THAT(refusal("tune " + scene().string() + " --max-rmse 1 --methods furier"),
+              HasSubstr("fits no method"));
+  EXPECT_THAT(refusal(tune + "--max-rmse 1 --region cover"), HasSubstr("covered"));
+  EXPECT_THAT(refusal(tune + "--max-rmse 1 --max-seconds 0"), HasSubstr("--max-seconds"));
   EXPECT_THAT(refusal(tune + "--max-rmse 1e-4 --max-bytes 1", 1), HasSubstr("no method"));
   EXPECT_THAT(refusal(tune), HasSubstr("accepted: --max-rmse"));
 }
@@ -410,6 +423,14 @@ TEST_F(UnitCommandLine, RendersFramesOfAPath) {
   for (const char* file : {"0000.png", "0002.png", "frames.csv"})
     EXPECT_TRUE(fs::exists(folder_ / "frames" / file)) << file;
   EXPECT_THAT(read_text(folder_ / "frames" / "frames.csv"), HasSubstr("\n2,4.6"));
+  const Outcome compared = run(call + into + " --orbit 10 --frames 3 --json --reference raytrace");
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_THAT(compared.out, AllOf(HasSubstr("\"rmse\""), HasSubstr("\"flicker\"")));
+  EXPECT_THAT(read_text(folder_ / "frames" / "frames.csv"), HasSubstr(",seconds,rmse,"));
+  EXPECT_THAT(refusal(call + into + " --orbit 10 --reference raytrac"), HasSubstr("raytrace"));
+  EXPECT_THAT(refusal("frames " + scene().string() + " -m decoupled --orbit 10 " + into +
+                      " --reference raytrace"),
+              HasSubstr("accepted: --opacities"));
 }
 
 /// Embree flushes denormal numbers while it builds a mesh's hierarchy; lines step by them.

@@ -43,6 +43,7 @@ STUDIES = [
     {**STUDY, "methods": [{"external": "mine", "command": ["{output}"], **UNKNOWN}]},
     {**STUDY, "methods": [{"picture": "theirs.exr", "name": "theirs", **UNKNOWN}]},
     {**STUDY, "integrators": [{"integrator": "*", **UNKNOWN}]},
+    {**STUDY, "timing": UNKNOWN},
     {**STUDY, "claims": [UNKNOWN]},
     {**STUDY, "published": UNKNOWN},
     {**STUDY, "published": {"machine": "", "rows": [UNKNOWN]}},

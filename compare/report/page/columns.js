@@ -7,6 +7,7 @@ const styles = () => ({
   similarity: { write: similarity, axis: { zero: false } },
   decibels: { write: decibels, axis: { zero: false } },
   milliseconds: { write: milliseconds, axis: {} },
+  plain_milliseconds: { write: (ms) => fixed(ms, 1), axis: {} },
   megabytes: { write: megabytes, axis: {} },
   count: { write: count, axis: {} },
 });
@@ -14,6 +15,12 @@ const directions = { lower: Math.min, higher: Math.max };
 
 /** PSNR of equal pictures is infinite, which JSON holds as null. */
 const missing = (style) => (style === "decibels" ? Infinity : null);
+
+/** The 95 % interval of a row's number, [low, high]; undefined where it has none. */
+const intervalOf = (column, row) => row.intervals?.[column.name];
+const intervalText = (interval, write) => (interval ? ` (${write(interval[0])}–${write(interval[1])})` : "");
+/** Numbers whose intervals overlap are not told apart. */
+const overlap = (a, b) => Boolean(a && b && a[0] <= b[1] && b[0] <= a[1]);
 
 /** A column with functions of a row: its value, that in the unit for people, and its text. */
 function columnOf(column) {
@@ -23,6 +30,8 @@ function columnOf(column) {
     ...column, axis, value,
     shown: (row) => (value(row) == null ? null : value(row) * column.factor),
     text: (row) => write(value(row)),
+    textWithInterval: (row) => write(value(row)) + intervalText(intervalOf(column, row), write),
+    areTied: (a, b) => overlap(intervalOf(column, a), intervalOf(column, b)),
     best: directions[column.better],
   };
 }

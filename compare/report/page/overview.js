@@ -27,16 +27,22 @@ function overviewSection(rows, scenes) {
 
 const errorBounds = [0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001];
 
-/** The row of least cost whose error is within the bound. */
+/** The row of least cost whose error is within the bound; the reference, which has none, competes. */
 function cheapest(rows, bound, cost) {
-  const within = rows.filter((row) => !row.reference && !row.error && errorColumn().value(row) <= bound);
+  const within = rows.filter((row) => !row.error && errorColumn().value(row) <= bound);
   return within.reduce((best, row) => (best && cost.value(best) <= cost.value(row) ? best : row), null);
+}
+
+/** Those within the bound whose cost is not told from the best one's. */
+function tiedWith(best, rows, bound, cost) {
+  const tied = rows.filter((row) => row !== best && !row.error && errorColumn().value(row) <= bound && cost.areTied(row, best));
+  return tied.length === 0 ? "" : `; tied: ${tied.map((row) => row.name).join(", ")}`;
 }
 
 function choiceRow(rows, scene, bound) {
   const choice = (cost) => {
     const row = cheapest(rows, bound, cost);
-    return [make("td", {}, row ? row.name : "none"), make("td", {}, row ? `${cost.text(row)} ${cost.unit}` : "")];
+    return [make("td", {}, row ? row.name + tiedWith(row, rows, bound, cost) : "none"), make("td", {}, row ? `${cost.textWithInterval(row)} ${cost.unit}` : "")];
   };
   return make("tr", {}, make("td", {}, scene), make("td", {}, `≤ ${bound}`), costColumns().map(choice));
 }
@@ -52,7 +58,7 @@ function choicesSection(rows, scenes) {
     const here = rows.filter((row) => row.scene === scene.name);
     return errorBounds.map((bound) => choiceRow(here, scene.name, bound));
   });
-  const lead = "The method of least cost within each bound on the error.";
+  const lead = "The method of least cost within each bound on the error, and those whose cost is not told from its own.";
   return make("section", { id: "choices" }, make("h2", {}, "What to choose"), make("p", { class: "lead" }, lead),
               make("div", { class: "wide choices" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }

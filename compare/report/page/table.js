@@ -20,18 +20,20 @@ function fragmentsTip({ fragments, stored, dropped, truncated_pixels }) {
   return `${count(fragments)} seen, ${count(stored)} kept apart, ${count(dropped)} dropped in ${count(truncated_pixels)} pixels`;
 }
 
-/** The best value of a column in a scene, the reference left out. */
-function bestIn(rows, scene, column) {
-  const judged = rows.filter((row) => row.scene === scene && !row.reference && !row.error);
-  return column.best(...judged.map(column.value).filter((value) => value != null));
+/** Whether a row has the best value of its scene, the reference left out, or one that is not told from it. */
+function isAmongBest(rows, row, column) {
+  if (!column.best || row.reference) return false;
+  const judged = rows.filter(({ scene, reference, error }) => scene === row.scene && !reference && !error);
+  const best = column.best(...judged.map(column.value).filter((value) => value != null));
+  return column.value(row) === best || judged.some((other) => column.value(other) === best && column.areTied(row, other));
 }
 
 function tableRow(rows, row) {
   const names = nameColumns.map((column) => make("td", {}, column.text(row)));
   if (row.error) return make("tr", {}, names, make("td", { class: "error", colspan: columns.length }, row.error));
   const cells = columns.map((column) => {
-    const best = column.best && !row.reference && column.value(row) === bestIn(rows, row.scene, column);
-    return make("td", { class: best && "best", title: row.given ? row.explanation.join("\n") : tips[column.name]?.(row) }, column.text(row));
+    const best = isAmongBest(rows, row, column);
+    return make("td", { class: best && "best", title: row.given ? row.explanation.join("\n") : tips[column.name]?.(row) }, column.textWithInterval(row));
   });
   return make("tr", { class: row.reference && "reference" }, names, cells);
 }
@@ -60,7 +62,7 @@ function sortableTable(rows) {
 }
 
 function tableSection(rows) {
-  const lead = "A click on a head sorts. The best of each scene, the reference left out, is in colour.";
+  const lead = "A click on a head sorts. The best of each scene, the reference left out, is in colour, with those whose 95 % interval overlaps its own.";
   return make("section", { id: "table" }, make("h2", {}, "All numbers"), make("p", { class: "lead" }, lead),
               sortableTable(rows));
 }

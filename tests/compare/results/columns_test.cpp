@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "compare/report/tables.h"
+#include "core/options/names.h"
 
 namespace pellucid::compare {
 namespace {
@@ -27,8 +28,11 @@ ResultRow filled_row() {
     row.metrics.displayed[i] = 0.3 + double(i) / 128;
   }
   row.metrics.linear.covered = 0.9375;
-  row.seconds = {0.0625, 0.03125, 0.09375};
+  row.seconds = {0.0625, 0.03125, 0.09375, Interval{0.046875, 0.078125}};
   row.setup_seconds = 0.015625;
+  row.first_seconds = 0.171875;
+  row.settled = true;
+  row.calibrations = {{1000, 0.002}, {1001, 0.003}};
   row.repeats = 3;
   row.bytes = {{"list", 1000}, {"heads", 24}};
   row.fragments = 70;
@@ -106,6 +110,49 @@ TEST(PropertyColumns, SurviveJson) {
   const ResultRow row = filled_row(), again = row_from_json(to_json(row));
   for (const Column& column : columns())
     EXPECT_EQ(column.value(again), column.value(row)) << column.name;
+}
+
+TEST(UnitColumns, WhatIsSaidOfTimesSurvivesJson) {
+  const ResultRow row = filled_row(), again = row_from_json(to_json(row));
+  EXPECT_EQ(again.settled, true);
+  ASSERT_EQ(again.calibrations.size(), 2u);
+  EXPECT_EQ(again.calibrations[1].at, 1001);
+  EXPECT_EQ(again.calibrations[1].seconds, 0.003);
+  EXPECT_EQ(again.seconds.interval->high, 0.078125);
+}
+
+TEST(UnitColumns, MillisecondsAreThoseOfTheSeconds) {
+  const ResultRow row = filled_row();
+  const auto value = [&](const char* name) {
+    return find_row("column", name, columns()).value(row);
+  };
+  EXPECT_EQ(value("ms"), 62.5);
+  EXPECT_EQ(value("ms_low"), 46.875);
+  EXPECT_EQ(value("ms_high"), 78.125);
+  EXPECT_EQ(value("first_frame_ms"), 1e3 * (0.015625 + 0.171875));
+  EXPECT_EQ(value("repeats"), 3);
+}
+
+// Three repeats have no interval of 95 %.
+TEST(UnitColumns, WhatIsNotKnownIsEmpty) {
+  ResultRow row = filled_row();
+  row.seconds.interval.reset();
+  for (const char* name : {"ms_low", "ms_high"})
+    EXPECT_FALSE(find_row("column", name, columns()).value(row)) << name;
+}
+
+TEST(UnitColumns, TimesWhoseIntervalsOverlapAreTied) {
+  const Column& seconds = find_row("column", "seconds", columns());
+  ResultRow a = filled_row(), b = filled_row();
+  b.seconds.interval = Interval{0.078125, 0.1};
+  EXPECT_TRUE(are_tied(seconds, a, b));
+  b.seconds.interval = Interval{0.0782, 0.1};
+  EXPECT_FALSE(are_tied(seconds, a, b));
+  b.seconds.interval.reset();
+  EXPECT_FALSE(are_tied(seconds, a, b));
+  EXPECT_FALSE(are_tied(find_row("column", "rmse", columns()), a, a));
+  EXPECT_EQ(text_with_interval(seconds, a), "62.5 (46.9–78.1)");
+  EXPECT_EQ(text_with_interval(seconds, b), "62.5");
 }
 
 // JSON has no infinity: the PSNR of equal pictures and a number that is not there are both null.

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compare/methods/optimize_opacities.h"
+#include "compare/pictures/metrics.h"
 #include "core/error.h"
 #include "tests/compare/methods/opacity_scenes.h"
 
@@ -37,12 +40,19 @@ scene::Scene turning(int frames, double degrees) {
 
 std::vector<SequenceFrame> sequence(scene::Scene scene, std::string_view method,
                                     const RawOptions& options = {},
-                                    const std::optional<MethodCall>& opacities = {}) {
+                                    const std::optional<MethodCall>& opacities = {},
+                                    const std::optional<MethodCall>& reference = {}) {
   const scene::MethodRow& row = find_row("method", method, methods());
   std::vector<SequenceFrame> frames;
-  render_sequence(scene, {&row, Parameters(row.name, row.parameters, options)}, opacities, {},
-                  [&](const SequenceFrame& frame) { frames.push_back(frame); });
+  render_sequence(
+      scene, {&row, Parameters(row.name, row.parameters, options)}, opacities, {},
+      [&](const SequenceFrame& frame) { frames.push_back(frame); }, reference);
   return frames;
+}
+
+MethodCall call_of(std::string_view name) {
+  const scene::MethodRow& row = find_row("method", name, methods());
+  return {&row, Parameters(row.name, row.parameters, {})};
 }
 
 constexpr const char* optimizing[] = {"fourier-opacity", "decoupled-lists"};
@@ -90,6 +100,44 @@ TEST(UnitFrameSequence, MethodsThatOptimizeNothingHaveNoOpacityChange) {
   const auto frames = sequence(turning(2, 20), "linked-list");
   EXPECT_FALSE(frames[1].opacity);
   EXPECT_GT(*frames[1].picture, 0.01);
+}
+
+TEST(UnitFrameSequence, WithoutAReferenceNothingIsSaidOfErrors) {
+  EXPECT_FALSE(sequence(turning(2, 20), "linked-list")[1].error);
+}
+
+TEST(UnitFrameSequence, AMethodIsItsOwnReference) {
+  const auto frames = sequence(turning(3, 20), "raytrace", {}, {}, call_of("raytrace"));
+  EXPECT_FALSE(frames[0].error->flicker);
+  for (const SequenceFrame& frame : frames) EXPECT_EQ(frame.error->metrics.linear.of("rmse"), 0);
+  EXPECT_EQ(frames[2].error->flicker, 0);
+}
+
+// By its definition, from pictures that were made apart: rms of (t₁ - r₁) - (t₀ - r₀).
+TEST(PropertyFrameSequence, FlickerIsTheChangeOfTheError) {
+  const auto truth = sequence(turning(2, 20), "raytrace");
+  const auto frames = sequence(turning(2, 20), "weighted-average", {}, {}, call_of("raytrace"));
+  EXPECT_NEAR(*frames[1].error->metrics.linear.of("rmse"),
+              rmse(truth[1].rendering.image, frames[1].rendering.image), 1e-6);
+  double squares = 0;
+  const std::size_t pixels = truth[0].rendering.image.pixels.size();
+  const auto error = [&](std::size_t frame, std::size_t i, int c) {
+    return double(frames[frame].rendering.image.pixels[i][c]) -
+           double(truth[frame].rendering.image.pixels[i][c]);
+  };
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (int c = 0; c < 3; ++c) squares += std::pow(error(1, i, c) - error(0, i, c), 2);
+  const double flicker = std::sqrt(squares / (3 * double(pixels)));
+  EXPECT_GT(flicker, 0.01);
+  EXPECT_NEAR(*frames[1].error->flicker, flicker, 1e-6);  // differences of floats below 1
+}
+
+// Both composite the opacities that one stage found, so that only compositing differs.
+TEST(UnitFrameSequence, TheReferenceCompositesTheSameOpacities) {
+  const auto frames = sequence(turning(2, 20), "linked-list", {},
+                               parse_opacities("decoupled-lists:keep=0.5"), call_of("raytrace"));
+  for (const SequenceFrame& frame : frames)
+    EXPECT_LT(*frame.error->metrics.linear.of("rmse"), 0.02);  // edges of a 24 x 24 picture
 }
 
 // The second frame shows keep · last + (1 - keep) · found: it differs from the last by 1 - keep of

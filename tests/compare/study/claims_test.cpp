@@ -51,7 +51,7 @@ TEST(UnitClaims, TheBetterOneIsSmallerInErrorAndLargerInSimilarity) {
 TEST(UnitClaims, TheMeanOverScenesIsCheckedLast) {
   const auto checks = check_claim(claim("rmse", {{"a"}, {"b"}, {"c"}}), scenes, rows);
   EXPECT_EQ(checks[2].of, "mean");
-  EXPECT_DOUBLE_EQ(checks[2].values[1].second, 0.225);
+  EXPECT_DOUBLE_EQ(checks[2].values[1].value, 0.225);
   EXPECT_THAT(checks[2].against, ElementsAre("b before a"));
 }
 
@@ -105,8 +105,110 @@ TEST(UnitClaims, ScenesMayBeInOrderForEachCall) {
   const auto checks = check_claim(order, scenes, rows);
   ASSERT_EQ(checks.size(), 2u);
   EXPECT_EQ(checks[0].of, "a");
-  EXPECT_EQ(checks[0].values[1], (std::pair<std::string, double>("one", 0.1)));
+  EXPECT_EQ(checks[0].values[1].of, "one");
+  EXPECT_EQ(checks[0].values[1].value, 0.1);
   EXPECT_THAT(checks[0].against, ElementsAre("one before two"));
+}
+
+/// A row whose time is in this interval, its median in the middle.
+ResultRow timed(const std::string& method, double low, double high) {
+  ResultRow timed = row("one", method, 0);
+  timed.seconds = {(low + high) / 2, low, high, Interval{low, high}};
+  return timed;
+}
+
+/// How a claim about times stands on scene one.
+std::string verdict_of(const Claim& claim, const std::vector<ResultRow>& measured) {
+  const auto checks = check_claim(claim, std::vector<std::string>{"one"}, measured);
+  return checks.size() == 1 ? verdict(checks[0]) : "no check";
+}
+
+TEST(UnitClaims, TimesWhoseIntervalsOverlapAreUndecided) {
+  const Claim order = claim("seconds", {{"a"}, {"b"}});
+  EXPECT_EQ(verdict_of(order, {timed("a", 1, 2), timed("b", 2.1, 3)}), "the same here");
+  EXPECT_EQ(verdict_of(order, {timed("a", 1, 2), timed("b", 1.9, 3)}),
+            "undecided: a and b are tied (1000.0–2000.0, 1900.0–3000.0)");
+  // The medians are as claimed, or against it: neither is known.
+  EXPECT_THAT(verdict_of(order, {timed("a", 2, 3), timed("b", 1, 2.1)}), HasSubstr("undecided"));
+  EXPECT_EQ(verdict_of(order, {timed("a", 2.2, 3), timed("b", 1, 2.1)}),
+            "otherwise here: b before a");
+}
+
+TEST(UnitClaims, WhatIsAgainstAClaimIsSaidBeforeWhatIsOpen) {
+  const Claim order = claim("seconds", {{"a"}, {"b", "c"}});
+  EXPECT_EQ(verdict_of(order, {timed("a", 2, 3), timed("b", 2, 3), timed("c", 1, 1.5)}),
+            "otherwise here: c before a");
+}
+
+TEST(UnitClaims, TimesWithoutAnIntervalDecideNothing) {
+  ResultRow unknown = timed("b", 5, 6);
+  unknown.seconds.interval.reset();
+  EXPECT_EQ(verdict_of(claim("seconds", {{"a", "c"}, {"b"}}),
+                       {timed("a", 1, 2), unknown, timed("c", 1, 2)}),
+            "undecided: b has no interval, which takes five timed pictures");
+}
+
+// b / a is between 3/2 and 4/1.
+TEST(UnitClaims, AFactorHoldsForTheWholeIntervalOfTheRatio) {
+  const std::vector<ResultRow> two{timed("a", 1, 2), timed("b", 3, 4)};
+  Claim times = claim("seconds", {{"a"}, {"b"}});
+  times.factor = 1.5;
+  EXPECT_EQ(verdict_of(times, two), "the same here");
+  times.factor = 1.6;
+  EXPECT_EQ(verdict_of(times, two), "undecided: a before b by a factor of 1.5 to 4, around 1.6");
+  times.factor = 4.1;
+  EXPECT_EQ(verdict_of(times, two), "otherwise here: a before b by a factor of 2.33, not 4.1");
+}
+
+TEST(UnitClaims, ABoundWithinAnIntervalIsUndecided) {
+  Claim most = claim("seconds", {{"a"}});
+  const std::vector<ResultRow> one{timed("a", 1, 2)};
+  most.bound = 2;
+  EXPECT_EQ(verdict_of(most, one), "the same here");
+  most.bound = 1.9;
+  EXPECT_EQ(verdict_of(most, one), "undecided: 1000.0–2000.0 is around 1900.0");
+  most.bound = 0.9;
+  EXPECT_EQ(verdict_of(most, one), "otherwise here: 1500.0, not 900.0");
+}
+
+TEST(UnitClaims, TimesMayBeClaimedNotToBeToldApart) {
+  Claim same = claim("seconds", {{"a", "b", "c"}});
+  same.same = true;
+  EXPECT_EQ(verdict_of(same, {timed("a", 1, 2), timed("b", 2, 3), timed("c", 1.5, 2)}),
+            "the same here");
+  EXPECT_EQ(verdict_of(same, {timed("a", 1, 1.4), timed("b", 2, 3), timed("c", 1.3, 2)}),
+            "otherwise here: a and b differ (1000.0–1400.0, 2000.0–3000.0)");
+}
+
+// Ratios of a and b reach from 1.05/1.1 to 1.2/1.
+TEST(UnitClaims, WithAWidthTheWholeIntervalOfTheRatioHasToLieWithin) {
+  const std::vector<ResultRow> two{timed("a", 1, 1.1), timed("b", 1.05, 1.2)};
+  Claim same = claim("seconds", {{"a", "b"}});
+  same.same = true;
+  same.within = 0.21;
+  EXPECT_EQ(verdict_of(same, two), "the same here");
+  same.within = 0.19;
+  EXPECT_THAT(verdict_of(same, two), HasSubstr("undecided: a and b may differ"));
+  EXPECT_THAT(verdict_of(same, {timed("a", 1, 1.1), timed("b", 1.32, 2)}),
+              HasSubstr("otherwise here: a and b differ"));
+  Claim errors = claim("rmse", {{"a", "b"}});  // 0.1 and 0.2 on scene one
+  errors.same = true;
+  errors.within = 1;
+  EXPECT_EQ(verdict_of(errors, rows), "the same here");
+  errors.within = 0.9;
+  EXPECT_THAT(verdict_of(errors, rows), HasSubstr("otherwise here"));
+}
+
+// The means of the ends are 1.5 to 3 and 3.1 to 4.
+TEST(UnitClaims, TheMeanOverScenesHasTheMeanOfTheEnds) {
+  std::vector<ResultRow> four{timed("a", 1, 2), timed("b", 3, 4), timed("a", 2, 4),
+                              timed("b", 3.2, 4)};
+  four[2].scene = four[3].scene = "two";
+  const auto checks = check_claim(claim("seconds", {{"a"}, {"b"}}), scenes, four);
+  ASSERT_EQ(checks.size(), 3u);
+  EXPECT_THAT(verdict(checks[1]), HasSubstr("undecided"));
+  EXPECT_EQ(verdict(checks[2]), "the same here");
+  EXPECT_DOUBLE_EQ(checks[2].values[0].interval->high, 3);
 }
 
 TEST(UnitClaims, AMeasureIsClaimedByItsName) {
@@ -137,6 +239,47 @@ std::string error_of(const std::string& claims) {
     return error.what();
   }
   return "no error";
+}
+
+Claim read_first(const std::string& methods, const std::string& claim) {
+  const StudyFolder folder;
+  return load_study(folder.study(methods, R"("claims": [)" + claim + "]"), fake_methods())
+      .claims.front();
+}
+
+TEST(UnitClaims, MonotonyIsAnOrderByAParameter) {
+  const char* sweep = R"([{"method": "shifted", "by": [0.25, 0.75, 0.5]}, "broken"])";
+  EXPECT_THAT(read_first(sweep, R"({"claim": "x", "by": "rmse", "of": "shifted",
+                                    "worsens_with": "by"})")
+                  .order,
+              ElementsAre(ElementsAre("shifted:by=0.25"), ElementsAre("shifted:by=0.5"),
+                          ElementsAre("shifted:by=0.75")));
+  EXPECT_THAT(read_first(sweep, R"({"claim": "x", "by": "rmse", "improves_with": "by",
+                                    "of": ["shifted:by=0.25", "shifted:by=0.5"]})")
+                  .order,
+              ElementsAre(ElementsAre("shifted:by=0.5"), ElementsAre("shifted:by=0.25")));
+}
+
+TEST(UnitClaims, MonotonyNeedsANumberInWhichCallsDiffer) {
+  const std::string start = R"({"claim": "x", "by": "rmse", "of": )";
+  EXPECT_THAT(error_of(start + R"(["shifted:by=0.5", "broken"], "improves_with": "by"})"),
+              HasSubstr("claims[0].improves_with: 'by': 'broken' has no such number"));
+  EXPECT_THAT(error_of(start + R"("shifted:by=0.5", "improves_with": "how"})"),
+              HasSubstr("'how': 'shifted:by=0.5' has no such number"));
+  EXPECT_THAT(error_of(start + R"("shifted:by=0.5", "improves_with": "by"})"),
+              HasSubstr("claims[0].of: accepted: at least two calls"));
+  EXPECT_THAT(error_of(start + R"("broken", "improves_with": "by", "worsens_with": "by"})"),
+              HasSubstr("accepted: one of the two"));
+}
+
+TEST(UnitClaims, ASameNumberIsATimeOrHasAWidth) {
+  const std::string calls = R"("same": ["broken", "truth"])";
+  EXPECT_EQ(error_of(R"({"claim": "x", "by": "seconds", )" + calls + "}"), "no error");
+  EXPECT_EQ(error_of(R"({"claim": "x", "by": "rmse", "within": 0.1, )" + calls + "}"), "no error");
+  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", )" + calls + "}"),
+              HasSubstr("claims[0].same: 'RMSE' has no interval; accepted: beside 'within'"));
+  EXPECT_THAT(error_of(R"({"claim": "x", "by": "seconds", "same": ["broken"]})"),
+              HasSubstr("at least two calls"));
 }
 
 TEST(UnitClaims, AStudyNamesCallsThatItHas) {
@@ -193,7 +336,7 @@ TEST(UnitClaims, TheTableForPeopleSaysWhatIsOtherwise) {
   study.claims = {claim("rmse", {{"a"}, {"b"}})};
   EXPECT_THAT(markdown_table(study, rows),
               AllOf(HasSubstr("- one: a 1.00e-01, b 2.00e-01; the same here\n"),
-                    HasSubstr("- two: a 4.00e-01, b 2.50e-01; otherwise here: b before a;\n")));
+                    HasSubstr("- two: a 4.00e-01, b 2.50e-01; otherwise here: b before a\n")));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(UnitStudy, OpacitiesMakeOtherCells) {
     return load_study(folder / "optimized.json", methods());
   };
   const auto fingerprint = [](const Study& study) {
-    return cell_fingerprint(expand_cells(study)[1], study.reference, 1, {});
+    return cell_fingerprint(expand_cells(study)[1], study.reference, fixed_repeats(1), {});
   };
   const Study plain = load(""), optimized = load(R"(, "opacities": "decoupled-lists")"),
               smoother = load(R"(, "opacities": "decoupled-lists:smooth=30")");

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/cells/view_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "compare/results/measure_columns.h"
+
+namespace pellucid::compare {
+namespace {
+
+using Rows = std::vector<ResultRow>;
+
+Image difference(const Image& reference, const Image& test) {
+  Image error = test;
+  for (std::size_t i = 0; i < error.pixels.size(); ++i) error.pixels[i] -= reference.pixels[i];
+  return error;
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+/// The numbers of all rows; nothing where one lacks it.
+std::optional<std::vector<double>> all_of(
+    const Rows& rows, const std::function<std::optional<double>(const ResultRow&)>& number) {
+  std::vector<double> numbers;
+  for (const ResultRow& row : rows) {
+    const std::optional<double> value = number(row);
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
+  }
+  return numbers;
+}
+
+std::optional<double> mean_of(
+    const Rows& rows, const std::function<std::optional<double>(const ResultRow&)>& number) {
+  const auto numbers = all_of(rows, number);
+  return numbers ? std::optional(mean(*numbers)) : std::nullopt;
+}
+
+/// Of whole numbers the nearest to their mean.
+template <class Number>
+std::uint64_t mean_count(const Rows& rows, Number number) {
+  return std::uint64_t(std::llround(
+      *mean_of(rows, [&](const ResultRow& row) { return std::optional(double(number(row))); })));
+}
+
+Metrics mean_metrics(const Rows& rows, Metrics Comparison::*which) {
+  Metrics means = rows.front().metrics.*which;
+  for (std::size_t m = 0; m < metrics().size(); ++m)
+    means[m] = mean_of(rows, [&](const ResultRow& row) { return (row.metrics.*which)[m]; });
+  const ResultRow& worst = *std::ranges::max_element(rows, {}, [&](const ResultRow& row) {
+    return (row.metrics.*which).of("max_error").value_or(0);
+  });
+  means.max_error_x = (worst.metrics.*which).max_error_x;
+  means.max_error_y = (worst.metrics.*which).max_error_y;
+  return means;
+}
+
+using SpreadOf = std::function<const Spread&(const ResultRow&)>;
+
+/// Ends of an interval are means, too, which makes it no narrower than one of 95 %.
+Spread mean_spread(const Rows& rows, const SpreadOf& spread_of) {
+  const auto mean_end = [&](double Interval::*end) {
+    return mean_of(rows, [&](const ResultRow& row) {
+      const auto& interval = spread_of(row).interval;
+      return interval ? std::optional((*interval).*end) : std::nullopt;
+    });
+  };
+  Spread spread = spread_of(rows.front());
+  for (const ResultRow& row : rows) {
+    spread.min = std::min(spread.min, spread_of(row).min);
+    spread.max = std::max(spread.max, spread_of(row).max);
+  }
+  spread.median =
+      *mean_of(rows, [&](const ResultRow& row) { return std::optional(spread_of(row).median); });
+  const std::optional<double> low = mean_end(&Interval::low), high = mean_end(&Interval::high);
+  spread.interval = low && high ? std::optional(Interval{*low, *high}) : std::nullopt;
+  return spread;
+}
+
+void average_times(const Rows& rows, ResultRow& row) {
+  const auto mean_seconds = [&](double ResultRow::*seconds) {
+    return *mean_of(rows, [&](const ResultRow& r) { return std::optional(r.*seconds); });
+  };
+  row.seconds = mean_spread(rows, [](const ResultRow& r) -> const Spread& { return r.seconds; });
+  for (std::size_t i = 0; i < row.steps.size(); ++i)
+    if (std::ranges::all_of(rows, [&](const ResultRow& r) { return i < r.steps.size(); }))
+      row.steps[i].second =
+          mean_spread(rows, [i](const ResultRow& r) -> const Spread& { return r.steps[i].second; });
+  row.setup_seconds = mean_seconds(&ResultRow::setup_seconds);
+  row.first_seconds = mean_seconds(&ResultRow::first_seconds);
+  row.repeats = int(mean_count(rows, [](const ResultRow& r) { return r.repeats; }));
+  if (row.settled)
+    row.settled = std::ranges::all_of(rows, [](const ResultRow& r) { return *r.settled; });
+}
+
+CoverageCheck mean_coverage(const Rows& rows) {
+  CoverageCheck check = *rows.front().coverage;
+  check.differing = mean_count(rows, [](const ResultRow& r) { return r.coverage->differing; });
+  check.differing_by_more =
+      mean_count(rows, [](const ResultRow& r) { return r.coverage->differing_by_more; });
+  check.rmse_elsewhere =
+      mean_of(rows, [](const ResultRow& r) { return r.coverage->rmse_elsewhere; });
+  return check;
+}
+
+void average_counts(const Rows& rows, ResultRow& row) {
+  row.fragments = mean_count(rows, [](const ResultRow& r) { return r.fragments; });
+  row.stored = mean_count(rows, [](const ResultRow& r) { return r.stored; });
+  row.dropped = mean_count(rows, [](const ResultRow& r) { return r.dropped; });
+  row.truncated = mean_count(rows, [](const ResultRow& r) { return r.truncated; });
+  row.max_layers = std::ranges::max(rows, {}, &ResultRow::max_layers).max_layers;
+  row.bytes = std::ranges::max(rows, {}, &ResultRow::total_bytes).bytes;
+  if (std::ranges::all_of(rows, [](const ResultRow& r) { return r.coverage.has_value(); }))
+    row.coverage = mean_coverage(rows);
+}
+
+/// A measure that some view lacks has no mean.
+void average_measures(const Rows& rows, ResultRow& row) {
+  std::vector<scene::Measure> means;
+  for (scene::Measure measure : row.measures)
+    if (const auto value =
+            mean_of(rows, [&](const ResultRow& r) { return measure_of(r, measure.name); })) {
+      measure.value = *value;
+      means.push_back(std::move(measure));
+    }
+  row.measures = std::move(means);
+}
+
+RowCurve view_curve(const std::string& symbol, std::size_t first, std::vector<double> values) {
+  RowCurve curve{
+      symbol + " over the views", "", symbol + " over the views", "view", symbol, {}, {}};
+  for (std::size_t i = 0; i < values.size(); ++i) curve.x.push_back(double(first + i));
+  curve.y = std::move(values);
+  return curve;
+}
+
+/// JSON has no infinity, which the PSNR of equal pictures is.
+bool is_finite(double value) { return std::isfinite(value); }
+
+/// The worst of each metric, and the curves of those that caption a picture.
+void add_metrics(const Rows& rows, ResultRow& row) {
+  for (std::size_t m = 0; m < metrics().size(); ++m) {
+    const MetricRow& metric = metrics()[m];
+    const auto values = all_of(rows, [m](const ResultRow& r) { return r.metrics.linear[m]; });
+    if (!values || metric.better == Better::neither || !std::ranges::all_of(*values, is_finite))
+      continue;
+    const auto [least, most] = std::ranges::minmax(*values);
+    row.measures.push_back({fmt::format("{}_worst", metric.name),
+                            fmt::format("{}, worst view", metric.symbol), "",
+                            metric.better == Better::lower ? most : least, metric.better});
+    if (metric.shown.card) row.curves.push_back(view_curve(std::string(metric.symbol), 1, *values));
+  }
+}
+
+}  // namespace
+
+void ViewRows::add(ResultRow row, const Image& reference, const Image& test) {
+  rows_.push_back(std::move(row));
+  if (!path_) return;
+  Image error = difference(reference, test);
+  if (!error_.pixels.empty()) flicker_.push_back(rmse(error_, error));
+  error_ = std::move(error);
+}
+
+ResultRow ViewRows::row() const {
+  ResultRow row = rows_.front();
+  if (rows_.size() == 1) return row;
+  row.metrics = {mean_metrics(rows_, &Comparison::linear),
+                 mean_metrics(rows_, &Comparison::displayed)};
+  average_times(rows_, row);
+  average_counts(rows_, row);
+  average_measures(rows_, row);
+  row.measures.push_back({"views", "Views", "", double(rows_.size()), Better::neither});
+  add_metrics(rows_, row);
+  if (flicker_.empty()) return row;
+  row.measures.push_back({"flicker", "Flicker", "", mean(flicker_), Better::lower});
+  row.curves.push_back(view_curve("Flicker", 2, flicker_));
+  return row;
+}
+
+}  // namespace pellucid::compare

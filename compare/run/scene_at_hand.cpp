@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/run/scene_at_hand.h"
+
+#include <fmt/format.h>
+
+#include "compare/methods/optimize_opacities.h"
+#include "compare/pictures/image_file.h"
+#include "core/error.h"
+#include "scene/files/scene_file.h"
+#include "scene/halo.h"
+#include "scene/view/camera_path.h"
+
+namespace pellucid::compare {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Nothing for the scene's own camera alone.
+std::vector<scene::Camera> cameras_of(const Views& views, const scene::Scene& scene) {
+  if (views.path && scene.camera_path.empty())
+    throw InputError(fmt::format(
+        "views: \"path\": {} has no camera_path; accepted: one, a number of views, or a list of "
+        "cameras",
+        scene.name));
+  if (views.path) return scene.camera_path;
+  if (views.orbit == 0) return views.cameras;
+  // The last one stands a step before the first.
+  return scene::orbit(scene.camera, 360.0 * (views.orbit - 1) / views.orbit, views.orbit);
+}
+
+}  // namespace
+
+scene::Scene& SceneAtHand::loaded() {
+  if (loaded_) return *loaded_;
+  scene::Scene scene = scene::load_scene(file_);
+  cameras_ = cameras_of(study_.views, scene);
+  if (cameras_.empty() && study_.opacities) optimize_opacities(*study_.opacities, context_, scene);
+  loaded_ = std::move(scene);
+  return *loaded_;
+}
+
+std::size_t SceneAtHand::view_count() {
+  if (!study_.views.any()) return 1;
+  loaded();
+  return cameras_.size();
+}
+
+void SceneAtHand::look_from(std::size_t view) {
+  if (view == view_) return;
+  view_ = view;
+  seen_.reset();
+  reference_ = {};
+  layers_ = {};
+}
+
+const scene::Scene& SceneAtHand::scene() {
+  if (seen_) return *seen_;
+  loaded();
+  if (cameras_.empty()) return *loaded_;
+  scene::Scene scene = *loaded_;
+  scene.camera = cameras_.at(view_);
+  scene::place_halos(scene);
+  if (study_.opacities) optimize_opacities(*study_.opacities, context_, scene);
+  seen_ = std::move(scene);
+  return *seen_;
+}
+
+const Image& SceneAtHand::reference() {
+  if (reference_.pixels.empty()) reference_ = read_image(files().picture());
+  return reference_;
+}
+
+const CountImage& SceneAtHand::reference_layers() {
+  if (layers_.pixels.empty()) layers_ = read_counts(files().layers());
+  return layers_;
+}
+
+bool SceneAtHand::has_reference_layers() const { return fs::exists(files().layers()); }
+
+std::map<std::string, std::string> SceneAtHand::files_read() {
+  std::map<std::string, std::string> files = files_of_reference_;
+  for (const fs::path& path : read_.paths()) files.emplace(path.string(), hashes_.of(path));
+  return files;
+}
+
+}  // namespace pellucid::compare

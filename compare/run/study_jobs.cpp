@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/run/study_jobs.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+
+#include "compare/measures/layer_error.h"
+#include "compare/measures/layer_pictures.h"
+#include "compare/measures/study_measures.h"
+#include "compare/pictures/error_map.h"
+#include "compare/pictures/flip.h"
+#include "compare/pictures/given_faults.h"
+#include "compare/pictures/image_file.h"
+#include "core/error.h"
+#include "core/options/names.h"
+
+namespace pellucid::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool fits(const std::string& pattern, const std::string& text) {
+  return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
+}
+
+bool is_selected(const Cell& cell, const std::string& only) {
+  return only.empty() || fits(only, cell.scene) || fits(only, cell.call.text()) ||
+         fits(only, std::string(cell.call.row->name)) || fits(only, cell.name());
+}
+
+void write_picture(const CellFiles& files, const CellMeasurement& measured) {
+  write_image(files.picture(), measured.image);
+  write_image(files.preview(), measured.image);
+  if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
+}
+
+void write_further(const CellFiles& files, const CellMeasurement& measured) {
+  for (std::size_t i = 0; i < measured.further.size(); ++i)
+    write_image(files.further(measured.row.pictures[i].name), measured.further[i]);
+}
+
+/// The layers that are known tell covered pixels, and those where layers agree, from the others.
+PairRegions regions_of(const CellMeasurement& measured, SceneAtHand& at_hand) {
+  return {
+      .mask = nullptr,
+      .reference_layers = at_hand.has_reference_layers() ? &at_hand.reference_layers() : nullptr,
+      .test_layers = measured.layers.pixels.empty() ? nullptr : &measured.layers};
+}
+
+void compare_with_reference(const Job& job, const CellFiles& files, CellMeasurement& measured,
+                            SceneAtHand& at_hand) {
+  const Image& reference = at_hand.reference();
+  const PairRegions regions = regions_of(measured, at_hand);
+  const PicturePair pair(reference, measured.image, regions);
+  measured.row.metrics = compare_pair(pair);
+  if (job.cell.reference) return;
+  write_image(files.error_map(), error_map(reference, measured.image));
+  write_image(files.flip_map(), flip_picture(pair.flip()));
+  if (regions.reference_layers) add_layer_error(reference, *regions.reference_layers, measured);
+  if (job.cell.call.given)
+    measured.row.given_faults = given_faults(reference, measured.image, at_hand.scene().background);
+  const scene::Promises& promises = job.cell.call.row->promises;
+  if ((promises.exact || promises.own_layers) && regions.reference_layers && regions.test_layers)
+    measured.row.coverage =
+        check_coverage(reference, *regions.reference_layers, measured.image, measured.layers);
+}
+
+bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
+
+}  // namespace
+
+std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
+  std::vector<Job> jobs;
+  for (const Cell& cell : expand_cells(study))
+    jobs.push_back({cell, CellFiles(options.folder, cell),
+                    cell_fingerprint(cell, study.reference, timing_of(study), options.context),
+                    is_selected(cell, options.only)});
+  if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
+    throw InputError(
+        fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
+                    "or SCENE/METHOD:PARAMETERS, such as '{}'",
+                    options.only, jobs.back().cell.name()));
+  return jobs;
+}
+
+void read_known_rows(std::vector<Job>& jobs, const StudyOptions& options) {
+  ContentHashes hashes;
+  for (Job& job : jobs) {
+    if (options.resume || !job.selected)
+      job.row = read_finished(job.files, job.fingerprint, hashes);
+    const bool of_this_build = job.row && job.row->machine["build"] == options.build;
+    if (!job.selected || (options.resume && of_this_build)) continue;
+    job.row.reset();
+    fs::remove(job.files.row());
+  }
+}
+
+ResultRow failed_row(const Job& job, const std::string& why) {
+  ResultRow row = identity_row(job.cell);
+  row.fingerprint = job.fingerprint;
+  row.error = why;
+  return row;
+}
+
+void finish_view(const Job& job, CellMeasurement measured, SceneAtHand& at_hand, const Study& study,
+                 ViewRows& rows) {
+  const CellFiles files = job.files.from(at_hand.view());
+  const bool beside_layers =
+      job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
+  if (makes_layers(job.cell.call) || beside_layers) add_layer_picture(measured);
+  write_picture(files, measured);
+  if (job.cell.reference) at_hand.set_reference(job.files);
+  compare_with_reference(job, files, measured, at_hand);
+  if (makes_layers(job.cell.call) && !job.cell.reference && at_hand.has_reference_layers())
+    add_layer_difference(at_hand.reference_layers(), measured);
+  for (const std::string& name : job.cell.measures)
+    find_row("measure", name, study_measures())
+        .measure(at_hand.scene(), at_hand.reference(), measured);
+  write_further(files, measured);
+  rows.add(std::move(measured.row), at_hand.reference(), measured.image);
+}
+
+ResultRow finished_row(const Job& job, const ViewRows& rows, SceneAtHand& at_hand) {
+  ResultRow row = rows.row();
+  row.fingerprint = job.fingerprint;
+  row.files_read = at_hand.files_read();
+  return row;
+}
+
+}  // namespace pellucid::compare
