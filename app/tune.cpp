@@ -51,10 +51,9 @@ compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOpti
       .on_row = {},
       .max_seconds = arguments.max_seconds};
   if (!arguments.command.empty())
-    request.candidates.push_back(
-        compare::external_call({.name = "command",
-                                .words = split_command(arguments.command),
-                                .base = std::filesystem::current_path()}));
+    request.candidates.push_back(compare::external_call({.name = "command",
+                                                         .words = split_command(arguments.command),
+                                                         .base = std::filesystem::current_path()}));
   request.bound.covered = arguments.region == "covered";
   if (!globals.quiet) request.on_estimate = print_estimate;
   return request;
@@ -93,8 +92,8 @@ void print_rows(const compare::TuneOutcome& outcome, bool covered) {
     fmt::print(
         "{:36} {:9.1f} {:>19} {:8.1f} {:>10} {:>8}  {}\n", row.call(), 1e3 * row.seconds.median,
         interval ? fmt::format("{:.1f} to {:.1f}", 1e3 * interval->low, 1e3 * interval->high) : "",
-        megabytes_of(row), error_text(row, "rmse", covered),
-        error_text(row, "ssim", covered), place_of(outcome, i));
+        megabytes_of(row), error_text(row, "rmse", covered), error_text(row, "ssim", covered),
+        place_of(outcome, i));
   }
   for (const compare::LeftOut& out : outcome.left_out)
     fmt::print("{:36} left out: {}\n", out.call, out.why);

@@ -68,15 +68,15 @@ constexpr Shown as_cost(bool sweeps) {
 }
 
 std::vector<Column> cost_columns() {
-  return {{"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true),
-           unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; }),
-           time_interval},
-          {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
-           unless_given(is_weighed, [](const ResultRow& r) { return r.total_bytes(); })},
-          {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
-           unless_given(is_counted, [](const ResultRow& r) { return r.fragments; })},
-          {"max_layers", "Layers", "1", Better::neither, Style::count, in_tables,
-           unless_given(never, [](const ResultRow& r) { return r.max_layers; })}};
+  return {
+      {"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true),
+       unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; }), time_interval},
+      {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
+       unless_given(is_weighed, [](const ResultRow& r) { return r.total_bytes(); })},
+      {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
+       unless_given(is_counted, [](const ResultRow& r) { return r.fragments; })},
+      {"max_layers", "Layers", "1", Better::neither, Style::count, in_tables,
+       unless_given(never, [](const ResultRow& r) { return r.max_layers; })}};
 }
 
 std::vector<Column> further_columns() {

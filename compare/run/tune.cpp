@@ -28,8 +28,7 @@ constexpr double narrow = 0.01;
 constexpr double drawing_part = 0.7;  // of the time; the rest is for the contenders
 constexpr int fewest_times = 5;
 /// The others take longer than many a picture.
-const std::string judged_by[]{"rmse", "ssim",         "psnr",
-                                         "max_error", "rmse_covered", "ssim_covered"};
+const std::string judged_by[]{"rmse", "ssim", "psnr", "max_error", "rmse_covered", "ssim_covered"};
 
 /// Also for equal costs the order does not depend on chance.
 bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
@@ -202,7 +201,8 @@ void Tuning::judge(Entrant& entrant) {
   const Image& image = entrant.meter->image();
   ResultRow& row = entrant.row = entrant.meter->row();
   const CountImage* layers = reference_.layers.pixels.empty() ? nullptr : &reference_.layers;
-  const PicturePair pair(reference_.image, image, {.mask = nullptr, .reference_layers = layers, .test_layers = nullptr});
+  const PicturePair pair(reference_.image, image,
+                         {.mask = nullptr, .reference_layers = layers, .test_layers = nullptr});
   row.metrics = compare_pair(pair, judged_by);
   if (entrant.call.given)
     row.given_faults = given_faults(reference_.image, image, scene_.background);
