@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "groundtruth/queries/ray_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/error.h"
+#include "geometry/files/mesh_formats.h"
+
+namespace pellucid::groundtruth {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+void check(const FreeRay& ray) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(ray.origin[axis]) < geometry::coordinate_limit) ||
+        !(std::abs(ray.direction[axis]) < geometry::coordinate_limit))
+      throw InputError("ray: a number that is not finite; accepted: finite numbers below 1e300");
+  if (ray.direction == Vec3(0))
+    throw InputError("ray: the direction is 0; accepted: any other length");
+}
+
+/// Whether the ray may meet the box. Distances carry a rounding for their difference and one for
+/// their quotient; they are moved apart by more.
+bool may_meet(const FreeRay& ray, const Box3& box) {
+  constexpr double outwards = 4 * 0x1p-53;
+  double near = 0, far = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0) {
+      if (o < box.min[axis] || o > box.max[axis]) return false;
+      continue;
+    }
+    double first = (box.min[axis] - o) / d, last = (box.max[axis] - o) / d;
+    if (first > last) std::swap(first, last);
+    near = std::max(near, first * (first > 0 ? 1 - outwards : 1 + outwards));
+    far = std::min(far, last * (last > 0 ? 1 + outwards : 1 - outwards));
+  }
+  return near <= far;
+}
+
+int longest_axis(const Box3& box) {
+  const Vec3 d = box.max - box.min;
+  return d.x >= d.y && d.x >= d.z ? 0 : d.y >= d.z ? 1 : 2;
+}
+
+}  // namespace
+
+RayQuery::RayQuery(geometry::TriangleMesh mesh) : mesh_(std::move(mesh)) {
+  geometry::check_mesh("mesh", mesh_);
+  order_.resize(mesh_.triangles.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::vector<Vec3> centers;
+  centers.reserve(mesh_.triangles.size());
+  for (const auto& [a, b, c] : mesh_.triangles)
+    centers.push_back(mesh_.positions[a] / 3.0 + mesh_.positions[b] / 3.0 +
+                      mesh_.positions[c] / 3.0);
+  build(0, std::uint32_t(order_.size()), centers);
+}
+
+/// Splits at the middle triangle along the longest axis: the depth is the logarithm, whatever the
+/// mesh. Returns the node's number.
+std::uint32_t RayQuery::build(std::uint32_t begin, std::uint32_t end,
+                              const std::vector<Vec3>& centers) {
+  const auto number = std::uint32_t(nodes_.size());
+  nodes_.emplace_back();
+  Box3 box, of_centers;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    for (const std::uint32_t v : mesh_.triangles[order_[i]]) box.extend(mesh_.positions[v]);
+    of_centers.extend(centers[order_[i]]);
+  }
+  nodes_[number] = {box, begin, end - begin};
+  if (end - begin <= leaf_size) return number;
+  const int axis = longest_axis(of_centers);
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(
+      order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+      [&](std::uint32_t p, std::uint32_t q) { return centers[p][axis] < centers[q][axis]; });
+  build(begin, middle, centers);
+  const std::uint32_t right = build(middle, end, centers);
+  nodes_[number].right = right;
+  nodes_[number].count = 0;
+  return number;
+}
+
+/// Calls hit(RayHit) for every crossing, in any order.
+template <class Visit>
+void RayQuery::visit(const FreeRay& ray, const Visit& hit) const {
+  check(ray);
+  std::uint32_t waiting[64];  // a tree of 2^32 triangles is 32 deep
+  int count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t number = waiting[--count];
+    const Node& node = nodes_[number];
+    if (!may_meet(ray, node.box)) continue;
+    if (node.count == 0) {
+      waiting[count++] = node.right;
+      waiting[count++] = number + 1;
+    }
+    for (std::uint32_t i = node.right; i < node.right + node.count; ++i) {
+      const auto& [a, b, c] = mesh_.triangles[order_[i]];
+      const auto found = cross(ray, mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
+      if (found) hit(RayHit{*found, order_[i]});
+    }
+  }
+}
+
+std::vector<RayHit> RayQuery::all(const FreeRay& ray) const {
+  std::vector<RayHit> hits;
+  visit(ray, [&](const RayHit& hit) { hits.push_back(hit); });
+  std::sort(hits.begin(), hits.end());
+  return hits;
+}
+
+std::optional<RayHit> RayQuery::first(const FreeRay& ray) const {
+  std::optional<RayHit> nearest;
+  visit(ray, [&](const RayHit& hit) {
+    if (!nearest || hit < *nearest) nearest = hit;
+  });
+  return nearest;
+}
+
+std::size_t RayQuery::count(const FreeRay& ray) const {
+  std::size_t count = 0;
+  visit(ray, [&](const RayHit&) { ++count; });
+  return count;
+}
+
+bool RayQuery::inside(const Vec3& point) const {
+  // Any direction would do; one along an axis meets the fewest boxes.
+  return count({point, Vec3(0, 0, 1)}) % 2 == 1;
+}
+
+}  // namespace pellucid::groundtruth
