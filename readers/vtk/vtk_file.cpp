@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/files/child_reader.h"
 #include "core/files/files_read.h"
+#include "core/files/output_file.h"
 #include "core/options/split.h"
 #include "readers/vtk/data_set_blocks.h"
 #include "readers/vtk/vtk_formats.h"
@@ -50,6 +51,7 @@ std::vector<VtkTime> times_of(const Blocks& blocks) {
 
 std::vector<VtkTime> read_vtk_file(const fs::path& path, const std::string& block,
                                    const std::string& time) {
+  require_file(path);
   const VtkFormat* format = vtk_format(path);
   if (!format) throw InputError(fmt::format("{}: VTK reads no such file", path.string()));
   const Blocks blocks =
