@@ -26,6 +26,7 @@ struct FramesOptions {
   std::string scene, method, opacities, output;
   std::optional<double> orbit;
   int frames = 30;
+  scene::ViewRequest view;
 };
 
 /// Rows of frames.csv, and the same as JSON.
@@ -76,7 +77,7 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   const compare::MethodCall method{&row, Parameters(row.name, row.parameters, named.options)};
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
-  scene::Scene scene = scene::load_scene(options.scene, progress);
+  scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
   if (options.orbit) scene.camera_path = scene::orbit(scene.camera, *options.orbit, options.frames);
   if (scene.camera_path.empty())
     throw InputError(options.scene + ": it has no camera_path; accepted: one, or --orbit DEGREES");
@@ -112,6 +113,7 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->add_option("-o,--output", options->output,
                    "Folder for the pictures 0000.png, ... and frames.csv")
       ->required();
+  add_view_options(*command, options->view);
   add_opacities_option(*command, options->opacities);
   CLI::Option* around = command
                             ->add_option("--orbit", options->orbit,
@@ -121,6 +123,9 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->needs(around)
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  command->footer(
+      "Example:\n  pellucid frames scene.json -m raytrace --view iso --orbit 360 --frames 60 -o "
+      "turn");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([options, &globals] { frames(*options, globals); });

@@ -173,12 +173,16 @@ nlohmann::ordered_json list_formats() {
         {{"name", row.ending},
          {"title", row.title},
          {"read as", read},
-         {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)}});
+         {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)},
+         {"to know", row.traps}});
   }
   for (const fields::FileFormatRow& row : fields::field_formats())
     if (!geometry::mesh_format("file" + std::string(row.ending)))
-      rows.push_back(
-          {{"name", row.ending}, {"title", row.title}, {"read as", "field"}, {"written", ""}});
+      rows.push_back({{"name", row.ending},
+                      {"title", row.title},
+                      {"read as", "field"},
+                      {"written", ""},
+                      {"to know", ""}});
   return rows;
 }
 

@@ -23,12 +23,14 @@ struct TuneArguments {
   compare::ErrorBound bound;
   std::string cost = "seconds", opacities;
   int repeats = 3;
+  scene::ViewRequest view;
 };
 
 /// Every method but the reference, which has no error to bound.
 compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOptions& globals) {
   const scene::MethodRow& reference = compare::methods().front();
   return {.scene = arguments.scene,
+          .view = arguments.view,
           .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
           .candidates = compare::every_method(compare::methods().subspan(1)),
           .bound = arguments.bound,
@@ -42,6 +44,17 @@ compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOpti
 
 std::string call_text(const compare::ResultRow& row) {
   return row.parameters.empty() ? row.method : row.method + ":" + row.parameters;
+}
+
+/// The options that ask for the view.
+std::string view_text(const scene::ViewRequest& view) {
+  std::string text;
+  if (!view.camera.empty()) text += " --camera " + view.camera;
+  if (!view.view.empty()) text += " --view " + view.view;
+  if (const auto& size = view.resolution)
+    text += fmt::format(" --resolution {}x{}", (*size)[0], (*size)[1]);
+  if (view.samples) text += fmt::format(" --samples {}", *view.samples);
+  return text;
 }
 
 void print_table(const compare::TuneOutcome& outcome) {
@@ -82,9 +95,10 @@ void run(const TuneArguments& arguments, const GlobalOptions& globals) {
   } else {
     print_table(outcome);
     if (best)
-      fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {}{} -o picture.exr\n",
+      fmt::print("\nthe cheapest in {}: {}\n    pellucid render {} -m {}{}{} -o picture.exr\n",
                  arguments.cost, call_text(*best), arguments.scene.string(), call_text(*best),
-                 arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities);
+                 arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities,
+                 view_text(arguments.view));
   }
   std::cout.flush();
   if (!best) throw WorkError("no method is within the bound");
@@ -109,8 +123,11 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--repeats", arguments->repeats, "Timed pictures of each; the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  add_view_options(*command, arguments->view);
   add_opacities_option(*command, arguments->opacities);
-  command->footer("Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
+  command->footer(
+      "Example:\n  pellucid tune scene.json --max-rmse 0.01 --resolution 500x500\n"
+      "Exit code: 0 done; 1 no method is within the bound; 2 wrong input.");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

@@ -31,7 +31,8 @@ bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
 class Tuning {
  public:
   explicit Tuning(const TuneRequest& request)
-      : request_(request), scene_(scene::load_scene(request.scene, request.progress)) {
+      : request_(request),
+        scene_(scene::load_scene(request.scene, request.progress, request.view)) {
     if (request.opacities) optimize_opacities(*request.opacities, request.context, scene_);
   }
 

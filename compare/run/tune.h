@@ -9,6 +9,7 @@
 
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
+#include "scene/files/view_request.h"
 
 namespace pellucid::compare {
 
@@ -28,6 +29,7 @@ enum class Cost { seconds, bytes };
 /// A TuneRequest asks for the cheapest candidate on a scene within a bound.
 struct TuneRequest {
   std::filesystem::path scene;
+  scene::ViewRequest view = {};  // goes before the scene file's
   MethodCall reference;
   std::vector<MethodCall> candidates;
   ErrorBound bound;

@@ -8,9 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files/json_node.h"
+#include "core/options/names.h"
 #include "scene/appearance/appearance.h"
+#include "scene/files/camera_file.h"
 #include "scene/files/object_file.h"
 #include "scene/halo.h"
+#include "scene/scene_fit.h"
 #include "scene/view/camera_path.h"
 
 namespace pellucid::scene {
@@ -21,24 +24,6 @@ namespace fs = std::filesystem;
 constexpr double any = std::numeric_limits<double>::max();
 /// A picture of 2^28 pixels takes 4 GiB; anything larger is a slip of the hand.
 constexpr int max_side = 1 << 14;
-
-Camera read_camera(const JsonNode& node) {
-  node.accept_keys({"type", "eye", "target", "up", "fov", "height"});
-  Camera camera;
-  const std::string type =
-      node.has("type") ? node["type"].one_of({"perspective", "orthographic"}) : "perspective";
-  if (type == "orthographic") camera.projection = Projection::orthographic;
-  const std::string_view foreign = type == "orthographic" ? "fov" : "height";
-  if (node.has(foreign))
-    node[foreign].fail(fmt::format("a camera of type {} has none; it takes {}", type,
-                                   type == "orthographic" ? "height" : "fov"));
-  if (node.has("eye")) camera.eye = node["eye"].vec3();
-  if (node.has("target")) camera.target = node["target"].vec3();
-  if (node.has("up")) camera.up = node["up"].vec3();
-  if (node.has("fov")) camera.fov = node["fov"].number(-any, any);
-  if (node.has("height")) camera.height = node["height"].number(-any, any);
-  return camera;
-}
 
 std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera) {
   node.accept_keys({"frames", "orbit", "keys"});
@@ -70,7 +55,49 @@ EnergyWeights read_energy(const JsonNode& node) {
 struct Loader {
   fs::path folder;
   Progress progress;
+  const ViewRequest& view;
   Scene scene;
+
+  void take_size() {
+    if (view.resolution) scene.width = (*view.resolution)[0];
+    if (view.resolution) scene.height = (*view.resolution)[1];
+    if (view.samples) scene.samples = *view.samples;
+  }
+
+  /// What is wrong with the call is told before anything is integrated. A fit needs to know the
+  /// projection.
+  void check_view() {
+    if (!view.view.empty()) find_row("view", view.view, view_directions());
+    if (view.camera.empty()) return;
+    const Camera asked = camera_of_text(view.camera, scene.camera);
+    scene.camera.projection = asked.projection;
+    scene.camera.fov = asked.fov;
+  }
+
+  /// A camera that nobody has given sees all; what the call says goes before the file.
+  void take_camera(bool is_in_file) {
+    std::string& how = scene.provenance["camera"];
+    how = "the scene file's";
+    if (!view.view.empty() || !is_in_file) {
+      const ViewDirection& from = view.view.empty()
+                                      ? view_directions().front()
+                                      : find_row("view", view.view, view_directions());
+      scene.camera = fitted_camera(scene, from);
+      how = fmt::format("fitted to the scene, {}", from.title);
+    }
+    if (view.camera.empty()) return;
+    scene.camera = camera_of_text(view.camera, scene.camera);
+    how += ", then --camera";
+    check_camera("--camera");
+  }
+
+  void check_camera(const std::string& place) const {
+    try {
+      camera_frame(scene.camera);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", place, error.what()));
+    }
+  }
 
   void read(const JsonNode& root) {
     root.accept_keys({"format", "version", "resolution", "samples", "camera", "camera_path",
@@ -84,11 +111,13 @@ struct Loader {
       scene.height = sides[1].integer(1, max_side);
     }
     if (root.has("samples")) scene.samples = root["samples"].integer(1, 16);
+    take_size();
     // A wrong camera is refused before anything is integrated.
     if (root.has("camera")) {
       scene.camera = read_camera(root["camera"]);
       at_place(root, [&] { return camera_frame(scene.camera); });
     }
+    check_view();
     if (root.has("background")) {
       scene.background = root["background"].vec3();
       for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
@@ -104,7 +133,7 @@ struct Loader {
           mesh && scene.lighting != Lighting::none)
         ensure_normals(*mesh);
     }
-    if (!root.has("camera")) scene.camera = fitted_camera(scene.bounds());
+    take_camera(root.has("camera"));
     if (root.has("camera_path"))
       scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
     place_halos(scene);
@@ -113,9 +142,9 @@ struct Loader {
 
 }  // namespace
 
-Scene load_scene(const fs::path& path, const Progress& progress) {
+Scene load_scene(const fs::path& path, const Progress& progress, const ViewRequest& view) {
   const nlohmann::json json = read_json(path);
-  Loader loader{path.parent_path(), progress, {}};
+  Loader loader{path.parent_path(), progress, view, {}};
   loader.scene.name = path.stem().string();
   loader.read(JsonNode(path.string(), json));
   return std::move(loader.scene);
