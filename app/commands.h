@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/progress.h"
+#include "scene/files/view_request.h"
 
 namespace pellucid::app {
 
@@ -27,6 +28,7 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals);
 void add_export_command(CLI::App& app, GlobalOptions& globals);
 void add_conform_command(CLI::App& app, GlobalOptions& globals);
 void add_data_command(CLI::App& app, GlobalOptions& globals);
+void add_info_command(CLI::App& app, GlobalOptions& globals);
 void add_list_command(CLI::App& app, GlobalOptions& globals);
 
 /// Adds --json, --quiet and --threads to a subcommand.
@@ -37,6 +39,10 @@ void add_gl_option(CLI::App& command, GlobalOptions& globals);
 
 /// Adds --opacities to a subcommand that may optimize opacities before any method composites them.
 void add_opacities_option(CLI::App& command, std::string& opacities);
+
+/// Adds --camera, --view, --resolution and --samples to a subcommand that renders a scene; they go
+/// before what the scene's file says.
+void add_view_options(CLI::App& command, scene::ViewRequest& view);
 
 /// Accepts numbers but NaN and infinity, which would switch a bound off.
 CLI::Validator finite_number();

@@ -26,6 +26,7 @@ struct FramesOptions {
   std::string scene, method, opacities, reference, output;
   std::optional<double> orbit;
   int frames = 30;
+  scene::ViewRequest view;
 };
 
 /// The metrics that a frame's row has: those that pictures are captioned with.
@@ -134,7 +135,7 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   if (!options.reference.empty()) reference = parse_call(options.reference);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
-  scene::Scene scene = scene::load_scene(options.scene, progress);
+  scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
   if (options.orbit) scene.camera_path = scene::orbit(scene.camera, *options.orbit, options.frames);
   if (scene.camera_path.empty())
     throw InputError(options.scene + ": it has no camera_path; accepted: one, or --orbit DEGREES");
@@ -172,6 +173,7 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->add_option("-o,--output", options->output,
                    "Folder for the pictures 0000.png, ... and frames.csv")
       ->required();
+  add_view_options(*command, options->view);
   add_opacities_option(*command, options->opacities);
   command->add_option(
       "--reference", options->reference,
@@ -188,6 +190,9 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->needs(around)
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
+  command->footer(
+      "Example:\n  pellucid frames scene.json -m raytrace --view iso --orbit 360 --frames 60 -o "
+      "turn");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([options, &globals] { frames(*options, globals); });

@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   add_export_command(app, globals);
   add_conform_command(app, globals);
   add_data_command(app, globals);
+  add_info_command(app, globals);
   add_list_command(app, globals);
   std::optional<tbb::global_control> thread_limit;
   app.parse_complete_callback([&] { limit_threads(globals.threads, thread_limit); });

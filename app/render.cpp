@@ -18,6 +18,7 @@
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
 #include "core/options/names.h"
+#include "scene/files/camera_file.h"
 #include "scene/files/scene_file.h"
 
 namespace pellucid::app {
@@ -26,6 +27,7 @@ namespace {
 struct RenderOptions {
   std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep;
   std::vector<int> probe;  // x, y, x, y, …
+  scene::ViewRequest view;
   bool explain = false;
 };
 
@@ -38,6 +40,14 @@ CLI::Validator ending_among(const std::vector<std::string>& endings) {
         return fmt::format("{}: ending '{}'; accepted: {}", path, ending, fmt::join(endings, ", "));
       },
       fmt::format("{}", fmt::join(endings, "|")));
+}
+
+/// From where the scene was seen, as a scene file has it.
+nlohmann::json view_json(const scene::Scene& scene) {
+  return {{"camera", scene::camera_json(scene.camera)},
+          {"camera_found", scene.provenance.at("camera")},
+          {"resolution", {scene.width, scene.height}},
+          {"samples", scene::samples_json(scene.samples)}};
 }
 
 void print_summary(const RenderOptions& options, const scene::RenderStats& stats) {
@@ -72,7 +82,7 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   const Parameters parameters(row.name, row.parameters, named.options);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
-  scene::Scene scene = scene::load_scene(options.scene, progress);
+  scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
   if (opacities) {
     report(progress, 0.3, "optimizing opacities");
     compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
@@ -84,12 +94,16 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   renderer->render({});
   const scene::Rendering rendering = renderer->render({.layers = true, .progress = progress});
   report(progress, 1, fmt::format("rendered {}", row.name));
-  if (options.explain)
+  if (options.explain) {
+    std::cout << fmt::format("camera: {} ({})\n", scene::camera_text(scene.camera),
+                             scene.provenance.at("camera"));
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
+  }
   compare::write_image(options.output, rendering.image);
   if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
-  const nlohmann::json json =
+  nlohmann::json json =
       compare::render_json({&row, parameters}, opacities, rendering.stats, *renderer);
+  json["view"] = view_json(scene);
   if (!options.stats.empty()) write_text(options.stats, json_text(json, 2) + '\n');
   if (globals.json)
     std::cout << json_text(json, 2) << '\n';
@@ -126,8 +140,12 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
       ->check(ending_among({".exr"}));
   command->add_option("--deep", options->deep, "Write every crossing of every pixel as a deep .exr")
       ->check(ending_among({".exr"}));
+  add_view_options(*command, options->view);
   add_opacities_option(*command, options->opacities);
   command->add_flag("--explain", options->explain, "Print what was modelled and left out, and why");
+  command->footer(
+      "Examples:\n  pellucid render scene.json -m raytrace -o picture.exr\n"
+      "  pellucid render scene.json -m fourier:bands=5 -o a.png --view +x --resolution 640x480");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([options, &globals] { render(*options, globals); });

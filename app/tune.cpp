@@ -27,6 +27,7 @@ struct TuneArguments {
   std::string cost = "seconds", opacities, methods, command, region = "all";
   int repeats = 30;
   std::optional<double> max_seconds;
+  scene::ViewRequest view;
 };
 
 /// On stderr: what is printed to stdout is the answer.
@@ -40,6 +41,7 @@ compare::TuneRequest request_of(const TuneArguments& arguments, const GlobalOpti
   const scene::MethodRow& reference = compare::methods().front();
   compare::TuneRequest request{
       .scene = arguments.scene,
+      .view = arguments.view,
       .reference = {&reference, Parameters(reference.name, reference.parameters, {})},
       .candidates = compare::calls_that_fit(arguments.methods, compare::methods()),
       .bound = arguments.bound,
@@ -75,6 +77,17 @@ std::string error_text(const compare::ResultRow& row, std::string_view name, boo
 /// Not a number where a program of one's own does not tell.
 double megabytes_of(const compare::ResultRow& row) {
   return !row.given.empty() && row.bytes.empty() ? NAN : 1e-6 * double(row.total_bytes());
+}
+
+/// The options that ask for the view.
+std::string view_text(const scene::ViewRequest& view) {
+  std::string text;
+  if (!view.camera.empty()) text += " --camera " + view.camera;
+  if (!view.view.empty()) text += " --view " + view.view;
+  if (const auto& size = view.resolution)
+    text += fmt::format(" --resolution {}x{}", (*size)[0], (*size)[1]);
+  if (view.samples) text += fmt::format(" --samples {}", *view.samples);
+  return text;
 }
 
 void print_rows(const compare::TuneOutcome& outcome, bool covered) {
@@ -113,8 +126,9 @@ void print_answer(const TuneArguments& arguments, const compare::TuneOutcome& ou
   if (const auto tied = tied_calls(outcome); !tied.empty())
     fmt::print("    tied: time does not tell it from {}\n", fmt::join(tied, ", "));
   if (is_given) return;
-  fmt::print("    pellucid render {} -m {}{} -o picture.exr\n", arguments.scene.string(), best,
-             arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities);
+  fmt::print("    pellucid render {} -m {}{}{} -o picture.exr\n", arguments.scene.string(), best,
+             arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities,
+             view_text(arguments.view));
 }
 
 nlohmann::ordered_json to_json(const compare::TuneOutcome& outcome) {
@@ -182,6 +196,7 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--command", arguments->command,
                       "A program of your own as a further candidate: its words, in which {scene}, "
                       "{camera} and {output} stand for files; no shell sees it");
+  add_view_options(*command, arguments->view);
   add_opacities_option(*command, arguments->opacities);
   command->footer(
       "All draw a small picture, then the whole one; those within the bound and within twice the "

@@ -135,6 +135,82 @@ def ply(encoding, order):
     return header.encode() + data + struct.pack(f"{order}B4i", 4, 0, 1, 2, 3) + struct.pack(f"{order}4i", 0, 1, 1, 2)
 
 
+def tck(kind, numbers, order="<"):
+    """Tracks of MRtrix: a point of NaN ends a track, one of infinities the file."""
+    head = f"mrtrix tracks\ndatatype: {kind}\nfile: . 80\nEND\n".encode()
+    letter = "d" if "64" in kind else "f"
+    return head.ljust(80, b"\0") + struct.pack(f"{order}{len(numbers)}{letter}", *numbers)
+
+
+def trk(order, scalars=0, properties=0, cut=0):
+    """A header of TrackVis and two tracks, of two points and of one."""
+    head = bytearray(1000)
+    head[:5] = b"TRACK"
+    struct.pack_into(f"{order}3h", head, 6, 8, 6, 5)
+    struct.pack_into(f"{order}3f", head, 12, 1, 2, 4)
+    struct.pack_into(f"{order}h", head, 36, scalars)
+    struct.pack_into(f"{order}h", head, 238, properties)
+    head[240:246] = b"pair\0002"
+    struct.pack_into(f"{order}16f", head, 440, 1, 0, 0, 10, 0, -2, 0, 20, 0, 0, 4, 30, 0, 0, 0, 1)
+    head[948:951] = b"LPS"
+    struct.pack_into(f"{order}i", head, 996, 1000)
+    data = bytes(head)
+    for points in (2, 1):
+        numbers = points * (3 + scalars) + properties
+        data += struct.pack(f"{order}i{numbers}f", points, *range(numbers))
+    return data[:len(data) - cut]
+
+
+def hair(arrays, segments=(2, 1)):
+    points = sum(segments) + len(segments)
+    data = b"HAIR" + struct.pack("<IIIIfffff", len(segments), points, arrays, 1, 0.5, 0.25, 1, 0.5, 0) + bytes(88)
+    data += struct.pack(f"<{len(segments)}H", *segments) if arrays & 1 else b""
+    for bit, numbers in ((2, 3), (4, 1), (8, 1), (16, 3)):
+        data += struct.pack(f"<{numbers * points}f", *[0.5] * (numbers * points)) if arrays & bit else b""
+    return data
+
+
+def glb(document, binary=b""):
+    document = document.encode()
+    document += b" " * (-len(document) % 4)
+    chunks = struct.pack("<II", len(document), 0x4E4F534A) + document
+    chunks += struct.pack("<II", len(binary), 0x004E4942) + binary if binary else b""
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
+
+
+def gltf_files():
+    """A triangle, a strip and a line over three points and their colours; nodes that name each other."""
+    binary = struct.pack("<9f12B3HH", *[0, 0, 0, 1, 0, 0, 0, 1, 0], *[255, 0, 51, 128] * 3, 0, 1, 2, 0)
+    rest = ('"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},'
+            '{"bufferView":0,"byteOffset":36,"componentType":5121,"normalized":true,"count":3,"type":"VEC4"},'
+            '{"bufferView":0,"byteOffset":48,"componentType":5123,"count":3,"type":"SCALAR"}],'
+            '"bufferViews":[{"buffer":0,"byteLength":56}],"buffers":[{"byteLength":56}]}')
+    head = '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[1,2,3]}],"meshes":'
+    for name, mode in (("triangle", 4), ("line_strip", 3), ("fan", 6)):
+        yield name, glb(f'{head}[{{"primitives":[{{"attributes":{{"POSITION":0,"COLOR_0":1}},"indices":2,'
+                        f'"mode":{mode}}}]}}],{rest}', binary)
+    yield "count_beyond", glb(f'{head}[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],'
+                              + rest.replace('"count":3,"type":"VEC3"', '"count":9007199254740991,"type":"VEC3"'), binary)
+    yield "round", glb('{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}')
+    yield "text", b'{"asset":{"version":"2.0"},"meshes":[{"primitives":3}]}'
+
+
+def track_files():
+    nan, inf = float("nan"), float("inf")
+    points = [1, 2, 3, 4, 5, 6, nan, nan, nan, 7, 8, 9, 1, 1, 1, inf, inf, inf]
+    yield "tck/little_endian", tck("Float32LE", points)
+    yield "tck/big_endian", tck("Float64BE", points, ">")
+    yield "tck/no_end", tck("Float32LE", points[:-3])
+    yield "tck/offset_beyond", b"mrtrix tracks\ndatatype: Float32LE\nfile: . 4e9\nEND\n"
+    yield "trk/little_endian", trk("<")
+    yield "trk/values", trk(">", 1, 2)
+    yield "trk/cut", trk("<", 1, 2, 6)
+    yield "hair/plain", hair(3)
+    yield "hair/full", hair(31)
+    yield "hair/no_segments", hair(2, (1, 1))
+    yield "hair/points_beyond", b"HAIR" + struct.pack("<III", 1 << 31, 1 << 31, 2) + bytes(112)
+
+
 def meta_image(letter, more="", size="2 2 2"):
     return (f"NDims = 3\nDimSize = {size}\nElementNumberOfChannels = 3\nElementType = "
             f"{'MET_FLOAT' if letter == 'f' else 'MET_DOUBLE'}\n{more}ElementDataFile = LOCAL\n"
@@ -146,6 +222,8 @@ def main():
     files = {f"vtk_blocks/{name}": data for name, data in data_sets()}
     files |= {f"vdb_blocks/{name}": data for name, data in grid_files()}
     files |= {f"binlines/{name}": data for name, data in line_files()}
+    files |= {f"gltf/{name}": data for name, data in gltf_files()}
+    files |= dict(track_files())
     files |= {"ply/little_endian": ply("binary_little_endian", "<"), "ply/big_endian": ply("binary_big_endian", ">"),
               "meta_image/local_float": meta_image("f"),
               "meta_image/local_double": meta_image("d", "Offset = 1 2 3\nElementSpacing = 1 2 3\n"),

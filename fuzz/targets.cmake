@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # fuzz_targets: what lies in targets/, by name; fuzz_rooms_NAME: what it is linked to; fuzz_support: what all share.
 set(fuzz_support ${CMAKE_CURRENT_LIST_DIR}/support/block_file.cpp ${CMAKE_CURRENT_LIST_DIR}/support/file_in_memory.cpp)
-foreach(target ply obj csv binlines)
+foreach(target ply obj csv binlines off tck trk hair gltf)
   set(fuzz_rooms_${target} pellucid_geometry)
 endforeach()
 foreach(target meta_image series formula)
@@ -18,4 +18,4 @@ foreach(target call study)
 endforeach()
 set(fuzz_rooms_scene pellucid_scene)
 
-set(fuzz_targets ply obj csv binlines meta_image series formula json blocks vtk_blocks vdb_blocks call scene study)
+set(fuzz_targets ply obj csv binlines off tck trk hair gltf meta_image series formula json blocks vtk_blocks vdb_blocks call scene study)

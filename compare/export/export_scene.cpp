@@ -12,6 +12,7 @@
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
 #include "groundtruth/methods/raytrace.h"
+#include "scene/files/camera_file.h"
 
 namespace pellucid::compare {
 namespace {
@@ -40,12 +41,6 @@ Json camera_json(const scene::Camera& camera, const CameraMatrices& matrices) {
           {"far", matrices.far}};
 }
 
-/// As a scene file has it.
-Json samples_json(const scene::PixelSampling& sampling) {
-  if (sampling.frames > 0) return {{"frames", sampling.frames}};
-  return sampling.per_axis;
-}
-
 std::string_view lighting_name(scene::Lighting lighting) {
   if (lighting == scene::Lighting::none) return "none";
   return lighting == scene::Lighting::headlight ? "headlight" : "phong";
@@ -71,7 +66,7 @@ Json scene_json(const scene::Scene& scene, const scene::DepthRange& depths,
           {"version", 1},
           {"name", scene.name},
           {"resolution", {scene.width, scene.height}},
-          {"samples", samples_json(scene.samples)},
+          {"samples", scene::samples_json(scene.samples)},
           {"background", to_json(scene.background)},
           {"lighting", lighting_name(scene.lighting)},
           {"camera", camera_json(scene.camera, matrices)},

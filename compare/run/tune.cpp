@@ -54,7 +54,8 @@ struct Entrant {
 class Tuning {
  public:
   explicit Tuning(const TuneRequest& request)
-      : request_(request), scene_(scene::load_scene(request.scene, request.progress)) {
+      : request_(request),
+        scene_(scene::load_scene(request.scene, request.progress, request.view)) {
     if (request.opacities) optimize_opacities(*request.opacities, request.context, scene_);
     small_ = scene_;
     small_.width = std::max(1, scene_.width / small_by);

@@ -9,6 +9,7 @@
 #include "compare/results/result_row.h"
 #include "compare/run/error_bound.h"
 #include "compare/study/study.h"
+#include "scene/files/view_request.h"
 
 namespace pellucid::compare {
 
@@ -25,6 +26,7 @@ struct TuneEstimate {
 /// A TuneRequest asks for the cheapest candidate on a scene within a bound.
 struct TuneRequest {
   std::filesystem::path scene;
+  scene::ViewRequest view = {};  // goes before the scene file's
   MethodCall reference;
   std::vector<MethodCall> candidates;
   ErrorBound bound;

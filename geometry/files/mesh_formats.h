@@ -20,6 +20,7 @@ namespace pellucid::geometry {
 struct FormatRow {
   std::string_view ending;  // ".ply", in small letters
   std::string_view title;
+  std::string_view traps = {};  // what a user has to know, for people
   TriangleMesh (*read_mesh)(const std::filesystem::path&) = nullptr;
   LineSet (*read_lines)(const std::filesystem::path&) = nullptr;
   PointSet (*read_points)(const std::filesystem::path&) = nullptr;

@@ -295,6 +295,7 @@ void write_obj_lines(const std::filesystem::path& path, const LineSet& lines) {
 FormatRow obj_format() {
   return {.ending = ".obj",
           .title = "Wavefront object",
+          .traps = "vt at lines are the scalars attribute0, …",
           .read_mesh = read_obj,
           .read_lines = read_obj_lines,
           .write_mesh = write_obj,

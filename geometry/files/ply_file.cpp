@@ -12,6 +12,7 @@
 #include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/ply_format.h"
+#include "geometry/files/splats.h"
 #include "geometry/polygons/triangulate.h"
 
 namespace pellucid::geometry {
@@ -97,13 +98,21 @@ VertexAttributes read_vertices(ply::Reader& reader, const ply::Element& element,
   return attributes;
 }
 
-std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face,
-                         std::size_t vertex_count) {
-  const double index = reader.next(type);
+bool is_corners(const ply::Property& property) {
+  return property.name == "vertex_indices" || property.name == "vertex_index";
+}
+
+std::uint32_t checked_index(const ply::Reader& reader, double index, std::uint64_t face,
+                            std::size_t vertex_count) {
   if (!(index >= 0 && index < double(vertex_count)) || index != std::uint32_t(index))
     throw InputError(fmt::format("{}: face {}: vertex index {}, but the file has {} vertices",
                                  reader.where(), face, index, vertex_count));
   return static_cast<std::uint32_t>(index);
+}
+
+std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face,
+                         std::size_t vertex_count) {
+  return checked_index(reader, reader.next(type), face, vertex_count);
 }
 
 void read_polygon(ply::Reader& reader, const ply::Property& property, std::uint64_t face,
@@ -119,13 +128,40 @@ void read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& 
   mesh.triangles.reserve(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i)
     for (const ply::Property& property : element.properties) {
-      const bool corners = property.is_list &&
-                           (property.name == "vertex_indices" || property.name == "vertex_index");
-      if (corners)
+      if (property.is_list && is_corners(property))
         read_polygon(reader, property, i, mesh);
       else
         skip(reader, property);
     }
+}
+
+/// Strips of triangles, one after another in a list; -1 begins the next one. Every other triangle
+/// of a strip is turned round, so that all face the same way.
+void read_strip(ply::Reader& reader, const ply::Property& property, std::uint64_t row,
+                TriangleMesh& mesh) {
+  const std::uint64_t count = list_length(reader, property);
+  std::vector<std::uint32_t> strip;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const double index = reader.next(property.type);
+    if (index == -1) {
+      strip.clear();
+      continue;
+    }
+    strip.push_back(checked_index(reader, index, row, mesh.positions.size()));
+    const std::size_t n = strip.size();
+    if (n < 3) continue;
+    const bool odd = n % 2 == 0;
+    mesh.triangles.push_back({strip[n - 3 + odd], strip[n - 2 - odd], strip[n - 1]});
+  }
+}
+
+void read_strips(ply::Reader& reader, const ply::Element& element, TriangleMesh& mesh) {
+  for (std::uint64_t i = 0; i < element.count; ++i)
+    for (const ply::Property& property : element.properties)
+      if (property.is_list && is_corners(property))
+        read_strip(reader, property, i, mesh);
+      else
+        skip(reader, property);
 }
 
 /// Calls `read(element, reader)` for each element after the vertices, whose positions it fills;
@@ -159,9 +195,9 @@ TriangleMesh read_ply(const std::filesystem::path& path) {
   TriangleMesh mesh;
   auto attributes =
       read_elements(path, mesh, [&](const ply::Element& element, ply::Reader& reader) {
-        if (element.name != "face") return false;
-        read_faces(reader, element, mesh);
-        return true;
+        if (element.name == "face") read_faces(reader, element, mesh);
+        if (element.name == "tristrips") read_strips(reader, element, mesh);
+        return element.name == "face" || element.name == "tristrips";
       });
   take_attributes(std::move(attributes), mesh);
   return mesh;
@@ -248,7 +284,9 @@ LineSet read_ply_lines(const std::filesystem::path& path) {
 
 PointSet read_ply_points(const std::filesystem::path& path) {
   PointSet points;
-  take_attributes(read_elements(path, points, nothing_else), points);
+  VertexAttributes attributes = read_elements(path, points, nothing_else);
+  if (are_splats(attributes)) take_splats(attributes);
+  take_attributes(std::move(attributes), points);
   return points;
 }
 
@@ -278,20 +316,36 @@ std::string encode_ply(const TriangleMesh& mesh) {
   return out;
 }
 
+/// Other programs draw lines by their edges.
+void append_edges(std::string& out, const LineSet& lines) {
+  for (std::size_t line = 0; line < lines.line_count(); ++line)
+    for (std::uint64_t i = lines.offsets[line] + 1; i < lines.offsets[line + 1]; ++i) {
+      append(out, static_cast<std::uint32_t>(i - 1));
+      append(out, static_cast<std::uint32_t>(i));
+    }
+}
+
 std::string encode_ply(const LineSet& lines) {
   std::string out = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment consecutive vertices of one line are joined\n"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
       "property uint line\n",
       lines.positions.size());
+  if (!lines.colors.empty())
+    out += "property float red\nproperty float green\nproperty float blue\nproperty float alpha\n";
+  if (!lines.importance.empty()) out += "property float importance\n";
   for (const auto& [name, values] : lines.scalars) out += fmt::format("property double {}\n", name);
-  out += "end_header\n";
+  out += fmt::format("element edge {}\nproperty uint vertex1\nproperty uint vertex2\nend_header\n",
+                     lines.segment_count());
   for (std::size_t line = 0; line < lines.line_count(); ++line)
     for (std::uint64_t i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i) {
       for (int k = 0; k < 3; ++k) append(out, lines.positions[i][k]);
       append(out, static_cast<std::uint32_t>(line));
+      for (int k = 0; k < 4 && !lines.colors.empty(); ++k) append(out, lines.colors[i][k]);
+      if (!lines.importance.empty()) append(out, lines.importance[i]);
       for (const auto& [name, values] : lines.scalars) append(out, values[i]);
     }
+  append_edges(out, lines);
   return out;
 }
 
@@ -310,6 +364,9 @@ void write_ply_points(const std::filesystem::path& path, const PointSet& points)
 FormatRow ply_format() {
   return {.ending = ".ply",
           .title = "Stanford polygon file, text or binary",
+          .traps =
+              "lines by edges or by the property line; Gaussian splats are balls of their peak "
+              "opacity, their size the scalar radius",
           .read_mesh = read_ply,
           .read_lines = read_ply_lines,
           .read_points = read_ply_points,

@@ -193,10 +193,17 @@ FormatRow vtp_format() {
   FormatRow row = read_by_vtk(".vtp", "VTK poly data");
   row.write_mesh = write_vtp;
   row.write_lines = write_vtp_lines;
+  row.write_points = write_vtp_points;
   return row;
 }
 
-FormatRow vtu_format() { return read_by_vtk(".vtu", "VTK unstructured grid"); }
+FormatRow vtu_format() {
+  FormatRow row = read_by_vtk(".vtu", "VTK unstructured grid");
+  row.write_mesh = write_vtu;
+  row.write_lines = write_vtu_lines;
+  row.write_points = write_vtu_points;
+  return row;
+}
 FormatRow legacy_vtk_format() { return read_by_vtk(".vtk", "legacy VTK"); }
 
 }  // namespace pellucid::geometry

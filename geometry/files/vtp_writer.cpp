@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's XML format for polygons and lines, version 1.0, arrays appended raw: VTK's own writer
-// crashes where memory ends, and over lines without a segment.
+// VTK's XML formats of poly data and unstructured grids, version 1.0, arrays appended raw: VTK's
+// own writer crashes where memory ends, and over lines without a segment.
 #include "geometry/files/vtp_writer.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <fstream>
+#include <ranges>
 #include <span>
 
 #include "core/error.h"
@@ -53,13 +55,15 @@ class Piece {
   void open(std::string_view element) { elements_ += fmt::format("<{}>\n", element); }
   void close(std::string_view element) { elements_ += fmt::format("</{}>\n", element); }
 
-  void write(const std::filesystem::path& path, std::string_view counts) const {
+  /// `type` is VTK's name of the kind of data set, "PolyData" or "UnstructuredGrid".
+  void write(const std::filesystem::path& path, std::string_view type,
+             std::string_view counts) const {
     OutputFile file(path);
     std::ofstream out(file.temporary(), std::ios::binary);
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-           "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n<Piece "
-        << counts << ">\n"
-        << elements_ << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
+        << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" << type
+        << ">\n<Piece " << counts << ">\n"
+        << elements_ << "</Piece>\n</" << type << ">\n<AppendedData encoding=\"raw\">\n_";
     for (const std::span<const std::byte> bytes : data_) {
       const std::uint64_t size = bytes.size();
       out.write(reinterpret_cast<const char*>(&size), sizeof size);
@@ -92,62 +96,115 @@ void add_points(const Vertices& vertices, Piece& piece) {
   piece.close("Points");
 }
 
-void add_scalars(const Vertices& vertices, Piece& piece) {
+void add_attributes(const Vertices& vertices, Piece& piece) {
+  piece.open(vertices.normals.empty() ? "PointData" : "PointData Normals=\"Normals\"");
+  if (!vertices.normals.empty()) piece.add("Normals", "Float64", 3, numbers_of(vertices.normals));
+  if (!vertices.colors.empty()) piece.add("RGBA", "Float32", 4, numbers_of(vertices.colors));
+  if (!vertices.importance.empty())
+    piece.add("importance", "Float32", 1, std::span<const float>(vertices.importance));
   for (const auto& [name, values] : vertices.scalars)
     piece.add(name, "Float64", 1, std::span<const double>(values));
+  piece.close("PointData");
 }
 
-void add_cells(std::string_view element, std::span<const std::int64_t> connectivity,
-               std::span<const std::int64_t> ends, Piece& piece) {
+/// Cells by the points that they join, one behind another, and where each ends.
+struct Cells {
+  std::vector<std::int64_t> connectivity, ends;
+
+  template <class Points>
+  void add(const Points& points) {
+    for (const auto point : points) connectivity.push_back(std::int64_t(point));
+    ends.push_back(std::int64_t(connectivity.size()));
+  }
+};
+
+Cells cells_of(const TriangleMesh& mesh) {
+  Cells cells;
+  for (const auto& triangle : mesh.triangles) cells.add(triangle);
+  return cells;
+}
+
+/// Of a line without a segment nothing is drawn.
+Cells cells_of(const LineSet& lines) {
+  Cells cells;
+  for (std::size_t line = 0; line < lines.line_count(); ++line)
+    if (const std::uint64_t begin = lines.offsets[line], end = lines.offsets[line + 1];
+        end - begin > 1)
+      cells.add(std::views::iota(begin, end));
+  return cells;
+}
+
+Cells cells_of(const PointSet& points) {
+  Cells cells;
+  for (std::int64_t i = 0; i < std::int64_t(points.positions.size()); ++i) cells.add(std::array{i});
+  return cells;
+}
+
+void add_cells(const Cells& cells, Piece& piece) {
+  piece.add("connectivity", "Int64", 1, std::span<const std::int64_t>(cells.connectivity));
+  piece.add("offsets", "Int64", 1, std::span<const std::int64_t>(cells.ends));
+}
+
+/// What a cell of poly data is among, and VTK's number of its type in an unstructured grid.
+struct CellKind {
+  std::string_view element;  // "Polys"
+  std::uint8_t type;
+};
+CellKind kind_of(const TriangleMesh&) { return {"Polys", 5}; }
+CellKind kind_of(const LineSet&) { return {"Lines", 4}; }
+CellKind kind_of(const PointSet&) { return {"Verts", 1}; }
+
+template <class Geometry>
+void write_poly_data(const std::filesystem::path& path, const Geometry& geometry) {
+  const Cells cells = cells_of(geometry);
+  const std::string_view element = kind_of(geometry).element;
+  Piece piece;
+  add_points(geometry, piece);
+  add_attributes(geometry, piece);
   piece.open(element);
-  piece.add("connectivity", "Int64", 1, connectivity);
-  piece.add("offsets", "Int64", 1, ends);
+  add_cells(cells, piece);
   piece.close(element);
+  std::string counts = fmt::format("NumberOfPoints=\"{}\"", geometry.positions.size());
+  for (const std::string_view each : {"Verts", "Lines", "Strips", "Polys"})
+    counts += fmt::format(" NumberOf{}=\"{}\"", each, each == element ? cells.ends.size() : 0);
+  piece.write(path, "PolyData", counts);
 }
 
-std::string counts(std::size_t points, std::size_t lines, std::size_t polygons) {
-  return fmt::format(
-      "NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"{}\"",
-      points, lines, polygons);
+template <class Geometry>
+void write_unstructured(const std::filesystem::path& path, const Geometry& geometry) {
+  const Cells cells = cells_of(geometry);
+  const std::vector<std::uint8_t> types(cells.ends.size(), kind_of(geometry).type);
+  Piece piece;
+  add_points(geometry, piece);
+  add_attributes(geometry, piece);
+  piece.open("Cells");
+  add_cells(cells, piece);
+  piece.add("types", "UInt8", 1, std::span<const std::uint8_t>(types));
+  piece.close("Cells");
+  piece.write(path, "UnstructuredGrid",
+              fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", geometry.positions.size(),
+                          cells.ends.size()));
 }
 
 }  // namespace
 
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  std::vector<std::int64_t> connectivity, ends;
-  for (const auto& triangle : mesh.triangles) {
-    connectivity.insert(connectivity.end(), triangle.begin(), triangle.end());
-    ends.push_back(std::int64_t(connectivity.size()));
-  }
-  Piece piece;
-  add_points(mesh, piece);
-  piece.open("PointData Normals=\"Normals\"");
-  if (!mesh.normals.empty()) piece.add("Normals", "Float64", 3, numbers_of(mesh.normals));
-  if (!mesh.colors.empty()) piece.add("RGBA", "Float32", 4, numbers_of(mesh.colors));
-  if (!mesh.importance.empty())
-    piece.add("importance", "Float32", 1, std::span<const float>(mesh.importance));
-  add_scalars(mesh, piece);
-  piece.close("PointData");
-  add_cells("Polys", connectivity, ends, piece);
-  piece.write(path, counts(mesh.positions.size(), 0, mesh.triangles.size()));
+  write_poly_data(path, mesh);
 }
-
 void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines) {
-  std::vector<std::int64_t> connectivity, ends;
-  for (std::size_t line = 0; line < lines.line_count(); ++line) {
-    const std::uint64_t begin = lines.offsets[line], end = lines.offsets[line + 1];
-    if (end - begin < 2) continue;  // no segment: nothing is drawn
-    for (std::uint64_t i = begin; i < end; ++i) connectivity.push_back(std::int64_t(i));
-    ends.push_back(std::int64_t(connectivity.size()));
-  }
-  Piece piece;
-  add_points(lines, piece);
-  piece.open("PointData");
-  add_scalars(lines, piece);
-  piece.close("PointData");
-  add_cells("Lines", connectivity, ends, piece);
-  piece.write(path, counts(lines.positions.size(), ends.size(), 0));
+  write_poly_data(path, lines);
+}
+void write_vtp_points(const std::filesystem::path& path, const PointSet& points) {
+  write_poly_data(path, points);
+}
+void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  write_unstructured(path, mesh);
+}
+void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines) {
+  write_unstructured(path, lines);
+}
+void write_vtu_points(const std::filesystem::path& path, const PointSet& points) {
+  write_unstructured(path, points);
 }
 
 }  // namespace pellucid::geometry

@@ -4,15 +4,20 @@
 #include <filesystem>
 
 #include "geometry/line_set.h"
+#include "geometry/point_set.h"
 #include "geometry/triangle_mesh.h"
 
 namespace pellucid::geometry {
 
-/// Writes .vtp with all attributes, 8 bytes a coordinate and not compressed. Throws as
-/// OutputFile does.
+/// Writes .vtp or .vtu with all attributes, 8 bytes a coordinate and not compressed; points are
+/// cells of one point each. Throws as OutputFile does.
 ///@{
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh);
 void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines);
+void write_vtp_points(const std::filesystem::path& path, const PointSet& points);
+void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh);
+void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines);
+void write_vtu_points(const std::filesystem::path& path, const PointSet& points);
 ///@}
 
 }  // namespace pellucid::geometry

@@ -2,16 +2,69 @@
 #include "scene/files/camera_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <vector>
 
+#include "core/options/names.h"
+#include "core/options/option_table.h"
+#include "core/options/split.h"
 #include "scene/view/camera_path.h"
 
 namespace pellucid::scene {
 namespace {
 
 constexpr double any = std::numeric_limits<double>::max();
+
+constexpr std::array<std::string_view, 5> keys{"eye", "target", "up", "fov", "height"};
+
+std::string text_of(const Vec3& v) {
+  return fmt::format("{},{},{}", number_text(v.x), number_text(v.y), number_text(v.z));
+}
+
+/// The numbers of each key: a word with "=" begins one, those without go on with it.
+std::map<std::string_view, std::vector<std::string_view>> words_of(std::string_view text) {
+  std::map<std::string_view, std::vector<std::string_view>> words;
+  std::string_view key;
+  for (std::string_view word : split(text, ',')) {
+    if (const std::size_t equals = word.find('='); equals != word.npos) {
+      key = word.substr(0, equals);
+      word.remove_prefix(equals + 1);
+      if (words.contains(key)) throw InputError(fmt::format("--camera: '{}' is given twice", key));
+    }
+    if (std::ranges::find(keys, key) == keys.end())
+      throw InputError("--camera: " + unknown_name("key", key, keys));
+    words[key].push_back(word);
+  }
+  return words;
+}
+
+double number_of(std::string_view key, std::string_view word) {
+  double value = 0;
+  if (!parse_number(word, value) || !(std::abs(value) <= any))
+    throw InputError(fmt::format("--camera: {}: '{}'; accepted: a finite number", key, word));
+  return value;
+}
+
+void set(Camera& camera, std::string_view key, const std::vector<std::string_view>& words) {
+  const bool is_number = key == "fov" || key == "height";
+  if (words.size() != (is_number ? 1 : 3))
+    throw InputError(fmt::format("--camera: {}={}; accepted: {}", key, fmt::join(words, ","),
+                                 is_number ? "a number" : "three numbers, X,Y,Z"));
+  if (is_number) {
+    (key == "fov" ? camera.fov : camera.height) = number_of(key, words[0]);
+    camera.projection = key == "fov" ? Projection::perspective : Projection::orthographic;
+    return;
+  }
+  Vec3& v = key == "eye" ? camera.eye : key == "target" ? camera.target : camera.up;
+  v = {number_of(key, words[0]), number_of(key, words[1]), number_of(key, words[2])};
+}
 
 }  // namespace
 
@@ -43,6 +96,38 @@ std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera)
   std::vector<Camera> path = at_place(node, [&] { return between_keys(keys, frames); });
   at_place(node, [&] { std::ranges::for_each(path, camera_frame); });
   return path;
+}
+
+nlohmann::ordered_json camera_json(const Camera& camera) {
+  const auto array = [](const Vec3& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+  const bool perspective = camera.projection == Projection::perspective;
+  nlohmann::ordered_json json{{"type", perspective ? "perspective" : "orthographic"},
+                              {"eye", array(camera.eye)},
+                              {"target", array(camera.target)},
+                              {"up", array(camera.up)}};
+  json[perspective ? "fov" : "height"] = perspective ? camera.fov : camera.height;
+  return json;
+}
+
+nlohmann::ordered_json samples_json(const PixelSampling& sampling) {
+  if (sampling.frames > 0) return {{"frames", sampling.frames}};
+  return sampling.per_axis;
+}
+
+std::string camera_text(const Camera& camera) {
+  const bool perspective = camera.projection == Projection::perspective;
+  return fmt::format("eye={},target={},up={},{}={}", text_of(camera.eye), text_of(camera.target),
+                     text_of(camera.up), perspective ? "fov" : "height",
+                     number_text(perspective ? camera.fov : camera.height));
+}
+
+Camera camera_of_text(std::string_view text, Camera camera) {
+  const auto words = words_of(text);
+  if (words.contains("fov") && words.contains("height"))
+    throw InputError(
+        "--camera: accepted: one of fov (a perspective camera) and height (an orthographic one)");
+  for (const auto& [key, numbers] : words) set(camera, key, numbers);
+  return camera;
 }
 
 }  // namespace pellucid::scene

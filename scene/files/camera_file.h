@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/files/json_node.h"
 #include "scene/view/camera.h"
+#include "scene/view/pixel_samples.h"
 
 namespace pellucid::scene {
 
@@ -15,5 +19,20 @@ Camera read_camera(const JsonNode& node);
 /// Reads {"frames", "orbit" or "keys"}: an orbit starts at the camera. Throws InputError for other
 /// keys and values, and for a camera without a frame.
 std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera);
+
+/// Returns the camera as a scene file has it.
+nlohmann::ordered_json camera_json(const Camera& camera);
+
+/// Returns a pixel's samples as a scene file has them: n, or {"frames": n}.
+nlohmann::ordered_json samples_json(const PixelSampling& sampling);
+
+/// Returns the camera as --camera takes it: "eye=0,0,5,target=0,0,0,up=0,1,0,fov=45"; every number
+/// reads back as the same.
+std::string camera_text(const Camera& camera);
+
+/// Returns `camera` with what such a text sets: any of eye, target and up, and of fov (perspective)
+/// and height (orthographic) one, which also says the projection. Throws InputError for another key
+/// and for what is no finite number; camera_frame() refuses what sees nothing.
+Camera camera_of_text(std::string_view text, Camera camera);
 
 }  // namespace pellucid::scene

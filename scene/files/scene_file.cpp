@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files/json_node.h"
+#include "core/options/names.h"
 #include "scene/appearance/appearance.h"
 #include "scene/files/camera_file.h"
 #include "scene/files/object_file.h"
 #include "scene/halo.h"
+#include "scene/scene_fit.h"
 
 namespace pellucid::scene {
 namespace {
@@ -77,7 +79,49 @@ void light(SceneObject& object, Lighting lighting) {
 struct Loader {
   const SceneSource& source;
   const Progress& progress;
+  const ViewRequest& view;
   Scene scene;
+
+  void take_size() {
+    if (view.resolution) scene.width = (*view.resolution)[0];
+    if (view.resolution) scene.height = (*view.resolution)[1];
+    if (view.samples) scene.samples = {.per_axis = *view.samples};
+  }
+
+  /// What is wrong with the call is told before anything is integrated. A fit needs to know the
+  /// projection.
+  void check_view() {
+    if (!view.view.empty()) find_row("view", view.view, view_directions());
+    if (view.camera.empty()) return;
+    const Camera asked = camera_of_text(view.camera, scene.camera);
+    scene.camera.projection = asked.projection;
+    scene.camera.fov = asked.fov;
+  }
+
+  /// A camera that nobody has given sees all; what the call says goes before the file.
+  void take_camera(bool is_in_file) {
+    std::string& how = scene.provenance["camera"];
+    how = "the scene file's";
+    if (!view.view.empty() || !is_in_file) {
+      const ViewDirection& from = view.view.empty()
+                                      ? view_directions().front()
+                                      : find_row("view", view.view, view_directions());
+      scene.camera = fitted_camera(scene, from);
+      how = fmt::format("fitted to the scene, {}", from.title);
+    }
+    if (view.camera.empty()) return;
+    scene.camera = camera_of_text(view.camera, scene.camera);
+    how += ", then --camera";
+    check_camera("--camera");
+  }
+
+  void check_camera(const std::string& place) const {
+    try {
+      camera_frame(scene.camera);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", place, error.what()));
+    }
+  }
 
   void read(const JsonNode& root) {
     std::vector<std::string_view> keys{"format", "version", "camera_path", "objects"};
@@ -86,13 +130,15 @@ struct Loader {
     root["format"].one_of({"pellucid-scene"});
     root["version"].integer(1, 1);
     read_view(root, scene);  // a wrong camera is refused before anything is integrated
+    take_size();
+    check_view();
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
     for (std::size_t i = 0; i < objects.size(); ++i) {
       report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
       add(objects[i]);
     }
-    if (!root.has("camera")) scene.camera = fitted_camera(scene.bounds());
+    take_camera(root.has("camera"));
     if (root.has("camera_path"))
       scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
     place_halos(scene);
@@ -107,15 +153,18 @@ struct Loader {
 
 }  // namespace
 
-Scene load_scene(const fs::path& path, const Progress& progress) {
+Scene load_scene(const fs::path& path, const Progress& progress, const ViewRequest& view) {
   const nlohmann::json json = read_json(path);
-  Scene scene = read_scene(json, {path.string(), path.parent_path()}, progress);
-  scene.name = path.stem().string();
-  return scene;
+  const SceneSource source{path.string(), path.parent_path()};
+  Loader loader{source, progress, view, {}};
+  loader.scene.name = path.stem().string();
+  loader.read(JsonNode(source.file, json));
+  return std::move(loader.scene);
 }
 
 Scene read_scene(const nlohmann::json& text, const SceneSource& source, const Progress& progress) {
-  Loader loader{source, progress, {}};
+  const ViewRequest as_given;
+  Loader loader{source, progress, as_given, {}};
   loader.read(JsonNode(source.file, text));
   return std::move(loader.scene);
 }

@@ -7,13 +7,16 @@
 
 #include "core/progress.h"
 #include "scene/files/object_file.h"
+#include "scene/files/view_request.h"
 #include "scene/scene.h"
 
 namespace pellucid::scene {
 
 /// Reads a scene file ("pellucid-scene", version 1), its meshes, and integrates its surfaces.
-/// Scene::name is the file's stem. Throws InputError that names file, key and accepted values.
-Scene load_scene(const std::filesystem::path& path, const Progress& progress = {});
+/// Scene::name is the file's stem; `view` goes before what the file says of the view. Throws
+/// InputError that names file, key and accepted values.
+Scene load_scene(const std::filesystem::path& path, const Progress& progress = {},
+                 const ViewRequest& view = {});
 
 /// A SceneSource is where a scene's text comes from, if it is no file.
 struct SceneSource {

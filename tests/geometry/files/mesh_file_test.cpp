@@ -92,7 +92,7 @@ TEST_P(UnitMeshFile, EveryTruncationIsRefusedOrWhole) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, UnitMeshFile, ::testing::Values(".ply", ".obj", ".vtp"));
+INSTANTIATE_TEST_SUITE_P(Formats, UnitMeshFile, ::testing::Values(".ply", ".obj", ".vtp", ".vtu"));
 
 class UnitPly : public ::testing::Test {
  protected:

@@ -184,7 +184,7 @@ TEST(UnitCsvPoints, RefusalsNameTheLineAndTheColumn) {
       refusal_of("x,y,z\n1,2,3\n1,2,-1e301\n"),
       HasSubstr("stars.csv: vertex 1: z is -1e+301; accepted: finite numbers below 1e+300"));
   EXPECT_THAT(refusal_of("x,y,z\n"), HasSubstr("no points"));
-  EXPECT_THAT(refusal_of(""), HasSubstr("no column 'x'"));
+  EXPECT_THAT(refusal_of(""), HasSubstr("no columns x, y, z"));
 }
 
 }  // namespace

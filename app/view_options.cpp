@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/options/parameters.h"
+#include "scene/view/camera_fit.h"
+
+namespace pellucid::app {
+namespace {
+
+constexpr int largest_side = 1 << 14;  // as a scene file accepts it
+
+int side_of(std::string_view text) {
+  double side = 0;
+  const bool fits = parse_number(text, side) && side >= 1 && side <= largest_side;
+  return fits && side == int(side) ? int(side) : 0;
+}
+
+std::array<int, 2> resolution_of(const std::string& text) {
+  const std::size_t cross = std::min(text.find_first_of("xX"), text.size());
+  const int width = side_of(std::string_view(text).substr(0, cross));
+  const int height = cross < text.size() ? side_of(std::string_view(text).substr(cross + 1)) : 0;
+  if (width == 0 || height == 0)
+    throw InputError(
+        fmt::format("--resolution: '{}'; accepted: WxH, each 1 … {} pixels", text, largest_side));
+  return {width, height};
+}
+
+std::string names_of_views() {
+  std::string names;
+  for (const scene::ViewDirection& view : scene::view_directions())
+    names += (names.empty() ? "" : ", ") + std::string(view.name);
+  return names;
+}
+
+}  // namespace
+
+void add_view_options(CLI::App& command, scene::ViewRequest& view) {
+  command.add_option("--camera", view.camera,
+                     "In the place of the scene's: any of eye=X,Y,Z,target=X,Y,Z,up=X,Y,Z and "
+                     "fov=DEGREES or, orthographic, height=LENGTH");
+  command.add_option("--view", view.view,
+                     "See all of the scene, as large as it can be, from: " + names_of_views());
+  command.add_option_function<std::string>(
+      "--resolution", [&view](const std::string& text) { view.resolution = resolution_of(text); },
+      "Size of the picture, WxH pixels");
+  command
+      .add_option_function<int>(
+          "--samples", [&view](int samples) { view.samples = samples; },
+          "Samples per pixel and axis")
+      ->check(CLI::Range(1, 16));
+}
+
+}  // namespace pellucid::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// glTF 2.0 (Khronos, ISO/IEC 12113): the document, and the numbers that its accessors name. Debian
+// packages no small reader: VTK's knows no colours of three floats and no attributes of one's own.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pellucid::geometry {
+
+/// An AccessorData is what an accessor names: `count` tuples of `components` numbers. Integers that
+/// the document calls normalized are in [0, 1] or [-1, 1].
+struct AccessorData {
+  int components = 1;
+  std::size_t count = 0;
+  std::vector<double> numbers;
+
+  double at(std::size_t tuple, int component) const {
+    return numbers[tuple * std::size_t(components) + std::size_t(component)];
+  }
+};
+
+/// A GltfDocument is a .gltf file with the buffers it names, or a .glb file.
+class GltfDocument {
+ public:
+  /// Reads the document; buffers beside it or within it are read when an accessor asks for them.
+  /// Throws InputError for what is no glTF of version 2, or needs an extension that geometry hangs
+  /// on.
+  explicit GltfDocument(const std::filesystem::path& path);
+
+  /// Returns the element of a list: "meshes", "nodes", …. Throws InputError when there is none.
+  const nlohmann::json& element(const char* list, const nlohmann::json& index) const;
+  /// Returns what an accessor names.
+  AccessorData accessor(const nlohmann::json& index);
+  const nlohmann::json& root() const { return root_; }
+
+  /// Throws InputError "FILE: `what`".
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  void read_glb(std::string_view content);
+  void check() const;
+  std::string_view buffer(const nlohmann::json& index);
+  std::string_view view(const nlohmann::json& index, std::size_t& stride);
+  std::size_t whole(const nlohmann::json& object, const char* key, std::size_t otherwise) const;
+
+  std::filesystem::path path_;
+  nlohmann::json root_;
+  std::string binary_;                // of a .glb
+  std::vector<std::string> buffers_;  // empty until asked for
+};
+
+}  // namespace pellucid::geometry

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// .off, Geomview's Object File Format (geomview.org/docs/html/OFF.html), as text: letters before
+// "OFF" say what a vertex has behind its position, in this order: N a normal, C a colour (three or
+// four numbers up to the line's end). Then counts of vertices, faces and edges; vertices; faces,
+// each its number of corners, the corners, and up to the line's end a colour, which is passed over.
+// "#" begins a comment.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "core/options/parameters.h"
+#include "geometry/files/mesh_formats.h"
+#include "geometry/polygons/triangulate.h"
+
+namespace pellucid::geometry {
+namespace {
+
+/// The words of a file, line by line; lines without a word do not count.
+class Lines {
+ public:
+  explicit Lines(const std::filesystem::path& path)
+      : file_(path.string()), content_(read_text(path)), rest_(content_) {}
+
+  /// The words of the next line.
+  const std::vector<std::string_view>& next() {
+    do {
+      if (rest_.empty()) fail("the file ends before all that it declares");
+      split();
+    } while (words_.empty());
+    return words_;
+  }
+  std::uint64_t bytes_left() const { return rest_.size(); }
+
+  double number(std::string_view word) const {
+    double value = 0;
+    if (!parse_number(word, value)) fail(fmt::format("'{}': expected a number", word));
+    return value;
+  }
+  /// A whole number below `end`.
+  std::uint64_t whole(std::string_view word, double end, std::string_view what) const {
+    const double value = number(word);
+    if (!(value >= 0 && value < end) || value != std::floor(value))
+      fail(fmt::format("{} {}; accepted: 0 … {}", what, word, end - 1));
+    return std::uint64_t(value);
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(fmt::format("{}:{}: {}", file_, line_, what));
+  }
+
+ private:
+  void split() {
+    ++line_;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    line = line.substr(0, line.find('#'));
+    words_.clear();
+    constexpr std::string_view blanks = " \t\r";
+    for (std::size_t begin; (begin = line.find_first_not_of(blanks)) != line.npos;) {
+      line.remove_prefix(begin);
+      words_.push_back(line.substr(0, line.find_first_of(blanks)));
+      line.remove_prefix(words_.back().size());
+    }
+  }
+
+  std::string file_, content_;
+  std::string_view rest_;
+  std::size_t line_ = 0;
+  std::vector<std::string_view> words_;
+};
+
+struct Header {
+  bool normals = false, colors = false;
+  std::uint64_t vertices = 0, faces = 0;
+};
+
+void read_magic(std::string_view word, Header& header, const Lines& lines) {
+  const std::size_t off = word.find("OFF");
+  const std::string_view letters = word.substr(0, std::min(off, word.size()));
+  if (off == word.npos || word.substr(off) != "OFF" ||
+      letters.find_first_not_of("CN") != letters.npos)
+    lines.fail(fmt::format("'{}'; accepted: OFF, COFF, NOFF, CNOFF, in text", word));
+  header.colors = letters.find('C') != letters.npos;
+  header.normals = letters.find('N') != letters.npos;
+}
+
+/// The counts may stand on the line of the magic word, or on the next.
+Header read_header(Lines& lines) {
+  Header header;
+  std::vector<std::string_view> words = lines.next();
+  read_magic(words.front(), header, lines);
+  words.erase(words.begin());
+  if (!words.empty() && words.front() == "BINARY") lines.fail("'BINARY'; accepted: files of text");
+  if (words.empty()) words = lines.next();
+  if (words.size() < 2) lines.fail("expected the numbers of vertices, faces and edges");
+  // Each takes a number of bytes that the file has to have.
+  const double most = double(lines.bytes_left()) + 1;
+  header.vertices = lines.whole(words[0], most, "number of vertices");
+  header.faces = lines.whole(words[1], most, "number of faces");
+  return header;
+}
+
+/// Three or four numbers: bytes, where all are whole and one is above 1; else in [0, 1].
+Rgba color_of(std::span<const double> numbers) {
+  const bool bytes = std::ranges::all_of(numbers, [](double x) { return x == std::floor(x); }) &&
+                     std::ranges::any_of(numbers, [](double x) { return x > 1; });
+  const double unit = bytes ? 255 : 1;
+  return Rgba(numbers[0] / unit, numbers[1] / unit, numbers[2] / unit,
+              numbers.size() > 3 ? numbers[3] / unit : 1);
+}
+
+void read_vertex(Lines& lines, const Header& header, TriangleMesh& mesh) {
+  std::vector<double> numbers;
+  for (const std::string_view word : lines.next()) numbers.push_back(lines.number(word));
+  const std::size_t before_color = header.normals ? 6 : 3;
+  const std::size_t colors = numbers.size() - std::min(before_color, numbers.size());
+  if (numbers.size() < before_color || (header.colors && colors != 3 && colors != 4))
+    lines.fail(fmt::format("a vertex of {} numbers; expected {}{}", numbers.size(), before_color,
+                           header.colors ? " and a colour of 3 or 4" : ""));
+  mesh.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
+  if (header.normals) mesh.normals.emplace_back(numbers[3], numbers[4], numbers[5]);
+  if (header.colors) mesh.colors.push_back(color_of(std::span(numbers).subspan(before_color)));
+}
+
+void read_face(Lines& lines, TriangleMesh& mesh) {
+  const auto& words = lines.next();
+  const std::uint64_t count = lines.whole(words[0], double(words.size()), "number of corners");
+  std::vector<std::uint32_t> corners;
+  for (std::uint64_t k = 1; k <= count; ++k)
+    corners.push_back(
+        std::uint32_t(lines.whole(words[k], double(mesh.positions.size()), "a face's vertex")));
+  triangulate_polygon(mesh.positions, corners, mesh.triangles);
+}
+
+/// Normals of unit length; those of length 0 are none, and stay.
+void normalize(std::vector<Vec3>& normals) {
+  for (Vec3& n : normals)
+    if (const double length = glm::length(n); length > 0) n /= length;
+}
+
+TriangleMesh read_off(const std::filesystem::path& path) {
+  Lines lines(path);
+  const Header header = read_header(lines);
+  TriangleMesh mesh;
+  for (std::uint64_t i = 0; i < header.vertices; ++i) read_vertex(lines, header, mesh);
+  for (std::uint64_t i = 0; i < header.faces; ++i) read_face(lines, mesh);
+  normalize(mesh.normals);
+  return mesh;
+}
+
+}  // namespace
+
+FormatRow off_format() {
+  return {.ending = ".off",
+          .title = "Geomview object file, text",
+          .traps = "colours of whole numbers above 1 count in 255ths; those of faces are left out",
+          .read_mesh = read_off};
+}
+
+}  // namespace pellucid::geometry

@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Holds `pellucid info` to independent readers: VTK's Python and nibabel, on files that those
+programs wrote. Exits with 77 where neither is installed."""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PROGRAM = os.environ["PELLUCID_PROGRAM"]
+SKIPPED = 77
+failures = []
+
+
+def info(path):
+    result = subprocess.run([PROGRAM, "info", str(path), "--json", "--quiet"], capture_output=True, text=True)
+    if result.returncode:
+        failures.append(f"{path}: {result.stderr.strip()}")
+        return None
+    return json.loads(result.stdout)
+
+
+def expect(what, got, expected, tolerance=0.0):
+    """Numbers are equal to a share of the larger one, or of 1."""
+    got, expected = list(got), list(expected)
+    close = len(got) == len(expected) and all(
+        math.isclose(a, b, rel_tol=tolerance, abs_tol=tolerance) for a, b in zip(got, expected))
+    if not close:
+        failures.append(f"{what}: {got}; the other reader: {expected}")
+
+
+def array_of(told, name):
+    return next((a for a in told["arrays"] if a["name"] == name), None)
+
+
+def flat_bounds(told):
+    return told["bounds"]["min"] + told["bounds"]["max"]
+
+
+# --- VTK --------------------------------------------------------------------------------------
+
+
+def vtk_source(vtk):
+    """A sphere with a scalar, a vector and colours at its points, and a number at its cells."""
+    sphere = vtk.vtkSphereSource()
+    sphere.SetRadius(1.7)
+    sphere.SetCenter(0.1, -3, 12)
+    sphere.SetThetaResolution(9)
+    sphere.Update()
+    data = sphere.GetOutput()
+    for name, components, kind in (("height", 1, vtk.vtkDoubleArray), ("flow", 3, vtk.vtkFloatArray)):
+        array = kind()
+        array.SetName(name)
+        array.SetNumberOfComponents(components)
+        array.SetNumberOfTuples(data.GetNumberOfPoints())
+        for i in range(data.GetNumberOfPoints()):
+            for c in range(components):
+                array.SetComponent(i, c, math.sin(i * 1.7 + c) / 3)
+        data.GetPointData().AddArray(array)
+    cells = vtk.vtkIntArray()
+    cells.SetName("region")
+    for i in range(data.GetNumberOfCells()):
+        cells.InsertNextValue(7 * i - 100)
+    data.GetCellData().AddArray(cells)
+    return data
+
+
+def compare_arrays(path, told, attributes, at):
+    for k in range(attributes.GetNumberOfArrays()):
+        array = attributes.GetArray(k)
+        mine = array_of(told, array.GetName())
+        if mine is None or mine["at"] != at:
+            failures.append(f"{path.name}: no {at} array {array.GetName()}")
+            continue
+        for c in range(array.GetNumberOfComponents()):
+            expect(f"{path.name}: {array.GetName()}[{c}]", mine["ranges"][c], array.GetFiniteRange(c))
+
+
+def compare_data_set(vtk, path, reader):
+    reader.SetFileName(str(path))
+    reader.Update()
+    data, told = reader.GetOutput(), info(path)
+    if told is None:
+        return
+    box = data.GetBounds()
+    expect(f"{path.name}: bounds", flat_bounds(told), [box[0], box[2], box[4], box[1], box[3], box[5]])
+    expect(f"{path.name}: counts", [told["counts"]["points"], told["counts"]["cells"]],
+           [data.GetNumberOfPoints(), data.GetNumberOfCells()])
+    compare_arrays(path, told, data.GetPointData(), "point")
+    compare_arrays(path, told, data.GetCellData(), "cell")
+
+
+def write_vtk(writer, data, path):
+    writer.SetFileName(str(path))
+    writer.SetInputData(data)
+    writer.Write()
+
+
+def vtk_data_sets(vtk, folder):
+    poly = vtk_source(vtk)
+    write_vtk(vtk.vtkXMLPolyDataWriter(), poly, folder / "a.vtp")
+    compare_data_set(vtk, folder / "a.vtp", vtk.vtkXMLPolyDataReader())
+    write_vtk(vtk.vtkPolyDataWriter(), poly, folder / "a.vtk")
+    compare_data_set(vtk, folder / "a.vtk", vtk.vtkPolyDataReader())
+    cells = vtk.vtkDelaunay3D()
+    cells.SetInputData(poly)
+    cells.Update()
+    write_vtk(vtk.vtkXMLUnstructuredGridWriter(), cells.GetOutput(), folder / "a.vtu")
+    compare_data_set(vtk, folder / "a.vtu", vtk.vtkXMLUnstructuredGridReader())
+    wavelet = vtk.vtkRTAnalyticSource()
+    wavelet.SetWholeExtent(-3, 4, 0, 5, 1, 3)
+    wavelet.Update()
+    write_vtk(vtk.vtkXMLImageDataWriter(), wavelet.GetOutput(), folder / "a.vti")
+    compare_data_set(vtk, folder / "a.vti", vtk.vtkXMLImageDataReader())
+
+
+def compare_mesh(path, reader):
+    """Formats that hold triangles and nothing at cells."""
+    reader.SetFileName(str(path))
+    reader.Update()
+    data, told = reader.GetOutput(), info(path)
+    if told is None:
+        return
+    box = data.GetBounds()
+    expect(f"{path.name}: bounds", flat_bounds(told), [box[0], box[2], box[4], box[1], box[3], box[5]], 1e-7)
+    expect(f"{path.name}: counts", [told["counts"]["points"], told["counts"]["triangles"]],
+           [data.GetNumberOfPoints(), data.GetNumberOfPolys()])
+
+
+def vtk_meshes(vtk, folder):
+    poly = vtk_source(vtk)
+    write_vtk(vtk.vtkPLYWriter(), poly, folder / "a.ply")
+    compare_mesh(folder / "a.ply", vtk.vtkPLYReader())
+    write_vtk(vtk.vtkOBJWriter(), poly, folder / "a.obj")
+    compare_mesh(folder / "a.obj", vtk.vtkOBJReader())
+
+
+def gltf(vtk, folder):
+    """A file of vtkGLTFExporter's, read by vtkGLTFReader."""
+    mapper, actor = vtk.vtkPolyDataMapper(), vtk.vtkActor()
+    mapper.SetInputData(vtk_source(vtk))
+    mapper.ScalarVisibilityOff()
+    actor.SetMapper(mapper)
+    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
+    renderer.AddActor(actor)
+    window.AddRenderer(renderer)
+    exporter = vtk.vtkGLTFExporter()
+    exporter.SetFileName(str(folder / "a.gltf"))
+    exporter.SetRenderWindow(window)
+    exporter.InlineDataOn()
+    exporter.Write()
+    reader = vtk.vtkGLTFReader()
+    reader.SetFileName(str(folder / "a.gltf"))
+    reader.Update()
+    told = info(folder / "a.gltf")
+    if told is None:
+        return
+    flat = vtk.vtkCompositeDataGeometryFilter()
+    flat.SetInputConnection(reader.GetOutputPort())
+    flat.Update()
+    box = flat.GetOutput().GetBounds()
+    expect("a.gltf: bounds", flat_bounds(told), [box[0], box[2], box[4], box[1], box[3], box[5]], 1e-6)
+    expect("a.gltf: triangles", [told["counts"]["triangles"]], [flat.GetOutput().GetNumberOfPolys()])
+
+
+def compare_with_vtk(folder):
+    try:
+        import vtk
+    except ImportError:
+        return False
+    vtk_data_sets(vtk, folder)
+    vtk_meshes(vtk, folder)
+    gltf(vtk, folder)
+    return True
+
+
+# --- nibabel ----------------------------------------------------------------------------------
+
+
+def compare_tracks(path, load):
+    import numpy
+    tracks = [numpy.asarray(t, dtype=float) for t in load(str(path)).streamlines]
+    told = info(path)
+    if told is None:
+        return
+    points = numpy.concatenate(tracks)
+    expect(f"{path.name}: counts", [told["counts"]["points"], told["counts"]["lines"]], [len(points), len(tracks)])
+    # nibabel turns the points by float matrices; coordinates are up to some hundreds.
+    expect(f"{path.name}: bounds", flat_bounds(told), [*points.min(axis=0), *points.max(axis=0)], 1e-5)
+
+
+def compare_values(path, load):
+    """What the points and the tracks carry."""
+    import numpy
+    tractogram = load(str(path)).tractogram
+    told = info(path)
+    for values in (tractogram.data_per_point, tractogram.data_per_streamline):
+        for name in values:
+            numbers = numpy.concatenate([numpy.atleast_2d(v) for v in values[name]])
+            for c in range(numbers.shape[1]):
+                mine = array_of(told, name if numbers.shape[1] == 1 else f"{name}_{c}")
+                if mine is None:
+                    failures.append(f"{path.name}: no array {name}")
+                    continue
+                expect(f"{path.name}: {name}[{c}]", mine["ranges"][0],
+                       [numbers[:, c].min(), numbers[:, c].max()], 1e-6)
+
+
+def compare_with_nibabel():
+    try:
+        import nibabel
+    except ImportError:
+        return False
+    data = Path(nibabel.__file__).parent / "tests" / "data"
+    load = nibabel.streamlines.load
+    for name in ("simple.tck", "simple_big_endian.tck", "standard.tck", "simple.trk", "standard.trk", "complex.trk",
+                 "complex_big_endian.trk", "standard.LPS.trk"):
+        compare_tracks(data / name, load)
+    for name in ("complex.trk", "complex_big_endian.trk"):
+        compare_values(data / name, load)
+    return True
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        ran = [compare_with_vtk(Path(folder)), compare_with_nibabel()]
+    for failure in failures:
+        print(failure)
+    if failures:
+        sys.exit(1)
+    sys.exit(0 if any(ran) else SKIPPED)
+
+
+main()
