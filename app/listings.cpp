@@ -175,7 +175,7 @@ nlohmann::ordered_json list_formats() {
          {"title", row.title},
          {"read as", read},
          {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)},
-          {"to know", field && !field->traps.empty() ? field->traps : row.traps}});
+         {"to know", field && !field->traps.empty() ? field->traps : row.traps}});
   }
   for (const fields::FileFormatRow& row : fields::field_formats())
     if (!geometry::mesh_format("file" + std::string(row.ending)))
