@@ -18,8 +18,8 @@ nlohmann::json study_json(const Study& study);
 /// "text"}], "against", "undecided"}]}].
 nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);
 
-/// Returns where each call breaks: {"heads": […], "lines": [{"call", "cells": […]}]}; no lines where
-/// the study has no ladders.
+/// Returns where each call breaks: {"heads": […], "lines": [{"call", "cells": […]}]}; no lines
+/// where the study has no ladders.
 nlohmann::json ladders_json(const Study& study, std::span<const ResultRow> rows);
 
 /// Returns {"tables": […], "ratios": […], "reference": CALL}: times in milliseconds, bytes as they

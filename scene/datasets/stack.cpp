@@ -20,8 +20,8 @@ enum class Depths {
 };
 enum class Order { front, back, shuffled };  // which sheets' triangles come first
 enum class Sheet {
-  square,  // two triangles
-  grid,    // 64 x 64 x 2
+  square,   // two triangles
+  grid,     // 64 x 64 x 2
   needles,  // a fan of 64 slivers and a triangle of no area
   line,     // a segment, to be drawn as a ribbon of radius 2
   point     // a point, to be drawn as a disc of radius 3
@@ -50,8 +50,11 @@ const OptionTable<StackOptions>& stack_options() {
              {{"front", Order::front}, {"back", Order::back}, {"shuffled", Order::shuffled}},
              "of the triangles: the front sheet first, the back sheet first, or by `seed`"),
       choice("sheet", &Options::sheet,
-             {{"square", Sheet::square}, {"grid", Sheet::grid}, {"needles", Sheet::needles},
-              {"line", Sheet::line}, {"point", Sheet::point}},
+             {{"square", Sheet::square},
+              {"grid", Sheet::grid},
+              {"needles", Sheet::needles},
+              {"line", Sheet::line},
+              {"point", Sheet::point}},
              "a sheet: two triangles; 64 x 64 x 2, whose edges meet the centres of a picture of "
              "128 pixels; a fan of 64 slivers and a triangle of no area; or a line or a point, "
              "which cover what the camera sees as a ribbon of radius 2 `scale` or a disc of 3"),

@@ -29,8 +29,7 @@ std::vector<Vec2> pixel_samples(const PixelSampling& sampling) {
 std::string describe(const PixelSampling& sampling) {
   if (sampling.is_center()) return "one sample at each pixel's centre";
   if (sampling.frames > 0)
-    return fmt::format("the mean of {} frames, the camera moved within the pixel",
-                       sampling.frames);
+    return fmt::format("the mean of {} frames, the camera moved within the pixel", sampling.frames);
   return fmt::format("{0} x {0} samples per pixel, their mean", sampling.per_axis);
 }
 

@@ -14,8 +14,8 @@ struct PixelSampling {
   int per_axis = 1;  // n: the centres of n × n equal cells, row after row from the top
   /// Above 0 it is the number of frames that take the place of the cells: in each the camera is
   /// moved within the pixel (Baeza Rojo et al. 2019, section 4.2, step 5), by the points 1, 2, … of
-  /// Halton's sequence to the bases 2 and 3 (Halton 1960), and the picture is the frames' mean. More
-  /// frames go on where fewer end.
+  /// Halton's sequence to the bases 2 and 3 (Halton 1960), and the picture is the frames' mean.
+  /// More frames go on where fewer end.
   int frames = 0;
 
   bool is_center() const { return per_axis == 1 && frames == 0; }
