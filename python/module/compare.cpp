@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+
 #include "compare/pictures/image_file.h"
+#include "compare/pictures/mask.h"
 #include "compare/results/result_row.h"
 #include "core/error.h"
 #include "module/module.h"
@@ -30,10 +34,33 @@ py::dict metrics_dict(const nlohmann::json& json, const compare::Metrics& metric
   return dict;
 }
 
-py::dict compare_pictures(const py::object& reference, const py::object& test) {
+/// An array of two dimensions counts where it is not 0; a picture where it is at least half white.
+std::optional<compare::Mask> mask_of(const py::object& value) {
+  if (value.is_none()) return std::nullopt;
+  const bool is_flat = py::isinstance<py::array>(value) && value.cast<py::array>().ndim() == 2;
+  if (!is_flat) return compare::mask_of(picture_of(value, "compare: mask"));
+  const auto numbers = numbers_of(value, 0, "compare: mask");
+  compare::Mask mask(int(numbers.shape(1)), int(numbers.shape(0)));
+  std::transform(numbers.data(), numbers.data() + numbers.size(), mask.pixels.begin(),
+                 [](double x) { return std::uint8_t(x != 0); });
+  return mask;
+}
+
+/// The layers that a Rendering has counted.
+const CountImage* layers_of(const py::object& value) {
+  if (!py::isinstance<Rendering>(value)) return nullptr;
+  const CountImage* layers = value.cast<Rendering&>().layers.get();
+  return layers && !layers->pixels.empty() ? layers : nullptr;
+}
+
+py::dict compare_pictures(const py::object& reference, const py::object& test,
+                          const py::object& where) {
   const Image a = picture_of(reference, "compare: a"), b = picture_of(test, "compare: b");
+  const std::optional<compare::Mask> mask = mask_of(where);
+  const compare::PairRegions regions{mask ? &*mask : nullptr, layers_of(reference),
+                                     layers_of(test)};
   const compare::Comparison comparison =
-      result_unlocked([&](const Progress&) { return compare::compare_images(a, b); });
+      result_unlocked([&](const Progress&) { return compare::compare_images(a, b, regions); });
   const nlohmann::json json = compare::to_json(comparison);
   py::dict dict = metrics_dict(json, comparison.linear);
   dict["displayed"] = metrics_dict(json.at("displayed"), comparison.displayed);
@@ -43,6 +70,9 @@ py::dict compare_pictures(const py::object& reference, const py::object& test) {
 constexpr const char* compare_doc = R"(Says how far picture b is from the reference a.
 
 a, b: a Rendering, an array (H, W, 3) or (H, W, 4) of floats or of uint8 as n/255, or a picture's file.
+mask: the pixels that count: an array (H, W), where it is not 0, or a picture, where it is at least half
+white; all without one. Of a Rendering the layers tell covered pixels ('rmse_covered') and those with
+equal layers ('rmse_equal').
 Returns a dict of the numbers of `pellucid list metrics`, of the float values, and under 'displayed' of
 the 8-bit values. None: the pictures are too small for it. Raises InputError for other sizes and for
 values that are not finite.)";
@@ -50,7 +80,8 @@ values that are not finite.)";
 }  // namespace
 
 void define_compare(py::module_& module) {
-  module.def("compare", compare_pictures, py::arg("a"), py::arg("b"), compare_doc);
+  module.def("compare", compare_pictures, py::arg("a"), py::arg("b"), py::arg("mask") = py::none(),
+             compare_doc);
 }
 
 }  // namespace pellucid::python

@@ -68,6 +68,8 @@ WRONG = {
     "pictures of two sizes": lambda: pellucid.compare(np.zeros((4, 4, 3)), np.zeros((4, 5, 3))),
     "pictures without pixels": lambda: pellucid.compare(np.zeros((0, 4, 3)), np.zeros((0, 4, 3))),
     "a picture that is not finite": lambda: pellucid.compare(np.full((4, 4, 3), NAN), np.zeros((4, 4, 3))),
+    "a mask of another size": lambda: pellucid.compare(np.zeros((4, 4, 3)), np.zeros((4, 4, 3)), np.ones((4, 5))),
+    "a mask without a pixel": lambda: pellucid.compare(np.zeros((4, 4, 3)), np.zeros((4, 4, 3)), np.zeros((4, 4))),
     "a grey picture": lambda: pellucid.compare(np.zeros((4, 4)), np.zeros((4, 4))),
     "a picture file that is not there": lambda: pellucid.compare("nowhere.png", np.zeros((4, 4, 3))),
     "a picture of another ending": lambda: stack([0.5]).render().save("picture.bmp"),

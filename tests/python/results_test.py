@@ -24,6 +24,25 @@ def test_a_constant_difference_is_the_rmse():
     assert pellucid.compare(a[:5, :5], a[:5, :5])["ssim"] is None
 
 
+def test_a_mask_says_which_pixels_count():
+    a = np.zeros((16, 16, 3), dtype=np.float32)
+    b = a.copy()
+    b[:, 8:] = 0.5
+    mask = np.zeros((16, 16), dtype=bool)
+    mask[:, 8:] = True
+    white = np.repeat(mask[..., None], 3, axis=2).astype(np.float32)
+    assert pellucid.compare(a, b, mask)["rmse"] == pellucid.compare(a, b, mask=white)["rmse"] == 0.5
+    assert pellucid.compare(a, b, ~mask)["rmse"] == 0
+
+
+def test_layers_tell_covered_pixels():
+    scene = pellucid.load_scene({"resolution": (64, 48), "objects": [{"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))}]})
+    exact = scene.render()
+    brighter = np.array(exact.image) + np.float32(0.25)
+    assert pellucid.compare(exact, brighter)["rmse_covered"] == pytest.approx(0.25, rel=1e-6)  # float's rounding
+    assert pellucid.compare(exact.image, brighter).get("rmse_covered") is None
+
+
 def test_bytes_are_n_of_255():
     a = np.zeros((16, 16, 3), dtype=np.uint8)
     assert pellucid.compare(a, a + np.uint8(51))["rmse"] == pytest.approx(0.2, rel=1e-7)
