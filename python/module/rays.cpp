@@ -76,9 +76,9 @@ Crossings crossings_at(Scene& scene, const py::object& column, const py::object&
 
 Deep deep_of(const scene::Scene& scene, const groundtruth::RayProbe& probe,
              const Progress& progress) {
-  if (scene.samples != 1)
-    throw InputError(fmt::format("deep: the scene takes {0} × {0} samples per pixel; accepted: 1",
-                                 scene.samples));
+  if (!scene.samples.is_center())
+    throw InputError(fmt::format("deep: the scene takes {}; accepted: samples 1",
+                                 scene::describe(scene.samples)));
   Deep deep{std::make_shared<Layers>(), std::make_shared<std::vector<std::uint64_t>>(1, 0),
             scene.width, scene.height};
   for (int y = 0; y < scene.height; ++y) {

@@ -15,6 +15,7 @@
 #include "module/shapes.h"
 #include "module/values.h"
 #include "module/work.h"
+#include "scene/files/camera_file.h"
 #include "scene/halo.h"
 
 namespace pellucid::python {
@@ -137,16 +138,6 @@ void save_rendering(const Rendering& rendering, const py::object& path) {
 
 nlohmann::json numbers(const Vec3& x) { return {x.x, x.y, x.z}; }
 
-nlohmann::json camera_json(const scene::Camera& camera) {
-  const bool perspective = camera.projection == scene::Projection::perspective;
-  nlohmann::json json{{"type", perspective ? "perspective" : "orthographic"},
-                      {"eye", numbers(camera.eye)},
-                      {"target", numbers(camera.target)},
-                      {"up", numbers(camera.up)}};
-  perspective ? json["fov"] = camera.fov : json["height"] = camera.height;
-  return json;
-}
-
 std::string_view name_of(scene::Lighting lighting) {
   return lighting == scene::Lighting::none        ? "none"
          : lighting == scene::Lighting::headlight ? "headlight"
@@ -176,10 +167,11 @@ void define_view(SceneClass& kind) {
       },
       "Width and height of the picture, pixels.");
   define_view_key(
-      kind, "samples", [](const S& s) { return nlohmann::json(s.samples); },
-      "Samples per pixel along each axis.");
+      kind, "samples", [](const S& s) { return nlohmann::json(scene::samples_json(s.samples)); },
+      "Samples per pixel along each axis; or {'frames': n}, so many places of the camera within a "
+      "pixel.");
   define_view_key(
-      kind, "camera", [](const S& s) { return camera_json(s.camera); },
+      kind, "camera", [](const S& s) { return nlohmann::json(scene::camera_json(s.camera)); },
       "The camera, a dict as in a scene file: eye, target, up in world units, fov in degrees.");
   define_view_key(
       kind, "background", [](const S& s) { return numbers(s.background); },

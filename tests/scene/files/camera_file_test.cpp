@@ -86,7 +86,7 @@ TEST_F(UnitViewRequest, GoesBeforeTheFile) {
   EXPECT_EQ(asked.camera.fov, 20);
   EXPECT_EQ(asked.width, 60);
   EXPECT_EQ(asked.height, 40);
-  EXPECT_EQ(asked.samples, 2);
+  EXPECT_EQ(asked.samples, PixelSampling{.per_axis = 2});
 }
 
 TEST_F(UnitViewRequest, AViewSeesAllInTheSizeThatIsAskedFor) {
