@@ -162,6 +162,11 @@ std::string kinds(const geometry::FormatRow& row, Mesh mesh, Lines lines, Points
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
+/// What is to know of a file's geometry, and of its field.
+std::string joined(std::string_view a, std::string_view b) {
+  return fmt::format("{}{}{}", a, a.empty() || b.empty() ? "" : "; ", b);
+}
+
 /// Files of geometry and of fields; some hold either.
 nlohmann::ordered_json list_formats() {
   using Row = geometry::FormatRow;
@@ -175,7 +180,7 @@ nlohmann::ordered_json list_formats() {
          {"title", row.title},
          {"read as", read},
          {"written", kinds(row, &Row::write_mesh, &Row::write_lines, &Row::write_points)},
-         {"to know", field && !field->traps.empty() ? field->traps : row.traps}});
+         {"to know", joined(row.traps, field ? field->traps : "")}});
   }
   for (const fields::FileFormatRow& row : fields::field_formats())
     if (!geometry::mesh_format("file" + std::string(row.ending)))
