@@ -65,7 +65,7 @@ class UnitOwnFiles : public ::testing::Test {
     return {};
   }
 
-  TemporaryFolder folder_;
+  testing::TemporaryFolder folder_;
 };
 
 TEST_F(UnitOwnFiles, AMovedCloneUsesItsOwn) {

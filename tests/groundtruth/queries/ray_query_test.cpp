@@ -75,9 +75,12 @@ TEST(PropertyRayQuery, InsideIsWhatTheCubesInequalitiesSay) {
         const Vec3 p = Vec3(x, y, z) / 4.0;  // on edges and diagonals of faces seen along z, too
         const auto within = [](double c) { return c > 0 && c < 2; };
         const auto outside = [](double c) { return c < 0 || c > 2; };
-        if (within(p.x) && within(p.y) && within(p.z)) EXPECT_TRUE(query.inside(p)) << x << y << z;
-        if (outside(p.x) || outside(p.y) || outside(p.z))
+        if (within(p.x) && within(p.y) && within(p.z)) {
+          EXPECT_TRUE(query.inside(p)) << x << y << z;
+        }
+        if (outside(p.x) || outside(p.y) || outside(p.z)) {
           EXPECT_FALSE(query.inside(p)) << x << y << z;
+        }
       }
 }
 
@@ -141,7 +144,9 @@ TEST(PropertyRayQuery, TheFirstIsTheFirstOfAllAndAllIsWhatBruteForceFinds) {
     EXPECT_TRUE(std::is_sorted(hits.begin(), hits.end()));
     const auto first = query.first(ray);
     ASSERT_EQ(first.has_value(), !hits.empty());
-    if (first) EXPECT_EQ(first->triangle, hits[0].triangle);
+    if (first) {
+      EXPECT_EQ(first->triangle, hits[0].triangle);
+    }
     crossings += hits.size();
   }
   EXPECT_GT(crossings, 500u);
