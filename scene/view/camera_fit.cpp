@@ -91,8 +91,9 @@ Camera CameraFit::perspective() const {
   const double away = std::max(1.0, 1e-6 * glm::length(origin_));
   const bool is_point = extent(0) == 0 && extent(1) == 0 && extent(2) == 0;
   if (is_point) place.z = middle - away;
-  // Of what lies in one plane through the eye nothing would be seen.
-  if (!(middle > place.z)) place.z = middle - std::max(extent(2), away);
+  // What is nearest may lie where the sides of the picture meet: nothing is seen of what is there.
+  if (const double nearest = -most_[5]; !(nearest > place.z))
+    place.z = nearest - std::max(extent(2), away);
   return at(place.x * frame_.right + place.y * frame_.up + place.z * frame_.forward,
             middle - place.z);
 }
