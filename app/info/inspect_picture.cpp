@@ -12,8 +12,7 @@ ArrayContents contents_of(const Block& channel) {
     for (const std::uint32_t value : channel.values<std::uint32_t>()) ranges.add(0, value);
   else
     for (const float value : channel.values<float>()) ranges.add(0, double(value));
-  return ranges.contents(channel.name.substr(readers::channel_prefix.size()), "pixel",
-                         counts ? "unsigned int" : "float", channel.tuples);
+  return ranges.contents(channel.name, "pixel", counts ? "unsigned int" : "float", channel.tuples);
 }
 
 }  // namespace

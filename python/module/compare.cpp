@@ -39,7 +39,11 @@ std::optional<compare::Mask> mask_of(const py::object& value) {
   if (value.is_none()) return std::nullopt;
   const bool is_flat = py::isinstance<py::array>(value) && value.cast<py::array>().ndim() == 2;
   if (!is_flat) return compare::mask_of(picture_of(value, "compare: mask"));
-  const auto numbers = numbers_of(value, 0, "compare: mask");
+  if (std::string_view("biuf").find(value.cast<py::array>().dtype().kind()) ==
+      std::string_view::npos)
+    throw InputError("compare: mask: accepted: truth values or real numbers");
+  const auto numbers =
+      py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
   compare::Mask mask(int(numbers.shape(1)), int(numbers.shape(0)));
   std::transform(numbers.data(), numbers.data() + numbers.size(), mask.pixels.begin(),
                  [](double x) { return std::uint8_t(x != 0); });

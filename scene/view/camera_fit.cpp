@@ -34,7 +34,7 @@ std::span<const ViewDirection> view_directions() {
 }
 
 CameraFit::CameraFit(Projection projection, double fov, const ViewDirection& from, double aspect)
-    : projection_(projection), fov_(fov), aspect_(aspect), frame_(frame_of(from)) {
+    : projection_(projection), fov_(fov), aspect_(aspect), up_(from.up), frame_(frame_of(from)) {
   const double half = used_share * std::tan(fov * std::numbers::pi / 360);
   tangent_ = {half * aspect, half};
   for (int axis = 0; axis < 2; ++axis) {
@@ -72,7 +72,7 @@ Camera CameraFit::camera() const {
 
 /// `eye` is from origin_; the target lies at `distance` before it.
 Camera CameraFit::at(const Vec3& eye, double distance) const {
-  Camera camera{.projection = projection_, .up = frame_.up, .fov = fov_};
+  Camera camera{.projection = projection_, .up = up_, .fov = fov_};
   camera.eye = origin_ + eye;
   camera.target = origin_ + (eye + distance * frame_.forward);
   return camera;

@@ -49,6 +49,7 @@ class CameraFit {
 
   Projection projection_;
   double fov_, aspect_;
+  Vec3 up_;                         // the direction's, which the camera keeps to turn about
   CameraFrame frame_;               // at the origin
   std::array<double, 2> tangent_;   // of half the angle, without the margin: across, up
   std::array<Vec3, 4> sides_;       // outer normals: right, left, top, bottom

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the cells of an executed notebook again, and fails where one prints or shows something else than it holds:
-check_notebook.py NOTEBOOK. Jupyter need not be installed."""
+check_notebook.py NOTEBOOK; with --update after it the notebook then holds what they print and show. Jupyter need
+not be installed."""
 
 import ast
 import base64
@@ -40,7 +41,29 @@ def complaints(cell, names):
             yield "the picture is another one"
 
 
+def update(cell, names):
+    """Takes what the cell prints and shows in the place of what it holds."""
+    printed, value = run_cell(text_of(cell["source"]), names)
+    streams = [output for output in cell["outputs"] if output["output_type"] == "stream"]
+    cell["outputs"] = streams[:1] + [output for output in cell["outputs"] if output not in streams]
+    for output in cell["outputs"]:
+        if output["output_type"] == "stream":
+            output["text"] = printed.splitlines(keepends=True)
+        elif "image/png" in output.get("data", {}):
+            output["data"]["image/png"] = base64.b64encode(value._repr_png_()).decode()
+
+
+def update_all(path):
+    notebook, names = json.loads(path.read_text()), {}
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            update(cell, names)
+    path.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n")
+
+
 def main():
+    if sys.argv[2:] == ["--update"]:
+        return update_all(Path(sys.argv[1]))
     notebook = json.loads(Path(sys.argv[1]).read_text())
     names, wrong, cells = {}, 0, 0
     for number, cell in enumerate(notebook["cells"]):
