@@ -11,57 +11,58 @@
 
 namespace pellucid::groundtruth {
 
+/// Embree hands an EmbreeContext through to callbacks; what they need stands behind it.
 #if RTC_VERSION_MAJOR >= 4
-
-/// Embree hands it through to callbacks; what they need stands behind it.
 using EmbreeContext = RTCRayQueryContext;
+#else
+using EmbreeContext = RTCIntersectContext;
+#endif
 
-inline void start(EmbreeContext& context) { rtcInitRayQueryContext(&context); }
+/// Prepares a context for a traversal.
+inline void start(EmbreeContext& context) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcInitRayQueryContext(&context);
+#else
+  rtcInitIntersectContext(&context);
+#endif
+}
 
-/// Calls the occluded functions and filters of all that each valid ray meets.
-///@{
+/// Calls the occluded functions and filters of all that the ray meets.
 inline void traverse_occluded(RTCScene scene, EmbreeContext& context, RTCRay& ray) {
+#if RTC_VERSION_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.context = &context;
   rtcOccluded1(scene, &ray, &arguments);
+#else
+  rtcOccluded1(scene, &context, &ray);
+#endif
 }
+
+/// Calls the occluded functions and filters of all that each valid ray meets.
 inline void traverse_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
                               RTCRay8& rays) {
+#if RTC_VERSION_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.context = &context;
   rtcOccluded8(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded8(valid, scene, &context, &rays);
+#endif
 }
-///@}
 
-/// Calls the intersect functions, which may shorten their rays.
+/// Calls the intersect functions, which may shorten their rays, of all that each valid ray meets.
 inline void traverse_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
                                RTCRayHit8& rays) {
+#if RTC_VERSION_MAJOR >= 4
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &context;
   rtcIntersect8(valid, scene, &rays, &arguments);
-}
-
 #else
-
-using EmbreeContext = RTCIntersectContext;
-
-inline void start(EmbreeContext& context) { rtcInitIntersectContext(&context); }
-
-inline void traverse_occluded(RTCScene scene, EmbreeContext& context, RTCRay& ray) {
-  rtcOccluded1(scene, &context, &ray);
-}
-inline void traverse_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
-                              RTCRay8& rays) {
-  rtcOccluded8(valid, scene, &context, &rays);
-}
-inline void traverse_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
-                               RTCRayHit8& rays) {
   rtcIntersect8(valid, scene, &context, &rays);
-}
-
 #endif
+}
 
 }  // namespace pellucid::groundtruth
