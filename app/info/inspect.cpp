@@ -10,11 +10,11 @@
 #include "core/files/output_file.h"
 #include "fields/readers/file_field.h"
 #include "geometry/files/mesh_formats.h"
+#include "readers/vtk/vtk_formats.h"
 
 namespace pellucid::app {
 namespace {
 
-constexpr std::string_view vtk_endings[] = {".vti", ".vtr", ".vts", ".vtu", ".vtp", ".vtk"};
 constexpr std::string_view picture_endings[] = {".exr",  ".png", ".jpg", ".jpeg", ".tif",
                                                 ".tiff", ".hdr", ".bmp", ".tga",  ".webp",
                                                 ".ppm",  ".pgm", ".pfm"};
@@ -44,7 +44,7 @@ FileContents inspect(const std::filesystem::path& path, const Progress& progress
   const std::string ending = small_ending(path);
   require_file(path);
   if (ending == ".json") return inspect_scene(path, progress);
-  if (is_among(ending, vtk_endings)) return inspect_vtk(path);
+  if (readers::vtk_format(path)) return inspect_vtk(path);
   if (ending == ".vdb") return inspect_vdb(path);
   if (is_among(ending, picture_endings)) return inspect_picture(path);
   if (geometry::mesh_format(path)) return inspect_geometry(path);
