@@ -125,8 +125,11 @@ json measures_json(const ResultRow& row) {
   return list;
 }
 
+/// JSON has no infinity, which an option may be (ε² of the tree) and then is a measure.
 scene::Measure measure_from(const json& j) {
-  return {j.at("name"), j.at("title"), j.at("unit"), j.at("value"),
+  const json& value = j.at("value");
+  return {j.at("name"), j.at("title"), j.at("unit"),
+          value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>(),
           better_of_name(j.at("better").get<std::string_view>())};
 }
 

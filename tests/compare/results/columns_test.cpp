@@ -160,9 +160,11 @@ TEST(UnitColumns, WhatIsInfiniteOrMissingSurvivesJson) {
   ResultRow row = filled_row();
   row.metrics.linear.of("psnr") = std::numeric_limits<double>::infinity();
   row.metrics.linear.of("ssim") = std::nullopt;
+  row.measures = {{"epsilon2_view", "ε²", "", std::numeric_limits<double>::infinity()}};
   const ResultRow again = row_from_json(nlohmann::json::parse(to_json(row).dump()));
   EXPECT_EQ(again.metrics.linear.of("psnr"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(again.metrics.linear.of("ssim"), std::nullopt);
+  EXPECT_EQ(again.measures.at(0).value, std::numeric_limits<double>::infinity());
 }
 
 // A study goes on from rows that an earlier build wrote, when there was no such metric.
