@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 
+#include "compare/conform/wrong_composites.h"
 #include "compare/pictures/given_faults.h"
 
 namespace pellucid::compare {
@@ -24,71 +25,6 @@ constexpr std::size_t few_layers = 300;
 double difference(const glm::dvec4& a, const Rgba& b) {
   const Vec3 off = glm::abs(Vec3(a) - Vec3(b));
   return std::max({off.r, off.g, off.b});
-}
-
-double rounded(double x) { return std::round(std::clamp(x, 0.0, 1.0) * 255) / 255; }
-Vec3 rounded(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
-
-/// The blending of a frame buffer of 8 bits, the farthest layer first.
-glm::dvec4 blended_in_8_bits(const Layers& layers, const Vec3& background) {
-  Vec3 color = rounded(background);
-  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
-    color = rounded(glm::mix(color, Vec3(*layer), double(layer->a)));
-  return {color, 0};
-}
-
-/// The same, the nearest first: colours and transmittance are kept in 8 bits.
-glm::dvec4 accumulated_in_8_bits(const Layers& layers, const Vec3& background) {
-  Vec3 color(0);
-  double alpha = 0;
-  for (const Rgba& layer : layers) {
-    color = rounded(color + (1 - alpha) * double(layer.a) * Vec3(layer));
-    alpha = rounded(alpha + (1 - alpha) * double(layer.a));
-  }
-  return {color + (1 - alpha) * background, 0};
-}
-
-/// Fragments kept in 8 bits, and composited without rounding.
-glm::dvec4 stored_in_8_bits(Layers layers, const Vec3& background) {
-  for (Rgba& layer : layers) layer = Rgba(rounded(Vec3(layer)), rounded(double(layer.a)));
-  return composite_of(layers, background);
-}
-
-/// The mean colour, weighted by opacity, under the layers' transmittance.
-glm::dvec4 averaged(const Layers& layers, const Vec3& background) {
-  Vec3 color(0);
-  double weight = 0, transmittance = 1;
-  for (const Rgba& layer : layers) {
-    color += double(layer.a) * Vec3(layer);
-    weight += double(layer.a);
-    transmittance *= 1 - double(layer.a);
-  }
-  const Vec3 mean = weight > 0 ? color / weight : color;
-  return {glm::mix(mean, background, transmittance), 0};
-}
-
-/// Mean colour and mean opacity, n times (Bavoil, Myers 2008).
-glm::dvec4 averaged_with_opacity(const Layers& layers, const Vec3& background) {
-  Vec3 color(0);
-  double weight = 0;
-  for (const Rgba& layer : layers) {
-    color += double(layer.a) * Vec3(layer);
-    weight += double(layer.a);
-  }
-  if (!(weight > 0)) return {background, 0};
-  const auto n = double(layers.size());
-  return {glm::mix(color / weight, background, std::pow(1 - weight / n, n)), 0};
-}
-
-/// Meshkin's sum: colours are added, and the background by what one minus all opacities leaves.
-glm::dvec4 summed(const Layers& layers, const Vec3& background) {
-  Vec3 color(0);
-  double weight = 0;
-  for (const Rgba& layer : layers) {
-    color += double(layer.a) * Vec3(layer);
-    weight += double(layer.a);
-  }
-  return {color + (1 - weight) * background, 0};
 }
 
 class Diagnosis {

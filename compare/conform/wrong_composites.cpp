@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/conform/wrong_composites.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucid::compare {
+namespace {
+
+double rounded(double x) { return std::round(std::clamp(x, 0.0, 1.0) * 255) / 255; }
+Vec3 rounded(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
+
+/// The sum of the colours weighted by their opacities, and the sum of these.
+struct WeightedSum {
+  Vec3 color{0};
+  double weight = 0;
+};
+
+WeightedSum weighted_sum(const Layers& layers) {
+  WeightedSum sum;
+  for (const Rgba& layer : layers) {
+    sum.color += double(layer.a) * Vec3(layer);
+    sum.weight += double(layer.a);
+  }
+  return sum;
+}
+
+}  // namespace
+
+glm::dvec4 blended_in_8_bits(const Layers& layers, const Vec3& background) {
+  Vec3 color = rounded(background);
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
+    color = rounded(glm::mix(color, Vec3(*layer), double(layer->a)));
+  return {color, 0};
+}
+
+glm::dvec4 accumulated_in_8_bits(const Layers& layers, const Vec3& background) {
+  Vec3 color(0);
+  double alpha = 0;
+  for (const Rgba& layer : layers) {
+    color = rounded(color + (1 - alpha) * double(layer.a) * Vec3(layer));
+    alpha = rounded(alpha + (1 - alpha) * double(layer.a));
+  }
+  return {color + (1 - alpha) * background, 0};
+}
+
+glm::dvec4 stored_in_8_bits(Layers layers, const Vec3& background) {
+  for (Rgba& layer : layers) layer = Rgba(rounded(Vec3(layer)), rounded(double(layer.a)));
+  return composite_of(layers, background);
+}
+
+glm::dvec4 averaged(const Layers& layers, const Vec3& background) {
+  const auto [color, weight] = weighted_sum(layers);
+  double transmittance = 1;
+  for (const Rgba& layer : layers) transmittance *= 1 - double(layer.a);
+  const Vec3 mean = weight > 0 ? color / weight : color;
+  return {glm::mix(mean, background, transmittance), 0};
+}
+
+glm::dvec4 averaged_with_opacity(const Layers& layers, const Vec3& background) {
+  const auto [color, weight] = weighted_sum(layers);
+  if (!(weight > 0)) return {background, 0};
+  const auto n = double(layers.size());
+  return {glm::mix(color / weight, background, std::pow(1 - weight / n, n)), 0};
+}
+
+glm::dvec4 summed(const Layers& layers, const Vec3& background) {
+  const auto [color, weight] = weighted_sum(layers);
+  return {color + (1 - weight) * background, 0};
+}
+
+}  // namespace pellucid::compare

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "compare/conform/conformance_case.h"
+
+namespace pellucid::compare {
+
+// What renderers make of layers that composite them in wrong ways. Layers come nearest first; of
+// what is returned the colour counts, over the background.
+
+/// Blends in a frame buffer of 8 bits, the farthest layer first.
+glm::dvec4 blended_in_8_bits(const Layers& layers, const Vec3& background);
+
+/// Sums up colour and opacity in 8 bits, the nearest layer first.
+glm::dvec4 accumulated_in_8_bits(const Layers& layers, const Vec3& background);
+
+/// Keeps fragments in 8 bits, and composites them without rounding.
+glm::dvec4 stored_in_8_bits(Layers layers, const Vec3& background);
+
+/// Takes the mean colour, weighted by opacity, under the layers' transmittance.
+glm::dvec4 averaged(const Layers& layers, const Vec3& background);
+
+/// Takes the mean colour and the mean opacity, n times (Bavoil, Myers 2008).
+glm::dvec4 averaged_with_opacity(const Layers& layers, const Vec3& background);
+
+/// Adds the colours, and the background by what one minus all opacities leaves (Meshkin 2007).
+glm::dvec4 summed(const Layers& layers, const Vec3& background);
+
+}  // namespace pellucid::compare
