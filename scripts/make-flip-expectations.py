@@ -14,6 +14,7 @@ import pathlib
 
 import numpy as np
 from scipy.ndimage import correlate
+from test_patterns import gradient, grainy, hashed, noise, rings
 
 PIXELS_PER_DEGREE = 0.7 * 3840 / 0.7 * np.pi / 180
 XYZ_OF_LINEAR = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794],
@@ -96,30 +97,6 @@ def flip(reference, test):
     luminances = [(ycxcz(rgb)[0] + 16) / 116 for rgb in (p, q)]
     differences = [np.abs(features(luminances[0], kind) - features(luminances[1], kind)) for kind in ("edge", "point")]
     return colors**(1 - np.sqrt(np.maximum(*differences) / np.sqrt(2)))
-
-
-def hashed(x, y, c, seed):
-    """A 32-bit integer hash of the pixel, as noise in [0, 1)."""
-    h = (x * 73856093 ^ y * 19349663 ^ c * 83492791 ^ seed * 2654435761) & 0xFFFFFFFF
-    h = ((h ^ (h >> 16)) * 0x45D9F3B) & 0xFFFFFFFF
-    h = ((h ^ (h >> 16)) * 0x45D9F3B) & 0xFFFFFFFF
-    return (h ^ (h >> 16)) / 4294967296.0
-
-
-def gradient(x, y, c):
-    return (3 * x + 5 * y + 40 * c) % 256 / 255.0
-
-
-def rings(x, y, c):
-    return (x * x + y * y + 17 * c) % 301 / 300.0
-
-
-def noise(x, y, c):
-    return hashed(x, y, c, 1)
-
-
-def grainy(x, y, c):
-    return 0.9 * gradient(x, y, c) + 0.1 * noise(x, y, c)
 
 
 def waves(x, y, c):

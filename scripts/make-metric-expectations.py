@@ -19,33 +19,10 @@ import numpy as np
 import skimage
 from scipy.ndimage import gaussian_filter
 from skimage.metrics import structural_similarity
-
-
-def hashed(x, y, c, seed):
-    """A 32-bit integer hash of the pixel, as noise in [0, 1)."""
-    h = (x * 73856093 ^ y * 19349663 ^ c * 83492791 ^ seed * 2654435761) & 0xFFFFFFFF
-    h = ((h ^ (h >> 16)) * 0x45D9F3B) & 0xFFFFFFFF
-    h = ((h ^ (h >> 16)) * 0x45D9F3B) & 0xFFFFFFFF
-    return (h ^ (h >> 16)) / 4294967296.0
+from test_patterns import gradient, grainy, hashed, noise, rings
 
 
 # name, width, height, picture x, picture y: functions of integer arrays x, y and channel c
-def gradient(x, y, c):
-    return (3 * x + 5 * y + 40 * c) % 256 / 255.0
-
-
-def rings(x, y, c):
-    return (x * x + y * y + 17 * c) % 301 / 300.0
-
-
-def noise(x, y, c):
-    return hashed(x, y, c, 1)
-
-
-def grainy(x, y, c):
-    return 0.9 * gradient(x, y, c) + 0.1 * noise(x, y, c)
-
-
 PAIRS = [
     ("gradient against itself with noise", 64, 48, gradient, grainy),
     ("odd sizes", 37, 53, rings, lambda x, y, c: 0.5 * rings(x, y, c) + 0.25),

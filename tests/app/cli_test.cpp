@@ -1,90 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line as scripts see it: exit codes, one line on stderr, nothing half written.
-
-#include <gmock/gmock.h>
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include "core/files/output_file.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/app/command_line.h"
 
 namespace pellucid::app {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
-
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-class UnitCommandLine : public ::testing::Test {
- protected:
-  void SetUp() override {
-    write_text(folder_ / "sheet.ply",
-               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-               "property float z\nproperty float alpha\nelement face 1\n"
-               "property list uchar int vertex_indices\nend_header\n"
-               "-1 -1 0 0.5\n1 -1 0 0.25\n0 1 0 0.75\n3 0 1 2\n");
-    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [96, 96],
-                            "objects": [{"mesh": "sheet.ply"}]})");
-  }
-  void TearDown() override { fs::permissions(folder_.path(), fs::perms::owner_all); }
-
-  fs::path scene() const { return folder_ / "scene.json"; }
-
-  Outcome run(const std::string& arguments) const {
-    const fs::path out = folder_ / "stdout", err = folder_ / "stderr";
-    const std::string command = std::string(PELLUCID_PROGRAM) + " " + arguments + " >" +
-                                out.string() + " 2>" + err.string();
-    const int status = std::system(command.c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
-    fs::remove(out);
-    fs::remove(err);
-    return outcome;
-  }
-
-  /// Runs what must be refused: exit code `code`, one line on stderr, no new file.
-  std::string refusal(const std::string& arguments, int code = 2) const {
-    const auto files = [&] { return std::distance(fs::directory_iterator(folder_.path()), {}); };
-    const auto before = files();
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, code) << arguments << ": " << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(files(), before) << arguments;
-    return outcome.err;
-  }
-
-  /// What `list` can list, from its message about what it cannot.
-  std::vector<std::string> known_listings() const {
-    const std::string message = refusal("list x"), mark = "known: ";
-    std::stringstream known(message.substr(message.find(mark) + mark.size()));
-    std::vector<std::string> names;
-    for (std::string name; known >> name;)
-      names.push_back(name.back() == ',' ? name.substr(0, name.size() - 1) : name);
-    return names;
-  }
-
-  std::string render(const std::string& method, const std::string& output = "a.png") const {
-    return "render " + scene().string() + " --quiet -m " + method + " -o " +
-           (folder_ / output).string();
-  }
-
-  TemporaryFolder folder_;
-};
 
 TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
   const fs::path mesh = folder_ / "s.ply", picture = folder_ / "s.png";
@@ -283,99 +205,6 @@ TEST_F(UnitCommandLine, NamesBothPicturesThatCannotBeCompared) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err,
               AllOf(HasSubstr("b.png against "), HasSubstr("a.exr: test picture: 12×8")));
-}
-
-/// A pair of pictures of a sheet, with their layers, and a mask of the picture's left half.
-class UnitCompareCommand : public UnitCommandLine {
- protected:
-  void SetUp() override {
-    UnitCommandLine::SetUp();
-    for (const char* method : {"raytrace", "weighted-blended"})
-      ASSERT_EQ(run(render(method, std::string(method) + ".exr") + " --layers " +
-                    (folder_ / (std::string(method) + ".layers.exr")).string())
-                    .exit_code,
-                0);
-    write_text(folder_ / "left.pgm", "P5 96 96 255\n" + half());
-    write_text(folder_ / "black.pgm", "P5 2 2 255\n" + std::string(4, '\0'));
-    write_text(folder_ / "small.pgm", "P5 2 2 255\n" + std::string(4, '\xff'));
-    write_text(folder_ / "empty.pgm", "P5 96 96 255\n" + std::string(96 * 96, '\0'));
-  }
-
-  static std::string half() {
-    std::string row = std::string(48, '\xff') + std::string(48, '\0'), all;
-    for (int y = 0; y < 96; ++y) all += row;
-    return all;
-  }
-  std::string pair() const {
-    return "compare " + (folder_ / "raytrace.exr").string() + " " +
-           (folder_ / "weighted-blended.exr").string() + " ";
-  }
-  std::string file(const char* name) const { return (folder_ / name).string(); }
-  nlohmann::json numbers(const std::string& options) const {
-    const Outcome outcome = run(pair() + "--json " + options);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return nlohmann::json::parse(outcome.out);
-  }
-};
-
-TEST_F(UnitCompareCommand, PrintsNumbersOverEveryRegionThatIsKnown) {
-  const nlohmann::json all = numbers("");
-  for (const char* name : {"rmse", "psnr", "ssim", "max_error", "flip", "p99", "bias_r", "covered",
-                           "rmse_covered", "ssim_covered", "flip_covered", "rmse_equal"})
-    EXPECT_TRUE(all.at(name).is_number()) << name;
-  EXPECT_TRUE(all.at("ms_ssim").is_null());  // 96 pixels are too few
-  EXPECT_TRUE(all.at("displayed").at("flip").is_number());
-  fs::remove(folder_ / "raytrace.layers.exr");
-  EXPECT_FALSE(numbers("").contains("rmse_covered"));
-}
-
-TEST_F(UnitCompareCommand, TakesPartsOfThePictures) {
-  const nlohmann::json all = numbers("--metric rmse,max_error");
-  const nlohmann::json cut = numbers("--metric rmse --crop 0,0,48,96");
-  const nlohmann::json masked = numbers("--metric rmse --mask " + file("left.pgm"));
-  EXPECT_EQ(cut, masked);  // of the same pixels
-  EXPECT_NE(cut["rmse"], all["rmse"]);
-  EXPECT_TRUE(all.contains("max_error_pixel"));
-  EXPECT_EQ(cut.size(), 3u) << cut;  // rmse, the same of 8 bits, covered
-}
-
-TEST_F(UnitCompareCommand, RepeatsWhatOthersPrintOnRequest) {
-  const nlohmann::json others = numbers("--metric ssim_skimage --metric ssim_luma8");
-  EXPECT_TRUE(others.at("ssim_skimage").is_number());
-  EXPECT_TRUE(others.at("ssim_luma8").is_number());
-  EXPECT_FALSE(numbers("").contains("ssim_skimage"));
-}
-
-TEST_F(UnitCompareCommand, EveryMetricHasAThreshold) {
-  EXPECT_EQ(run(pair() + "--fail-flip 1 --fail-bias-r 1 --fail-ssim-covered -1").exit_code, 0);
-  EXPECT_THAT(refusal(pair() + "--fail-flip -1", 1), HasSubstr("is above --fail-flip -1"));
-  EXPECT_THAT(refusal(pair() + "--fail-ssim-luma8 2", 1), HasSubstr("is below"));
-  EXPECT_THAT(refusal(pair() + "--fail-bias-r -0.5", 1), HasSubstr("Bias, red"));
-  EXPECT_THAT(refusal(pair() + "--fail-ms-ssim 0"), HasSubstr("larger ones"));
-}
-
-TEST_F(UnitCompareCommand, WritesFlipsMap) {
-  EXPECT_EQ(run(pair() + "--flip-map " + file("flip.png")).exit_code, 0);
-  EXPECT_EQ(run(pair() + "--flip-map " + file("flip.exr")).exit_code, 0);
-  EXPECT_TRUE(fs::exists(folder_ / "flip.png"));
-  const Outcome outcome =
-      run("compare --json --metric max_error " + file("flip.exr") + " " + file("flip.exr"));
-  EXPECT_THAT(outcome.out, HasSubstr("\"max_error\": 0.0"));
-}
-
-TEST_F(UnitCompareCommand, RefusesWhatDoesNotFit) {
-  EXPECT_THAT(refusal(pair() + "--mask " + file("small.pgm")),
-              HasSubstr("small.pgm: 2×2 pixels; accepted: 96×96"));
-  EXPECT_THAT(refusal(pair() + "--mask " + file("empty.pgm")), HasSubstr("no pixel counts"));
-  EXPECT_THAT(refusal(pair() + "--mask " + file("left.pgm") + " --crop 60,0,9,9"),
-              HasSubstr("within the crop"));
-  for (const char* crop : {"90,0,10,10", "0,0,0,5", "-1,0,5,5", "0,0,5,2147483647"})
-    EXPECT_THAT(refusal(pair() + "--crop=" + crop), HasSubstr("within 96×96 pixels")) << crop;
-  EXPECT_THAT(refusal(pair() + "--metric msssim"), HasSubstr("ms_ssim"));
-  fs::remove(folder_ / "raytrace.layers.exr");
-  EXPECT_THAT(refusal(pair() + "--metric rmse_covered"), HasSubstr("accepted: --layers FILE.exr"));
-  EXPECT_THAT(refusal(pair() + "--fail-rmse-covered 1"), HasSubstr("accepted: --layers FILE.exr"));
-  EXPECT_THAT(refusal(pair() + "--layers " + file("left.pgm")), HasSubstr("left.pgm"));
 }
 
 TEST_F(UnitCommandLine, WritesDataOfEveryKindAndRefusesOthers) {

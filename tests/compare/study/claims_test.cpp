@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/options/names.h"
 #include "tests/compare/fake_methods.h"
+#include "tests/compare/study/result_rows.h"
 #include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
@@ -18,15 +19,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using namespace pellucid::compare::testing;
-
-ResultRow row(const std::string& scene, const std::string& method, double rmse) {
-  ResultRow row;
-  row.scene = scene;
-  row.method = method;
-  row.metrics.linear.of("rmse") = rmse;
-  row.metrics.linear.of("ssim") = 1 - rmse;
-  return row;
-}
 
 const std::vector<std::string> scenes{"one", "two"};
 const std::vector<ResultRow> rows{row("one", "a", 0.1),  row("one", "b", 0.2),

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/options/names.h"
 #include "tests/compare/fake_methods.h"
+#include "tests/compare/study/result_rows.h"
 #include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
@@ -19,15 +20,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 using namespace pellucid::compare::testing;
-
-ResultRow row(const std::string& scene, const std::string& method, double rmse) {
-  ResultRow row;
-  row.scene = scene;
-  row.method = method;
-  row.metrics.linear.of("rmse") = rmse;
-  row.metrics.linear.of("ssim") = 1 - rmse;
-  return row;
-}
 
 Ladder ladder(const char* by, double bound) {
   const Column& column = find_row("number", by, columns());
