@@ -16,6 +16,13 @@ function(pellucid_embed target namespace)
             -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${paths} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
     VERBATIM)
+  # `embedded` makes them all, for tools that parse the sources and compile nothing.
+  if(NOT TARGET embedded)
+    add_custom_target(embedded)
+  endif()
+  add_custom_target(embedded_${namespace} DEPENDS ${folder}/${namespace}.h)
+  add_dependencies(embedded embedded_${namespace})
+  add_dependencies(${target} embedded_${namespace})
   target_sources(${target} PRIVATE ${folder}/${namespace}.cpp ${folder}/${namespace}.h)
   target_include_directories(${target} PRIVATE ${folder})
 endfunction()

@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "compare/pictures/image_file.h"
+#include "compare/pictures/ssim.h"
 #include "core/parallel.h"
 
 namespace pellucid::compare {
 namespace {
 
-constexpr double c1 = 0.01 * 0.01;
-constexpr double c2 = 0.03 * 0.03;
 constexpr double taps = box_ssim_window * box_ssim_window;
 
 /// SSIM of one channel in the window whose first pixel is (left, top). Variances are of differences
@@ -34,7 +33,8 @@ double window_ssim(const Image& x, const Image& y, int left, int top, int channe
       (taps - 1);
   const double covariance =
       sum([&](double a, double b) { return (a - ux) * (b - uy); }) / (taps - 1);
-  return (2 * ux * uy + c1) * (2 * covariance + c2) / ((ux * ux + uy * uy + c1) * (variances + c2));
+  return (2 * ux * uy + ssim_c1) * (2 * covariance + ssim_c2) /
+         ((ux * ux + uy * uy + ssim_c1) * (variances + ssim_c2));
 }
 
 }  // namespace

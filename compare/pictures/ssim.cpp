@@ -17,8 +17,6 @@ constexpr int radius = ssim_window / 2;
 constexpr int channels = int(std::tuple_size_v<ChannelValues>);
 constexpr int margin = radius * channels;  // values of a row whose window sticks out on one side
 constexpr int band_rows = 32;              // output rows per task; 10 more are read
-constexpr double c1 = 0.01 * 0.01;
-constexpr double c2 = 0.03 * 0.03;
 
 /// w[k] weighs the taps at -k and +k; all eleven add to 1.
 using Taps = std::array<double, radius + 1>;
@@ -139,8 +137,8 @@ void score(const Taps& w, const MomentRows& moments, const double* mean_x, const
     const double variances = filter_row(w, ps + i) - (mx * mx + my * my);
     const double covariance = filter_row(w, pp + i) - mx * my;
     const double ux = mx + mean_x[i], uy = my + mean_y[i];
-    const double luminance = (2 * (ux * uy) + c1) / (ux * ux + uy * uy + c1);
-    contrast[i] = (2 * covariance + c2) / (variances + c2);
+    const double luminance = (2 * (ux * uy) + ssim_c1) / (ux * ux + uy * uy + ssim_c1);
+    contrast[i] = (2 * covariance + ssim_c2) / (variances + ssim_c2);
     similarity[i] = luminance * contrast[i];
   }
 }

@@ -30,7 +30,7 @@ std::string inline_json(const nlohmann::json& j) {
 }
 
 /// What follows the last slash of an embedded file's path.
-std::string_view name_of(const report_files::File& file) {
+std::string_view stem_of(const report_files::File& file) {
   return file.path.substr(file.path.rfind('/') + 1);
 }
 
@@ -48,7 +48,7 @@ std::string vega_bundle() {
   for (const report_files::File& file : report_files::files())
     if (file.path.ends_with(ending))
       bundle += fmt::format("define(\"{}\", function (exports, module, require) {{{}\n}});\n",
-                            module_name(name_of(file), ending), file.text());
+                            module_name(stem_of(file), ending), file.text());
   return bundle + std::string(report_files::vega_js());
 }
 
@@ -57,8 +57,8 @@ std::string page_script() {
   constexpr std::string_view folder = "compare/report/page/";
   std::string script;
   for (const report_files::File& file : report_files::files())
-    if (file.path == fmt::format("{}{}", folder, name_of(file)) && file.path.ends_with(".js") &&
-        name_of(file) != "report.js")
+    if (file.path == fmt::format("{}{}", folder, stem_of(file)) && file.path.ends_with(".js") &&
+        stem_of(file) != "report.js")
       script += file.text();
   return script + std::string(report_files::report_js());
 }

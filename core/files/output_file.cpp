@@ -14,20 +14,12 @@
 
 #include "core/error.h"
 #include "core/files/files_read.h"
+#include "core/files/write_failure.h"
 
 namespace pellucid {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_disk_trouble(int code) { return code == ENOSPC || code == EDQUOT || code == EIO; }
-
-[[noreturn]] void fail(const fs::path& path, int code) {
-  const std::string message =
-      fmt::format("{}: cannot write: {}", path.string(), std::generic_category().message(code));
-  if (is_disk_trouble(code)) throw WorkError(message);
-  throw InputError(message);
-}
 
 /// A file descriptor that closes itself.
 struct Descriptor {
@@ -41,7 +33,7 @@ void write_all(const Descriptor& file, std::string_view text, const fs::path& pa
   while (!text.empty()) {
     const ssize_t written = ::write(file.fd, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(path, errno);
+    if (written < 0) fail_writing(path, errno);
     text.remove_prefix(static_cast<std::size_t>(written));
   }
 }
@@ -80,7 +72,7 @@ struct TemporaryName {
 };
 
 /// Who writes a temporary holds a lock on it for as long as he lives, on other machines too.
-void remove_abandoned(const fs::path& target) {
+void remove_abandoned_files(const fs::path& target) {
   const TemporaryName names(target);
   std::error_code code;
   for (fs::directory_iterator at(folder_of(target), code), end; !code && at != end;
@@ -104,10 +96,10 @@ fs::path place_of_temporary(const fs::path& target, bool is_regular) {
 void copy_into(const fs::path& from, const fs::path& to, const fs::path& path) {
   const Descriptor source{::open(from.c_str(), O_RDONLY | O_CLOEXEC)};
   const Descriptor target{::open(to.c_str(), O_WRONLY | O_CLOEXEC)};
-  if (source.fd < 0 || target.fd < 0) fail(path, errno);
+  if (source.fd < 0 || target.fd < 0) fail_writing(path, errno);
   char block[1 << 16];
   for (ssize_t got; (got = ::read(source.fd, block, sizeof block)) != 0;) {
-    if (got < 0 && errno != EINTR) fail(path, errno);
+    if (got < 0 && errno != EINTR) fail_writing(path, errno);
     if (got > 0) write_all(target, {block, std::size_t(got)}, path);
   }
 }
@@ -122,12 +114,12 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(behind_l
   ProtectedInputs::refuse(path_);
   std::error_code code;
   const fs::file_status status = fs::status(target_, code);
-  if (fs::is_directory(status)) fail(path_, EISDIR);
+  if (fs::is_directory(status)) fail_writing(path_, EISDIR);
   is_regular_ = !fs::exists(status) || fs::is_regular_file(status);
-  if (is_regular_) remove_abandoned(target_);
+  if (is_regular_) remove_abandoned_files(target_);
   temporary_ = place_of_temporary(target_, is_regular_);
   lock_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (lock_ < 0) fail(path_, errno);
+  if (lock_ < 0) fail_writing(path_, errno);
   ::flock(lock_, LOCK_EX | LOCK_NB);  // where the file system has no locks, nothing is removed
 }
 
@@ -141,11 +133,11 @@ void OutputFile::commit() {
   if (!is_regular_) return copy_into(temporary_, target_, path_);
   {
     const Descriptor file{::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC)};
-    if (file.fd < 0 || ::fsync(file.fd) != 0) fail(path_, errno);
+    if (file.fd < 0 || ::fsync(file.fd) != 0) fail_writing(path_, errno);
   }
   std::error_code code;
   fs::rename(temporary_, target_, code);
-  if (code) fail(path_, code.value());
+  if (code) fail_writing(path_, code.value());
   temporary_.clear();
 }
 
@@ -153,7 +145,7 @@ void write_text(const fs::path& path, std::string_view text) {
   OutputFile out(path);
   {
     const Descriptor file{::open(out.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC)};
-    if (file.fd < 0) fail(path, errno);
+    if (file.fd < 0) fail_writing(path, errno);
     write_all(file, text, path);
   }
   out.commit();

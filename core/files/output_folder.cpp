@@ -12,18 +12,12 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/files/write_failure.h"
 
 namespace pellucid {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void fail(const fs::path& path, int code) {
-  const std::string message =
-      fmt::format("{}: cannot write: {}", path.string(), std::generic_category().message(code));
-  if (code == ENOSPC || code == EDQUOT || code == EIO) throw WorkError(message);
-  throw InputError(message);
-}
 
 fs::path without_last_slash(const fs::path& path) {
   const fs::path normal = fs::absolute(path).lexically_normal();
@@ -42,7 +36,7 @@ int lock(const fs::path& folder) {
 }
 
 /// Who writes a temporary holds a lock on it for as long as he lives.
-void remove_abandoned(const fs::path& target) {
+void remove_abandoned_folders(const fs::path& target) {
   std::error_code code;
   for (fs::directory_iterator at(target.parent_path(), code), end; !code && at != end;
        at.increment(code)) {
@@ -59,7 +53,7 @@ void check_place(const fs::path& path, const fs::path& target, const std::string
   std::error_code code;
   const fs::file_status status = fs::status(target, code);
   if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) fail(path, ENOTDIR);
+  if (!fs::is_directory(status)) fail_writing(path, ENOTDIR);
   if (!fs::is_empty(target, code) && !fs::exists(target / mark))
     throw InputError(
         fmt::format("{}: holds other files; accepted: a new folder, an empty one, or "
@@ -74,10 +68,10 @@ OutputFolder::OutputFolder(fs::path path, std::string mark)
   std::error_code code;
   if (const fs::path behind = fs::canonical(target_, code); !code) target_ = behind;
   check_place(path_, target_, mark);
-  remove_abandoned(target_);
+  remove_abandoned_folders(target_);
   temporary_ =
       target_.parent_path() / fmt::format("{}{}", prefix_of(target_), std::to_string(::getpid()));
-  if (!fs::create_directory(temporary_, code) && code) fail(path_, code.value());
+  if (!fs::create_directory(temporary_, code) && code) fail_writing(path_, code.value());
   lock_ = lock(temporary_);
 }
 
@@ -97,7 +91,7 @@ void OutputFolder::commit() {
     std::error_code code;
     fs::remove_all(target_, code);  // a file system that cannot swap
     fs::rename(temporary_, target_, code);
-    if (code) fail(path_, code.value());
+    if (code) fail_writing(path_, code.value());
   }
   temporary_.clear();
 }

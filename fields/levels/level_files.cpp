@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/files/bad_file.h"
 #include "fields/files/array_list.h"
 #include "fields/files/vector_array.h"
 #include "fields/levels/derived_scalar.h"
@@ -29,20 +30,16 @@ namespace fs = std::filesystem;
 // Of a cell: spacings are written in decimals, coordinates kept in floats.
 constexpr double cube_rounding = 1e-5;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
-
 /// A grid of points along the axes: its first one, the step along each, and how many there are.
-struct Lattice {
+struct PointLattice {
   Vec3 origin{0}, step{0};
   std::array<int, 3> size{};
 };
 
-Lattice lattice_of(vtkImageData& image, const fs::path& path) {
+PointLattice lattice_of(vtkImageData& image, const fs::path& path) {
   if (!image.GetDirectionMatrix()->IsIdentity())
-    fail(path, "its axes are turned; accepted: axes along the world's");
-  Lattice lattice;
+    bad_file(path, "its axes are turned; accepted: axes along the world's");
+  PointLattice lattice;
   image.GetDimensions(lattice.size.data());
   double first[3];
   image.GetPoint(0, first);
@@ -50,8 +47,8 @@ Lattice lattice_of(vtkImageData& image, const fs::path& path) {
   return lattice;
 }
 
-Lattice lattice_of(vtkRectilinearGrid& grid, const fs::path& path) {
-  Lattice lattice;
+PointLattice lattice_of(vtkRectilinearGrid& grid, const fs::path& path) {
+  PointLattice lattice;
   grid.GetDimensions(lattice.size.data());
   vtkDataArray* axes[3] = {grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates()};
   for (int a = 0; a < 3; ++a) {
@@ -61,38 +58,40 @@ Lattice lattice_of(vtkRectilinearGrid& grid, const fs::path& path) {
     for (int i = 0; i < count; ++i)
       if (const double off = axes[a]->GetComponent(i, 0) - lattice.origin[a] - i * lattice.step[a];
           !(std::abs(off) <= cube_rounding * std::abs(lattice.step[a])))
-        fail(path, fmt::format("its spacing along {} is not even; accepted: cubes. ParaView: "
-                               "Resample To Image",
-                               "xyz"[a]));
+        bad_file(path, fmt::format("its spacing along {} is not even; accepted: cubes. ParaView: "
+                                   "Resample To Image",
+                                   "xyz"[a]));
   }
   return lattice;
 }
 
-Lattice lattice_of(vtkDataSet& data, const fs::path& path) {
+PointLattice lattice_of(vtkDataSet& data, const fs::path& path) {
   if (readers::hides_cells(&data))
-    fail(path, "it hides some cells; accepted of an isosurface: grids without");
+    bad_file(path, "it hides some cells; accepted of an isosurface: grids without");
   if (auto* image = vtkImageData::SafeDownCast(&data)) return lattice_of(*image, path);
   if (auto* grid = vtkRectilinearGrid::SafeDownCast(&data)) return lattice_of(*grid, path);
-  fail(path, fmt::format("it holds a {}; accepted of an isosurface: images and rectilinear grids. "
-                         "ParaView: Resample To Image, or Contour, saved as .ply",
-                         data.GetClassName()));
+  bad_file(path,
+           fmt::format("it holds a {}; accepted of an isosurface: images and rectilinear grids. "
+                       "ParaView: Resample To Image, or Contour, saved as .ply",
+                       data.GetClassName()));
 }
 
 /// The lattice's own width. Throws InputError where cells are no cubes.
-double width_of(const Lattice& lattice, const fs::path& path) {
+double width_of(const PointLattice& lattice, const fs::path& path) {
   const Vec3& step = lattice.step;
   const double width = (step.x + step.y + step.z) / 3;
   for (int a = 0; a < 3; ++a)
     if (!(std::abs(step[a] - width) <= cube_rounding * width))
-      fail(path, fmt::format("its cells are {} × {} × {}; accepted: cubes. ParaView: Resample To "
-                             "Image",
-                             step.x, step.y, step.z));
+      bad_file(path,
+               fmt::format("its cells are {} × {} × {}; accepted: cubes. ParaView: Resample To "
+                           "Image",
+                           step.x, step.y, step.z));
   return width;
 }
 
 /// The level without its samples: at the lattice's points, or in the middle of its cells.
 template <class T>
-Level<T> empty_level(const Lattice& lattice, bool of_cells, const fs::path& path) {
+Level<T> empty_level(const PointLattice& lattice, bool of_cells, const fs::path& path) {
   Level<T> level{lattice.origin, width_of(lattice, path), lattice.size, {}};
   if (!of_cells) return level;
   level.origin += 0.5 * level.width;
@@ -100,7 +99,7 @@ Level<T> empty_level(const Lattice& lattice, bool of_cells, const fs::path& path
   return level;
 }
 
-ScalarLevel scalars_of_array(const Lattice& lattice, vtkDataArray& array, bool of_cells,
+ScalarLevel scalars_of_array(const PointLattice& lattice, vtkDataArray& array, bool of_cells,
                              const fs::path& path) {
   ScalarLevel level = empty_level<float>(lattice, of_cells, path);
   level.samples.reserve(std::size_t(array.GetNumberOfTuples()));
@@ -110,7 +109,7 @@ ScalarLevel scalars_of_array(const Lattice& lattice, vtkDataArray& array, bool o
   return level;
 }
 
-ScalarLevel derived_level(vtkDataSet& data, const Lattice& lattice, const fs::path& path,
+ScalarLevel derived_level(vtkDataSet& data, const PointLattice& lattice, const fs::path& path,
                           std::string_view scalar, const std::string& velocity) {
   const bool has_points = data.GetPointData()->GetNumberOfArrays() > 0;
   const Vectors vectors =
@@ -134,7 +133,7 @@ vtkDataArray* scalar_in(vtkDataSetAttributes& arrays, std::string_view name) {
 
 ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view scalar,
                      const std::string& velocity) {
-  const Lattice lattice = lattice_of(data, path);
+  const PointLattice lattice = lattice_of(data, path);
   if (vtkDataArray* array = scalar_in(*data.GetPointData(), scalar))
     return scalars_of_array(lattice, *array, false, path);
   if (vtkDataArray* array = scalar_in(*data.GetCellData(), scalar))
@@ -142,7 +141,8 @@ ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view sc
   const auto is_this = [&](const auto& row) { return row.name == scalar; };
   if (std::ranges::any_of(derived_scalars(), is_this))
     return derived_level(data, lattice, path, scalar, velocity);
-  fail(path, fmt::format("no array is the scalar '{}'; arrays: {}", scalar, describe_arrays(data)));
+  bad_file(path,
+           fmt::format("no array is the scalar '{}'; arrays: {}", scalar, describe_arrays(data)));
 }
 
 std::vector<ScalarLevel> read_levels(const fs::path& path, std::string_view scalar,

@@ -12,7 +12,7 @@ bool inside(const Box3& part, const Box3& whole) {
   return whole.contains(part.min) && whole.contains(part.max);
 }
 
-bool overlap(const Box3& a, const Box3& b) {
+bool touch(const Box3& a, const Box3& b) {
   return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
 }
 
@@ -48,7 +48,7 @@ class CellPicker {
     const bool alone = inside(box, field_.region(cell.level).alone);
     const std::size_t count = alone ? cell.level : field_.levels().size();
     for (std::uint32_t other = 0; other < count; ++other)
-      if (other != cell.level && overlap(box, field_.region(other).support))
+      if (other != cell.level && touch(box, field_.region(other).support))
         range.extend(field_.levels()[other], field_.cell_at(other, box.min),
                      field_.cell_at(other, box.max));
     return range.low <= value_ && value_ <= range.high;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/files/bad_file.h"
 #include "core/files/output_file.h"
 #include "fields/files/grid_choice.h"
 #include "fields/files/vdb_box.h"
@@ -23,10 +24,6 @@ namespace fs = std::filesystem;
 constexpr double affine_rounding = 1e-9;  // of a voxel, in the transform of cubes along the axes
 
 constexpr double most_samples = 0x1p30;  // of a level
-
-[[noreturn]] void fail(const fs::path& path, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
 
 glm::vec3 sample_of(const openvdb::Vec3s& v) { return {v[0], v[1], v[2]}; }
 glm::vec3 sample_of(const openvdb::Vec3d& v) { return glm::vec3(Vec3(v[0], v[1], v[2])); }
@@ -169,8 +166,8 @@ void check_written(const fs::path& written, const fs::path& path,
 template <class T>
 void write(const fs::path& path, const std::string& name, std::span<const Level<T>> levels) {
   if (path.extension() != ".vdb")
-    fail(path, fmt::format("ending '{}'; accepted: .vdb", path.extension().string()));
-  if (levels.empty()) fail(path, "no level to write");
+    bad_file(path, fmt::format("ending '{}'; accepted: .vdb", path.extension().string()));
+  if (levels.empty()) bad_file(path, "no level to write");
   openvdb::initialize();
   openvdb::GridPtrVec grids;
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -211,8 +208,8 @@ std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids, cons
   append_levels(grids, scalar, place, scalar_level_of, levels);
   if (!levels.empty()) return levels;  // stored under that name, it need not be derived
   if (!is_derived(scalar) || std::ranges::none_of(entries, &GridEntry::vector))
-    fail(path,
-         fmt::format("no grid has the scalar '{}'; grids: {}", scalar, describe_grids(entries)));
+    bad_file(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar,
+                               describe_grids(entries)));
   std::vector<VectorLevel> velocities;
   append_levels(grids, choose_velocity(entries, velocity, place), place, vector_level_of,
                 velocities);

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Raw samples described by a MetaImage header, the text format of ITK and MetaIO: .mhd names a
-// file of raw data, .mha holds them behind the header. Read here: NDims 3, DimSize, ElementType
-// MET_FLOAT or MET_DOUBLE, ElementNumberOfChannels 3, ElementSpacing, Offset (Position, Origin),
-// BinaryDataByteOrderMSB (ElementByteOrderMSB), ElementDataFile. Refused: compressed data, turned
-// axes. It has one array, whose name is "velocity".
+// file of raw data, .mha holds them behind the header; both may be compressed (zlib). It has one
+// array, whose name is "velocity".
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <fstream>
-#include <map>
-#include <sstream>
 
 #include "core/error.h"
+#include "core/files/bad_file.h"
 #include "core/files/files_read.h"
 #include "core/files/output_file.h"
+#include "fields/files/meta_image_header.h"
+#include "fields/finite.h"
 #include "fields/readers/file_field.h"
 #include "fields/readers/grid_source.h"
 
@@ -24,108 +23,63 @@ namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
-using Header = std::map<std::string, std::string, std::less<>>;
-
-[[noreturn]] void fail(const Path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
+std::size_t bytes_left(std::istream& file) {
+  const auto here = file.tellg();
+  file.seekg(0, std::ios::end);
+  const auto left = std::max<std::streamoff>(0, file.tellg() - here);
+  file.seekg(here);
+  return std::size_t(left);
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+std::string read_rest(std::istream& file, const Path& path) {
+  std::string bytes(bytes_left(file), '\0');
+  file.read(bytes.data(), std::streamsize(bytes.size()));
+  if (!file) bad_file(path, "cannot read its data");
+  return bytes;
 }
 
-/// Up to and with ElementDataFile, behind which data may follow.
-Header read_header(std::istream& file, const Path& path) {
-  Header header;
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t equals = line.find('=');
-    if (equals == std::string::npos || line.size() > 4096)
-      fail(path, "its header has a line without 'key = value'");
-    const std::string key = trimmed(line.substr(0, equals));
-    header[key] = trimmed(line.substr(equals + 1));
-    if (key == "ElementDataFile") return header;
+/// Up to 10^18 samples are counted exactly, but their bytes may be more than 2^64.
+bool has_size(const MetaImageHeader& header, std::size_t bytes) {
+  const std::size_t each = header.sample_bytes();
+  return bytes / each == header.samples() && bytes % each == 0;
+}
+
+/// Of a stream of zlib or gzip as much as the header claims. No byte of it makes more than 1032: a
+/// claim of more is refused before it is believed.
+std::string inflated(std::string packed, const MetaImageHeader& header, const Path& path) {
+  constexpr std::size_t most_of_a_byte = 1032;
+  if (header.samples() / most_of_a_byte > packed.size() / header.sample_bytes())
+    bad_file(path, fmt::format("{} compressed bytes hold no {} samples of {}", packed.size(),
+                               header.samples(), header.sample_bytes()));
+  std::string bytes(header.samples() * header.sample_bytes(), '\0');
+  z_stream stream{};
+  inflateInit2(&stream, MAX_WBITS + 32);  // 32: a head of zlib or of gzip
+  std::size_t taken = 0, made = 0;
+  int state = Z_OK;
+  while (state == Z_OK) {
+    constexpr std::size_t piece = std::size_t(1) << 30;  // its counters are 32 bits wide
+    stream.next_in = reinterpret_cast<Bytef*>(packed.data()) + taken;
+    stream.avail_in = uInt(std::min(piece, packed.size() - taken));
+    stream.next_out = reinterpret_cast<Bytef*>(bytes.data()) + made;
+    stream.avail_out = uInt(std::min(piece, bytes.size() - made));
+    const uInt in = stream.avail_in, out = stream.avail_out;
+    state = inflate(&stream, Z_NO_FLUSH);
+    taken += in - stream.avail_in;
+    made += out - stream.avail_out;
   }
-  fail(path, "its header ends before ElementDataFile");
-}
-
-/// The first of the keys that is there.
-std::string value_of(const Header& header, std::initializer_list<const char*> keys,
-                     const std::string& otherwise) {
-  for (const char* key : keys)
-    if (const auto found = header.find(key); found != header.end()) return found->second;
-  return otherwise;
-}
-
-void require(const Header& header, const char* key, const std::string& otherwise,
-             std::initializer_list<const char*> accepted, const Path& path) {
-  const std::string value = value_of(header, {key}, otherwise);
-  for (const char* candidate : accepted)
-    if (value == candidate) return;
-  fail(path, fmt::format("{} = {}; accepted: {}", key, value, fmt::join(accepted, ", ")));
-}
-
-Vec3 three_numbers(const Header& header, std::initializer_list<const char*> keys,
-                   const std::string& otherwise, const Path& path) {
-  std::istringstream text(value_of(header, keys, otherwise));
-  Vec3 v;
-  std::string rest;
-  if (!(text >> v.x >> v.y >> v.z) || text >> rest)
-    fail(path, fmt::format("{} = {}; expected three numbers", *keys.begin(), text.str()));
-  return v;
-}
-
-struct Layout {
-  std::array<std::size_t, 3> size;
-  Vec3 origin, spacing;
-  bool is_double, big_endian;
-
-  std::size_t sample_bytes() const { return 3 * (is_double ? sizeof(double) : sizeof(float)); }
-};
-
-Layout parse(const Header& header, const Path& path) {
-  require(header, "NDims", "", {"3"}, path);
-  require(header, "ElementNumberOfChannels", "1", {"3"}, path);
-  require(header, "ElementType", "", {"MET_FLOAT", "MET_DOUBLE"}, path);
-  require(header, "BinaryData", "True", {"True"}, path);
-  require(header, "CompressedData", "False", {"False"}, path);
-  require(header, "TransformMatrix", "1 0 0 0 1 0 0 0 1", {"1 0 0 0 1 0 0 0 1"}, path);
-  const Vec3 size = three_numbers(header, {"DimSize"}, "", path);
-  const auto is_size = [](double n) { return n >= 1 && n <= 1e6 && n == std::floor(n); };
-  if (!is_size(size.x) || !is_size(size.y) || !is_size(size.z))
-    fail(path, fmt::format("DimSize = {} {} {}; accepted: three whole numbers from 1 to 1000000",
-                           size.x, size.y, size.z));
-  Layout layout;
-  layout.size = {std::size_t(size.x), std::size_t(size.y), std::size_t(size.z)};
-  layout.origin = three_numbers(header, {"Offset", "Position", "Origin"}, "0 0 0", path);
-  layout.spacing = three_numbers(header, {"ElementSpacing", "ElementSize"}, "1 1 1", path);
-  for (int a = 0; a < 3; ++a)
-    if (layout.size[std::size_t(a)] > 1 &&
-        !Axis::can_be_uniform(layout.origin[a], layout.spacing[a], layout.size[std::size_t(a)]))
-      fail(path, fmt::format("ElementSpacing {} from {} along axis {}", layout.spacing[a],
-                             layout.origin[a], a));
-  layout.is_double = value_of(header, {"ElementType"}, "") == "MET_DOUBLE";
-  layout.big_endian =
-      value_of(header, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, "False") == "True";
-  return layout;
+  inflateEnd(&stream);
+  if (state != Z_STREAM_END || made != bytes.size())
+    bad_file(path, fmt::format("its compressed data are damaged, or not {} bytes", bytes.size()));
+  return bytes;
 }
 
 /// Exactly the claimed bytes; a claim that the file does not hold is refused before it is believed.
-/// Up to 10^18 samples are counted exactly, but their bytes may be more than 2^64.
-std::string read_bytes(std::istream& file, const Path& path, const Layout& layout) {
-  const auto begin = file.tellg();
-  file.seekg(0, std::ios::end);
-  const auto available = std::size_t(std::max<std::streamoff>(0, file.tellg() - begin));
-  const std::size_t samples = layout.size[0] * layout.size[1] * layout.size[2];
-  const std::size_t each = layout.sample_bytes();
-  if (!file || available / each != samples || available % each != 0)
-    fail(path, fmt::format("{} bytes of data; its header says {} samples of {}", available, samples,
-                           each));
-  file.seekg(begin);
-  std::string bytes(available, '\0');
-  file.read(bytes.data(), std::streamsize(available));
-  if (!file) fail(path, "cannot read its data");
-  return bytes;
+std::string read_bytes(std::istream& file, const Path& path, const MetaImageHeader& header) {
+  if (header.compressed) return inflated(read_rest(file, path), header, path);
+  if (const std::size_t bytes = bytes_left(file); !has_size(header, bytes))
+    bad_file(path, fmt::format("{} bytes of data; its header says {} samples of {}", bytes,
+                               header.samples(), header.sample_bytes()));
+  return read_rest(file, path);
 }
 
 /// Opens the file of raw data that the header names.
@@ -134,57 +88,75 @@ std::ifstream open_beside(const Path& header, const std::string& name) {
   try {
     require_file(path);
   } catch (const InputError& error) {
-    fail(header, fmt::format("ElementDataFile = {}: {}", name, error.what()));
+    bad_file(header, fmt::format("ElementDataFile = {}: {}", name, error.what()));
   }
   note_read(path);
   return std::ifstream(path, std::ios::binary);
 }
 
+/// Along the world's axes; of turned ones in units of samples.
+FileAxis axis_of(const MetaImageHeader& header, int a, const Path& path) {
+  const std::size_t count = header.size[std::size_t(a)];
+  const double first = header.directions ? 0 : header.origin[a];
+  const double step = header.directions ? 1 : header.spacing[a];
+  if (count == 1) return {std::nullopt, first};
+  if (!Axis::can_be_uniform(first, step, count))
+    bad_file(path, fmt::format("ElementSpacing {} from {} along axis {}", step, first, a));
+  return {Axis::uniform(first, step, count)};
+}
+
+std::optional<GridFrame> frame_of(const MetaImageHeader& header, const Path& path) {
+  if (!header.directions) return std::nullopt;
+  Mat3 world_from_grid = *header.directions;
+  for (int a = 0; a < 3; ++a) world_from_grid[a] *= header.spacing[a];
+  const GridFrame frame{glm::inverse(world_from_grid), header.origin};
+  if (!is_finite(frame.grid_from_world) || !is_finite(frame.origin))
+    bad_file(path, "its directions and spacings do not span space");
+  return frame;
+}
+
 template <class Number>
-std::unique_ptr<VectorField> make_field(const Layout& layout, std::string bytes,
+std::unique_ptr<VectorField> make_field(const MetaImageHeader& header, std::string bytes,
                                         const FileOptions& options, const Path& path) {
-  if (layout.big_endian)
+  if (header.big_endian)
     for (std::size_t i = 0; i < bytes.size(); i += sizeof(Number))
       std::reverse(&bytes[i], &bytes[i] + sizeof(Number));
-  const auto axis = [&](int a) {
-    const std::size_t count = layout.size[std::size_t(a)];
-    if (count == 1) return FileAxis{std::nullopt, layout.origin[a]};
-    return FileAxis{Axis::uniform(layout.origin[a], layout.spacing[a], count)};
-  };
   GridSource<glm::vec<3, Number>> source;
-  source.axes = {axis(0), axis(1), axis(2)};
+  source.axes = {axis_of(header, 0, path), axis_of(header, 1, path), axis_of(header, 2, path)};
+  source.frame = frame_of(header, path);
   source.samples.resize(bytes.size() / (3 * sizeof(Number)));
   std::memcpy(source.samples.data(), bytes.data(), bytes.size());
   source.interpolation = options.interpolation;
   source.periods = parse_periods(options.periodic, path.string());
   source.file = path.string();
   source.description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
-                                   layout.size[0], layout.size[1], layout.size[2]);
+                                   header.size[0], header.size[1], header.size[2]);
   return make_grid_field(std::move(source));
 }
 
 std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileOptions& options) {
   if (options.cells == CellValues::constant)
-    fail(path, "cells=constant: its samples are at points; accepted: cells=averaged");
+    bad_file(path, "cells=constant: its samples are at points; accepted: cells=averaged");
   if (!options.array.empty() && options.array != "velocity")
-    fail(path, fmt::format("array={}: no such vectors; point arrays of three components: velocity",
-                           options.array));
+    bad_file(path,
+             fmt::format("array={}: no such vectors; point arrays of three components: velocity",
+                         options.array));
   std::ifstream file(path, std::ios::binary);
-  const Header header = read_header(file, path);
-  const Layout layout = parse(header, path);
-  const std::string data = header.at("ElementDataFile");
+  const MetaImageHeader header = read_meta_image_header(file, path);
   std::ifstream beside;
-  if (data != "LOCAL") beside = open_beside(path, data);
-  std::string bytes = read_bytes(data == "LOCAL" ? file : beside, path, layout);
-  return layout.is_double ? make_field<double>(layout, std::move(bytes), options, path)
-                          : make_field<float>(layout, std::move(bytes), options, path);
+  const bool is_local = header.data_file == "LOCAL";
+  if (!is_local) beside = open_beside(path, header.data_file);
+  std::string bytes = read_bytes(is_local ? file : beside, path, header);
+  return header.is_double ? make_field<double>(header, std::move(bytes), options, path)
+                          : make_field<float>(header, std::move(bytes), options, path);
 }
 
 }  // namespace
 
 std::vector<FileFormatRow> meta_image_formats() {
-  return {{".mhd", "MetaImage header beside raw data", read_meta_image_field},
-          {".mha", "MetaImage", read_meta_image_field}};
+  return {{".mhd", "MetaImage header beside raw data", read_meta_image_field,
+           "vectors of three floats or doubles, compressed or not; its axes may be turned"},
+          {".mha", "MetaImage", read_meta_image_field, "as .mhd"}};
 }
 
 }  // namespace pellucid::fields

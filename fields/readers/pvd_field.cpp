@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/files/bad_file.h"
 #include "core/options/parameters.h"
 #include "fields/readers/file_field.h"
 #include "fields/readers/series_field.h"
@@ -20,10 +21,6 @@ namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
-
-[[noreturn]] void fail(const Path& path, const std::string& why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
 
 /// One file of the collection.
 struct Entry {
@@ -41,13 +38,13 @@ double time_of(const readers::XmlTag& tag, const Path& path) {
   const std::string text = attribute(tag, "timestep");
   double time = 0;
   if (!text.empty() && (!parse_number(text, time) || !std::isfinite(time)))
-    fail(path, fmt::format("timestep=\"{}\"; accepted: a number", text));
+    bad_file(path, fmt::format("timestep=\"{}\"; accepted: a number", text));
   return time;
 }
 
 Entry entry_of(const readers::XmlTag& tag, const Path& path) {
   const std::string file = attribute(tag, "file");
-  if (file.empty()) fail(path, "a DataSet names no file");
+  if (file.empty()) bad_file(path, "a DataSet names no file");
   std::string name = attribute(tag, "name");
   if (name.empty()) name = attribute(tag, "group");
   if (name.empty()) name = attribute(tag, "part");
@@ -59,7 +56,8 @@ Collection collection_of(const Path& path) {
   for (const readers::XmlTag& tag : readers::xml_tags(path))
     if (tag.name == "DataSet") collection[time_of(tag, path)].push_back(entry_of(tag, path));
   if (collection.empty())
-    fail(path, "not a valid .pvd file: accepted: a <Collection> of <DataSet timestep=… file=…/>");
+    bad_file(path,
+             "not a valid .pvd file: accepted: a <Collection> of <DataSet timestep=… file=…/>");
   return collection;
 }
 
@@ -70,7 +68,7 @@ std::unique_ptr<VectorField> read_frame(const std::vector<Entry>& entries,
     try {
       blocks.push_back({entry.name, readers::read_vtk_data_set(entry.file)});
     } catch (const InputError& error) {
-      fail(path, error.what());
+      bad_file(path, error.what());
     }
   }
   blocks = readers::chosen_blocks(std::move(blocks), options.block, path.string());

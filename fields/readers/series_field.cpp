@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/files/bad_file.h"
 #include "core/files/json_text.h"
 #include "fields/lazy.h"
 #include "fields/readers/file_field.h"
@@ -172,14 +173,10 @@ class SeriesField final : public VectorField {
 
 constexpr std::string_view series_ending = ".series";
 
-[[noreturn]] void fail(const Path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
-
 double time_of(const nlohmann::json& entry, std::size_t number, const Path& path) {
   if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() ||
       !entry.contains("time") || !entry["time"].is_number())
-    fail(path, fmt::format("files[{}]: expected {{\"name\": text, \"time\": number}}", number));
+    bad_file(path, fmt::format("files[{}]: expected {{\"name\": text, \"time\": number}}", number));
   return entry["time"];
 }
 
@@ -188,13 +185,13 @@ std::unique_ptr<VectorField> read_frame(const nlohmann::json& entry, std::size_t
   const std::string name = entry["name"];
   const FileFormatRow* format = file_format(name);
   if (!format || format->ending == series_ending)
-    fail(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
-                           number, name, file_endings()));
+    bad_file(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
+                               number, name, file_endings()));
   options.time.clear();  // of the series, not of its files
   try {
     return read_file(path.parent_path() / name, *format, options);
   } catch (const InputError& error) {
-    fail(path, fmt::format("files[{}]: {}", number, error.what()));
+    bad_file(path, fmt::format("files[{}]: {}", number, error.what()));
   }
 }
 
@@ -202,7 +199,7 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
   const nlohmann::json description = read_json(path);
   if (!description.is_object() || !description.contains("files") ||
       !description["files"].is_array() || description["files"].size() < 2)
-    fail(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");
+    bad_file(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");
   std::vector<double> times;
   for (const nlohmann::json& entry : description["files"])
     times.push_back(time_of(entry, times.size(), path));
@@ -214,8 +211,8 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
 void require_ascending(std::span<const double> times, const Path& path) {
   for (std::size_t i = 0; i < times.size(); ++i)
     if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
-      fail(path, fmt::format("its time number {} is {}, after {}; times have to ascend", i,
-                             times[i], i > 0 ? times[i - 1] : 0));
+      bad_file(path, fmt::format("its time number {} is {}, after {}; times have to ascend", i,
+                                 times[i], i > 0 ? times[i - 1] : 0));
 }
 
 }  // namespace

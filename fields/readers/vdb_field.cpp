@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "core/error.h"
+#include "core/files/bad_file.h"
 #include "fields/files/grid_choice.h"
 #include "fields/files/vdb_box.h"
 #include "fields/finite.h"
@@ -22,10 +22,6 @@ namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
-
-[[noreturn]] void fail(const Path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
 
 template <class Grid>
 class VdbField final : public VectorField {
@@ -77,13 +73,13 @@ class VdbField final : public VectorField {
 };
 
 GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {
-  if (!grid.transform().isLinear()) fail(path, "its transform is not affine");
+  if (!grid.transform().isLinear()) bad_file(path, "its transform is not affine");
   const openvdb::Mat4d m = readers::affine_of(grid);
   Mat3 world_from_index;  // OpenVDB multiplies rows from the left
   for (int j = 0; j < 3; ++j) world_from_index[j] = Vec3(m(j, 0), m(j, 1), m(j, 2));
   const GridFrame frame{glm::inverse(world_from_index), Vec3(m(3, 0), m(3, 1), m(3, 2))};
   if (!is_finite(world_from_index) || !is_finite(frame.grid_from_world) || !is_finite(frame.origin))
-    fail(path, "its transform is not finite, or flat");
+    bad_file(path, "its transform is not finite, or flat");
   return frame;
 }
 
@@ -110,11 +106,11 @@ template <class Grid>
 std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
                                             const FileOptions& options, const Path& path) {
   if (grid->getGridClass() == openvdb::GRID_STAGGERED)
-    fail(path, fmt::format("grid '{}' is staggered; resample it to one position per voxel",
-                           grid->getName()));
+    bad_file(path, fmt::format("grid '{}' is staggered; resample it to one position per voxel",
+                               grid->getName()));
   const GridFrame frame = frame_of(*grid, path);
   const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
-  if (box.empty()) fail(path, fmt::format("grid '{}' has no active voxels", grid->getName()));
+  if (box.empty()) bad_file(path, fmt::format("grid '{}' has no active voxels", grid->getName()));
   const std::string description =
       fmt::format("{}: {} active voxels of {}", path.filename().string(), grid->activeVoxelCount(),
                   grid->getName());
@@ -123,7 +119,8 @@ std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
   if (thinnest > 1 && fills_a_box(*grid, box))
     return make_dense(*grid, box, frame, options.interpolation, description);
   if (options.interpolation == Interpolation::c1)
-    fail(path, "sampler=c1 needs active voxels that fill a box; this grid takes sampler=linear");
+    bad_file(path,
+             "sampler=c1 needs active voxels that fill a box; this grid takes sampler=linear");
   return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
 }
 
@@ -135,8 +132,8 @@ openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
     entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
   const readers::VdbGrid& chosen = grids[choose_vector_grid(entries, wanted, path.string())];
   if (!chosen.grid)
-    fail(path,
-         fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3", chosen.name));
+    bad_file(path, fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3",
+                               chosen.name));
   return chosen.grid;
 }
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
+#include "core/files/bad_file.h"
 #include "fields/files/periods.h"
 #include "fields/files/vector_array.h"
 #include "fields/finite.h"
@@ -29,10 +29,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-[[noreturn]] void fail(const Path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
-
 /// Axes of an image whose rows run along the world's axes, or its own axes in units of samples.
 std::array<FileAxis, 3> axes_of(vtkImageData* image, bool turned, const Path& path) {
   const int* extent = image->GetExtent();
@@ -43,7 +39,7 @@ std::array<FileAxis, 3> axes_of(vtkImageData* image, bool turned, const Path& pa
     const auto count = std::size_t(image->GetDimensions()[a]);
     if (count == 1 && std::isfinite(first)) return FileAxis{std::nullopt, first};
     if (!Axis::can_be_uniform(first, step, count))
-      fail(path, fmt::format("spacing {} from {} along axis {}", step, first, a));
+      bad_file(path, fmt::format("spacing {} from {} along axis {}", step, first, a));
     return FileAxis{Axis::uniform(first, step, count)};
   };
   return {axis(0), axis(1), axis(2)};
@@ -60,7 +56,7 @@ std::optional<GridFrame> frame_of(vtkImageData* image, const Path& path) {
   const double* origin = image->GetOrigin();
   const Vec3 world_origin(origin[0], origin[1], origin[2]);
   if (!is_finite(grid_from_world) || !is_finite(world_origin))
-    fail(path, "the image's directions do not span space");
+    bad_file(path, "the image's directions do not span space");
   return GridFrame{grid_from_world, world_origin};
 }
 
@@ -70,8 +66,8 @@ FileAxis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
     positions[i] = coordinates->GetComponent(vtkIdType(i), 0);
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (!std::isfinite(positions[i]) || (i > 0 && !(positions[i] > positions[i - 1])))
-      fail(path, fmt::format("coordinate {} of axis {} is {}; they have to ascend", i, number,
-                             positions[i]));
+      bad_file(path, fmt::format("coordinate {} of axis {} is {}; they have to ascend", i, number,
+                                 positions[i]));
   if (positions.size() == 1) return {std::nullopt, positions.front()};
   return {Axis(std::move(positions))};
 }
@@ -107,7 +103,7 @@ Shape shape_of(vtkRectilinearGrid* grid, const Path& path) {
                                   grid->GetZCoordinates()};
   for (int a = 0; a < 3; ++a)
     if (!coordinates[a] || coordinates[a]->GetNumberOfTuples() != grid->GetDimensions()[a])
-      fail(path, fmt::format("axis {} does not have one coordinate per sample", a));
+      bad_file(path, fmt::format("axis {} does not have one coordinate per sample", a));
   return {{axis_of(coordinates[0], 0, path), axis_of(coordinates[1], 1, path),
            axis_of(coordinates[2], 2, path)},
           std::nullopt};
@@ -117,9 +113,9 @@ Interpolation interpolation_of(const Vectors& vectors, const FileOptions& option
                                const Path& path) {
   if (!vectors.of_cells) return options.interpolation;
   if (options.interpolation == Interpolation::c1)
-    fail(path,
-         "sampler=c1: values that are constant in cells have no slope; accepted: "
-         "cells=averaged");
+    bad_file(path,
+             "sampler=c1: values that are constant in cells have no slope; accepted: "
+             "cells=averaged");
   return Interpolation::constant;
 }
 
@@ -147,13 +143,14 @@ std::unique_ptr<VectorField> make_dense(Shape shape, vtkDataSet* data, const Vec
 /// Cells are searched one by one: they have neither slopes nor an end that is a beginning.
 void require_plain(const FileOptions& options, const Path& path) {
   if (options.interpolation != Interpolation::linear)
-    fail(path,
-         "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
-         "sampler=linear");
+    bad_file(path,
+             "sampler=c1 needs image or rectilinear data without hidden cells; this grid takes "
+             "sampler=linear");
   if (parse_periods(options.periodic, path.string()).any())
-    fail(path, fmt::format("periodic={} needs image or rectilinear data without hidden cells; this "
-                           "grid takes periodic=none",
-                           options.periodic));
+    bad_file(path,
+             fmt::format("periodic={} needs image or rectilinear data without hidden cells; this "
+                         "grid takes periodic=none",
+                         options.periodic));
 }
 
 /// Hidden points alone can be had in a dense array: they are NaN there.

@@ -16,7 +16,7 @@
 #include <optional>
 #include <span>
 
-#include "core/error.h"
+#include "core/files/bad_file.h"
 #include "fields/finite.h"
 #include "fields/sampled/planar_cells.h"
 #include "readers/vtk/shown_cells.h"
@@ -25,10 +25,6 @@ namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
-
-[[noreturn]] void fail(const Path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}", path.string(), why));
-}
 
 constexpr int volume_cells[] = {VTK_TETRA,
                                 VTK_VOXEL,
@@ -58,9 +54,10 @@ bool is_among(std::span<const int> types, int type) {
 
 void check_type(vtkIdType number, int type, const Path& path) {
   if (!is_among(volume_cells, type))
-    fail(path, fmt::format("cell {} is of VTK type {}; accepted: tetrahedra, hexahedra, voxels, "
-                           "wedges, pyramids, prisms and their quadratic forms",
-                           number, type));
+    bad_file(path,
+             fmt::format("cell {} is of VTK type {}; accepted: tetrahedra, hexahedra, voxels, "
+                         "wedges, pyramids, prisms and their quadratic forms",
+                         number, type));
 }
 
 /// Only where there are volume cells a surface cell is but their border.
@@ -94,7 +91,8 @@ Box3 checked_bounds(vtkDataSet* data, const Path& path) {
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     double x[3];
     data->GetPoint(i, x);
-    if (!is_finite(Vec3(x[0], x[1], x[2]))) fail(path, fmt::format("point {} is not finite", i));
+    if (!is_finite(Vec3(x[0], x[1], x[2])))
+      bad_file(path, fmt::format("point {} is not finite", i));
     bounds.extend({x[0], x[1], x[2]});
   }
   return bounds;
@@ -116,9 +114,9 @@ std::optional<std::array<int, 3>> dimensions_of(vtkDataSet* data) {
 int dimension_of(const std::array<int, 3>& size, const Path& path) {
   const auto dimension = int(std::ranges::count_if(size, [](int n) { return n >= 2; }));
   if (dimension < 2)
-    fail(path, fmt::format("{} × {} × {} samples; a field needs two or more along two axes at "
-                           "least",
-                           size[0], size[1], size[2]));
+    bad_file(path, fmt::format("{} × {} × {} samples; a field needs two or more along two axes at "
+                               "least",
+                               size[0], size[1], size[2]));
   return dimension;
 }
 
@@ -134,7 +132,8 @@ CheckedCells checked_cells(vtkDataSet* data, const Path& path) {
     take_volume(grid, path, checked);
   else if (readers::hides_cells(data) || !vtkStructuredGrid::SafeDownCast(data))
     checked.cells = readers::shown_cells(data, &checked.numbers);
-  if (checked.cells->GetNumberOfCells() == 0) fail(path, "it has no volume cells that it shows");
+  if (checked.cells->GetNumberOfCells() == 0)
+    bad_file(path, "it has no volume cells that it shows");
   return checked;
 }
 

@@ -20,17 +20,17 @@ enum Arrays : std::uint32_t {
   has_colors = 16
 };
 
-struct Header {
+struct HairHeader {
   std::uint32_t strands = 0, points = 0, arrays = 0, segments = 0;
   float thickness = 0, transparency = 0;
   Vec3 color{0};
 };
 
-Header read_header(ByteReader& bytes) {
+HairHeader read_header(ByteReader& bytes) {
   if (!bytes.content().starts_with("HAIR"))
     bytes.fail("not a hair model; expected 'HAIR' at its front");
   bytes.seek(4);
-  Header header;
+  HairHeader header;
   header.strands = bytes.number<std::uint32_t>();
   header.points = bytes.number<std::uint32_t>();
   header.arrays = bytes.number<std::uint32_t>();
@@ -46,7 +46,7 @@ Header read_header(ByteReader& bytes) {
 }
 
 /// Ends of the strands among the points: one more than their segments each.
-std::vector<std::uint64_t> read_offsets(ByteReader& bytes, const Header& header) {
+std::vector<std::uint64_t> read_offsets(ByteReader& bytes, const HairHeader& header) {
   std::vector<std::uint16_t> segments;
   if (header.arrays & has_segments)
     segments = bytes.numbers<std::uint16_t>(header.strands, "segments");
@@ -63,7 +63,7 @@ std::vector<std::uint64_t> read_offsets(ByteReader& bytes, const Header& header)
 
 LineSet read_hair(const std::filesystem::path& path) {
   ByteReader bytes(path);
-  const Header header = read_header(bytes);
+  const HairHeader header = read_header(bytes);
   LineSet lines;
   lines.offsets = read_offsets(bytes, header);
   const std::uint64_t count = header.points;

@@ -73,12 +73,12 @@ class Lines {
   std::vector<std::string_view> words_;
 };
 
-struct Header {
+struct OffHeader {
   bool normals = false, colors = false;
   std::uint64_t vertices = 0, faces = 0;
 };
 
-void read_magic(std::string_view word, Header& header, const Lines& lines) {
+void read_magic(std::string_view word, OffHeader& header, const Lines& lines) {
   const std::size_t off = word.find("OFF");
   const std::string_view letters = word.substr(0, std::min(off, word.size()));
   if (off == word.npos || word.substr(off) != "OFF" ||
@@ -89,8 +89,8 @@ void read_magic(std::string_view word, Header& header, const Lines& lines) {
 }
 
 /// The counts may stand on the line of the magic word, or on the next.
-Header read_header(Lines& lines) {
-  Header header;
+OffHeader read_header(Lines& lines) {
+  OffHeader header;
   std::vector<std::string_view> words = lines.next();
   read_magic(words.front(), header, lines);
   words.erase(words.begin());
@@ -113,7 +113,7 @@ Rgba color_of(std::span<const double> numbers) {
               numbers.size() > 3 ? numbers[3] / unit : 1);
 }
 
-void read_vertex(Lines& lines, const Header& header, TriangleMesh& mesh) {
+void read_vertex(Lines& lines, const OffHeader& header, TriangleMesh& mesh) {
   std::vector<double> numbers;
   for (const std::string_view word : lines.next()) numbers.push_back(lines.number(word));
   const std::size_t before_color = header.normals ? 6 : 3;
@@ -144,7 +144,7 @@ void normalize(std::vector<Vec3>& normals) {
 
 TriangleMesh read_off(const std::filesystem::path& path) {
   Lines lines(path);
-  const Header header = read_header(lines);
+  const OffHeader header = read_header(lines);
   TriangleMesh mesh;
   for (std::uint64_t i = 0; i < header.vertices; ++i) read_vertex(lines, header, mesh);
   for (std::uint64_t i = 0; i < header.faces; ++i) read_face(lines, mesh);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view magic = "mrtrix tracks";
 
-using Header = std::map<std::string, std::string, std::less<>>;
+using TckHeader = std::map<std::string, std::string, std::less<>>;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
@@ -29,10 +29,10 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// The header's lines up to "END"; of a key that is there twice the last one.
-Header read_header(const ByteReader& bytes) {
+TckHeader read_header(const ByteReader& bytes) {
   std::string_view rest = bytes.content();
   if (!rest.starts_with(magic)) bytes.fail("not a file of tracks; expected 'mrtrix tracks'");
-  Header header;
+  TckHeader header;
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
     if (end == rest.npos) break;
@@ -47,7 +47,7 @@ Header read_header(const ByteReader& bytes) {
 }
 
 /// "file: . 67": the data begin at byte 67 of this file.
-std::uint64_t offset_of(const Header& header, const ByteReader& bytes) {
+std::uint64_t offset_of(const TckHeader& header, const ByteReader& bytes) {
   const auto file = header.find("file");
   if (file == header.end()) bytes.fail("its header does not say where the data begin: 'file: . N'");
   double offset = 0;
@@ -81,7 +81,7 @@ LineSet read_tracks(ByteReader& bytes) {
 
 LineSet read_tck(const std::filesystem::path& path) {
   ByteReader bytes(path);
-  const Header header = read_header(bytes);
+  const TckHeader header = read_header(bytes);
   const auto type = header.find("datatype");
   const std::string_view name = type == header.end() ? "" : std::string_view(type->second);
   if (name != "Float32LE" && name != "Float32BE" && name != "Float64LE" && name != "Float64BE")

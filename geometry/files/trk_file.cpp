@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t header_size = 1000;
 
-struct Header {
+struct TrkHeader {
   Vec3 voxel_size{1};
   std::array<int, 3> size{};
   Mat4 ras_from_voxel{1};
@@ -74,9 +74,9 @@ void find_byte_order(ByteReader& bytes) {
     bytes.fail(fmt::format("its header's size is {}; accepted: {}", size, header_size));
 }
 
-Header read_header(ByteReader& bytes) {
+TrkHeader read_header(ByteReader& bytes) {
   find_byte_order(bytes);
-  Header header;
+  TrkHeader header;
   bytes.seek(6);
   for (int& side : header.size) side = bytes.number<std::int16_t>();
   for (int axis = 0; axis < 3; ++axis) header.voxel_size[axis] = bytes.number<float>();
@@ -134,7 +134,7 @@ Directions directions_of(const std::string& order, const ByteReader& bytes) {
 }
 
 /// Coordinates of the file to the world's.
-Mat4 ras_from_file(const Header& header, const ByteReader& bytes) {
+Mat4 ras_from_file(const TrkHeader& header, const ByteReader& bytes) {
   Mat4 voxel_from_file(1);
   for (int axis = 0; axis < 3; ++axis) {
     voxel_from_file[axis][axis] = 1 / header.voxel_size[axis];
@@ -157,7 +157,7 @@ Mat4 ras_from_file(const Header& header, const ByteReader& bytes) {
   return header.ras_from_voxel * image_from_voxel * voxel_from_file;
 }
 
-void check(const Header& header, const ByteReader& bytes) {
+void check(const TrkHeader& header, const ByteReader& bytes) {
   for (int axis = 0; axis < 3; ++axis)
     if (!(header.voxel_size[axis] > 0))
       bytes.fail(fmt::format("voxel_size {} along axis {}; accepted: a length above 0",
@@ -165,7 +165,7 @@ void check(const Header& header, const ByteReader& bytes) {
 }
 
 /// Points, with the scalars of each and the properties of their track.
-void read_track(ByteReader& bytes, const Header& header, const Mat4& to_ras, LineSet& lines,
+void read_track(ByteReader& bytes, const TrkHeader& header, const Mat4& to_ras, LineSet& lines,
                 std::vector<std::vector<double>>& columns) {
   const auto count = bytes.number<std::int32_t>("a number of points");
   if (count < 0) bytes.fail(fmt::format("a track of {} points", count));
@@ -184,7 +184,7 @@ void read_track(ByteReader& bytes, const Header& header, const Mat4& to_ras, Lin
 
 LineSet read_trk(const std::filesystem::path& path) {
   ByteReader bytes(path);
-  const Header header = read_header(bytes);
+  const TrkHeader header = read_header(bytes);
   check(header, bytes);
   const Mat4 to_ras = ras_from_file(header, bytes);
   std::vector<std::string> names = header.scalars;

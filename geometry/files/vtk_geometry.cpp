@@ -173,18 +173,21 @@ PointSet points_of(const vtkSmartPointer<vtkDataSet>& data) {
 
 namespace {
 
+template <class Taken>
+using TakeDataSet = Taken(const vtkSmartPointer<vtkDataSet>&);
+
 /// What `take` makes of the file's data set.
-template <auto take>
-auto read_vtk(const std::filesystem::path& path) {
+template <class Taken, TakeDataSet<Taken>* take>
+Taken read_vtk(const std::filesystem::path& path) {
   return take(readers::read_vtk_data_set(path));
 }
 
 FormatRow read_by_vtk(std::string_view ending, std::string_view title) {
   return {.ending = ending,
           .title = title,
-          .read_mesh = read_vtk<mesh_of>,
-          .read_lines = read_vtk<lines_of>,
-          .read_points = read_vtk<points_of>};
+          .read_mesh = read_vtk<TriangleMesh, mesh_of>,
+          .read_lines = read_vtk<LineSet, lines_of>,
+          .read_points = read_vtk<PointSet, points_of>};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace pellucid::groundtruth {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr int block_side = 4;  // lattice cells
 constexpr int halvings = 52;   // of a step: to the last bits of a double
 
@@ -20,7 +20,7 @@ std::array<int, 3> block_of(const std::array<int, 3>& cell) {
 
 /// From where to where the ray is within a box, from t = 0 on.
 std::array<double, 2> within(const Box3& box, const WorldRay& ray) {
-  double begin = 0, end = infinity;
+  double begin = 0, end = no_bound;
   for (int axis = 0; axis < 3; ++axis) {
     const double low = box.min[axis] - ray.start[axis], high = box.max[axis] - ray.start[axis];
     if (ray.direction[axis] == 0) {
@@ -101,7 +101,7 @@ double LevelMarch::refined(const WorldRay& ray, std::span<const std::uint32_t> l
 
 LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
                                            std::span<const std::uint32_t> levels, double t) const {
-  Stretch stretch{true, infinity};
+  Stretch stretch{true, no_bound};
   for (const std::uint32_t level : levels) {
     const fields::ScalarLevel& l = field_.levels()[level];
     const auto block = block_of(field_.cell_at(level, ray.at(t)).low);
@@ -131,7 +131,7 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
     // report.
     const bool may_begin_inside = options_.refinement == HitRefinement::sample;
     if ((last.t == at.t || may_begin_inside) && is_hit(last, at) && !visit(at.t)) return;
-    Stretch stretch{false, blocks_.empty() ? infinity : part.begin};
+    Stretch stretch{false, blocks_.empty() ? no_bound : part.begin};
     for (double i = 0; at.t < part.end; ++i) {
       last = at;
       if (at.t >= stretch.end) {

@@ -29,7 +29,7 @@ bool is_ghost(Companion companion) {
 }
 
 // Where a step that leaves the domain stops being halved, in tolerances.
-constexpr double edge_tolerances = 1000;
+constexpr double edge_tolerances = 10;
 // The same in durations, for who rests: no tolerance tells how far that is. A tolerance is 1e-9 of
 // an extent unless it is given.
 constexpr double edge_durations = edge_tolerances * 1e-9;

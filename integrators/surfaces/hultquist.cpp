@@ -177,18 +177,18 @@ void RibbonFront::merge(int p, int middle) {
   wake(beyond);
 }
 
-constexpr double default_threshold = 0.05;  // world units
+constexpr double default_distance = 0.05;  // world units
 
 using HultquistOptions = RefiningOptions<2>;
 
 const OptionTable<HultquistOptions>& hultquist_options() {
-  static const auto table = refining_options<HultquistOptions>(default_threshold);
+  static const auto table = refining_options<HultquistOptions>(default_distance);
   return table;
 }
 
 IntegratedSurface run_hultquist(const SurfaceRequest& request, const Parameters& parameters) {
   return run_refining(
-      request, hultquist_options().read(parameters), default_threshold, 1,
+      request, hultquist_options().read(parameters), default_distance, 1,
       [](SurfaceRun& run, const Refinement& refinement, std::span<const double> seeds, bool ring) {
         RibbonFront(run, refinement).sweep(seeds, ring);
       });

@@ -23,8 +23,6 @@
 namespace pellucid::readers {
 namespace {
 
-[[noreturn]] void fail(const std::string& why) { throw BlockError(why); }
-
 int vtk_type(NumberType type) {
   constexpr int types[] = {
       VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
@@ -63,20 +61,22 @@ void refuse_absurd_extent(const Extent& extent, const Blocks& blocks) {
   std::size_t bytes = 0;
   for (const Block& block : blocks.all()) bytes += block.bytes.size();
   if (double(extent.points) > largest_compression * double(bytes))
-    fail(fmt::format("its extent has {} points, but it holds {} bytes", extent.points, bytes));
+    throw BlockError(
+        fmt::format("its extent has {} points, but it holds {} bytes", extent.points, bytes));
 }
 
 Extent extent_of(const Blocks& blocks) {
   Extent extent;
   const auto bounds = blocks.at("extent").values<std::int32_t>();
-  if (bounds.size() != 6) fail("its extent is not six numbers");
+  if (bounds.size() != 6) throw BlockError("its extent is not six numbers");
   std::copy(bounds.begin(), bounds.end(), extent.bounds);
   extent.points = extent.cells = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const vtkIdType size = vtkIdType(bounds[2 * axis + 1]) - bounds[2 * axis] + 1;
-    if (size < 1) fail(fmt::format("its extent has {} points along axis {}", size, axis));
+    if (size < 1)
+      throw BlockError(fmt::format("its extent has {} points along axis {}", size, axis));
     if (__builtin_mul_overflow(extent.points, size, &extent.points))
-      fail("its extent is too large");
+      throw BlockError("its extent is too large");
     extent.cells *= std::max<vtkIdType>(size - 1, 1);
   }
   refuse_absurd_extent(extent, blocks);
@@ -86,7 +86,7 @@ Extent extent_of(const Blocks& blocks) {
 template <std::size_t N>
 const double* doubles_of(const Blocks& blocks, std::string_view name) {
   const auto values = blocks.at(name).values<double>();
-  if (values.size() != N) fail(fmt::format("its {} is not {} numbers", name, N));
+  if (values.size() != N) throw BlockError(fmt::format("its {} is not {} numbers", name, N));
   return values.data();
 }
 
@@ -116,7 +116,7 @@ Parts rectilinear_of(const Blocks& blocks) {
     axes[axis] = array_of(blocks.at(names[axis]));
     const vtkIdType size = vtkIdType(extent.bounds[2 * axis + 1]) - extent.bounds[2 * axis] + 1;
     if (axes[axis]->GetNumberOfTuples() != size || axes[axis]->GetNumberOfComponents() != 1)
-      fail(fmt::format("axis {} does not have one coordinate per sample", names[axis]));
+      throw BlockError(fmt::format("axis {} does not have one coordinate per sample", names[axis]));
   }
   grid->SetXCoordinates(axes[0]);
   grid->SetYCoordinates(axes[1]);
@@ -129,7 +129,7 @@ vtkIdType add_points(const Blocks& blocks, vtkPointSet& data) {
   const Block& block = blocks.at("points");
   const bool is_real = block.type == NumberType::f32 || block.type == NumberType::f64;
   if (block.tuples > 0 && (block.components != 3 || !is_real))
-    fail("its points are not three real numbers each");
+    throw BlockError("its points are not three real numbers each");
   vtkNew<vtkPoints> points;
   if (block.tuples > 0) points->SetData(array_of(block));
   data.SetPoints(points);
@@ -141,7 +141,8 @@ Parts structured_of(const Blocks& blocks) {
   const auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
   grid->SetExtent(extent.bounds);
   if (const vtkIdType points = add_points(blocks, *grid); points != extent.points)
-    fail(fmt::format("its extent has {} points, but it holds {}", extent.points, points));
+    throw BlockError(
+        fmt::format("its extent has {} points, but it holds {}", extent.points, points));
   return {grid, extent.points, extent.cells};
 }
 
@@ -198,7 +199,7 @@ Parts parts_of(const Blocks& blocks) {
   if (kind == "structured") return structured_of(blocks);
   if (kind == "unstructured") return unstructured_of(blocks);
   if (kind == "poly") return poly_of(blocks);
-  fail(fmt::format("it holds data of an unknown kind '{}'", kind));
+  throw BlockError(fmt::format("it holds data of an unknown kind '{}'", kind));
 }
 
 void set_active(vtkDataSetAttributes& arrays, std::span<const std::int32_t> active,
@@ -221,15 +222,15 @@ void add_attributes(const Blocks& blocks, const std::string& group, vtkIdType co
     if (!block.name.starts_with(group + ':')) continue;
     const std::string name = block.name.substr(group.size() + 1);
     if (block.tuples != std::uint64_t(count))
-      fail(fmt::format("array '{}' has {} values, but there are {} {}s", name, block.tuples, count,
-                       group));
+      throw BlockError(fmt::format("array '{}' has {} values, but there are {} {}s", name,
+                                   block.tuples, count, group));
     const auto array = array_of(block);
     if (!name.empty()) array->SetName(name.c_str());
     const int place = arrays.AddArray(array);
     by_number.push_back(arrays.GetArray(place));
   }
   const auto active = blocks.at(group + ".active").values<std::int32_t>();
-  if (active.size() != 4) fail("its active arrays are not four numbers");
+  if (active.size() != 4) throw BlockError("its active arrays are not four numbers");
   set_active(arrays, active, by_number);
 }
 

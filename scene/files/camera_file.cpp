@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -15,12 +14,11 @@
 #include "core/options/names.h"
 #include "core/options/option_table.h"
 #include "core/options/split.h"
+#include "scene/files/any_number.h"
 #include "scene/view/camera_path.h"
 
 namespace pellucid::scene {
 namespace {
-
-constexpr double any = std::numeric_limits<double>::max();
 
 constexpr std::array<std::string_view, 5> keys{"eye", "target", "up", "fov", "height"};
 

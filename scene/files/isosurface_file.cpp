@@ -17,11 +17,10 @@
 #include "geometry/solid_mesh.h"
 #include "scene/appearance/colormap.h"
 #include "scene/datasets/dataset.h"
+#include "scene/files/any_number.h"
 
 namespace pellucid::scene {
 namespace {
-
-constexpr double any = std::numeric_limits<double>::max();
 
 using Levels = std::vector<fields::ScalarLevel>;
 

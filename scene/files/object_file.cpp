@@ -15,14 +15,13 @@
 #include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "scene/datasets/dataset.h"
+#include "scene/files/any_number.h"
 #include "scene/files/isosurface_file.h"
 
 namespace pellucid::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double any = std::numeric_limits<double>::max();
 
 Vec2 read_pair(const JsonNode& node, double min, double max) {
   const auto ends = node.elements();

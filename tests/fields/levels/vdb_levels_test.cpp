@@ -103,7 +103,7 @@ TEST(UnitVdbLevels, MutatedFilesAreRefusedOrWhole) {
   const std::string bytes = read_bytes(folder / "levels.vdb");
   std::mt19937_64 random(5);
   int refused = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 50; ++round) {
     std::string mutated = bytes;
     const std::size_t where = round % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 900);
     for (int i = 0; i < 3; ++i) mutated[random() % where] = char(random() % 256);
@@ -117,7 +117,7 @@ TEST(UnitVdbLevels, MutatedFilesAreRefusedOrWhole) {
       EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("\n")));
     }
   }
-  EXPECT_GT(refused, 20);
+  EXPECT_GT(refused, 7);
 }
 
 template <class T>

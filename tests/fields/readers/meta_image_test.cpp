@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <fstream>
+
+#include "core/error.h"
+#include "fields/make_field.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pellucid::fields {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// 5 × 9 × 3 samples; that at (i, j, k) is (i, 10 j, 100 k), which linear interpolation keeps.
+std::string samples(std::endian order = std::endian::little) {
+  std::string bytes;
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 9; ++j)
+      for (int i = 0; i < 5; ++i)
+        for (const float value : {float(i), float(10 * j), float(100 * k)}) {
+          std::string number(reinterpret_cast<const char*>(&value), sizeof value);
+          if (order == std::endian::big) std::ranges::reverse(number);
+          bytes += number;
+        }
+  return bytes;
+}
+
+std::string compressed(const std::string& bytes) {
+  std::string packed(compressBound(bytes.size()), '\0');
+  uLongf size = packed.size();
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+           reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  return packed.substr(0, size);
+}
+
+class UnitMetaImage : public ::testing::Test {
+ protected:
+  /// A field of the file with further lines in its header.
+  std::unique_ptr<VectorField> field(const std::string& lines,
+                                     const std::string& data = samples()) const {
+    const fs::path path = folder_ / "field.mha";
+    std::ofstream(path, std::ios::binary)
+        << "ObjectType = Image\nNDims = 3\nDimSize = 5 9 3\n"
+        << lines
+        << "ElementNumberOfChannels = 3\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n"
+        << data;
+    return make_field(path.string());
+  }
+
+  std::string complaint(const std::string& lines, const std::string& data = samples()) const {
+    try {
+      field(lines, data);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  testing::TemporaryFolder folder_;
+};
+
+Vec3 at(const VectorField& field, const Vec3& x) {
+  Vec3 v;
+  return field.sampler()->velocity(x, 0, v) == SampleStatus::ok ? v : Vec3(-1);
+}
+
+TEST_F(UnitMetaImage, AMatrixTurnsTheAxesUnderEachOfItsNames) {
+  // The first axis along +y, the second along -x: sample (i, j, k) is at (7 - 2 j, 5 + i / 2, 3 k).
+  for (const char* key : {"TransformMatrix", "Rotation", "Orientation"}) {
+    const auto turned = field(
+        fmt::format("{} = 0 1 0 -1 0 0 0 0 1\nOffset = 7 5 0\nElementSpacing = 0.5 2 3\n", key));
+    for (const Vec3 index : {Vec3(0, 0, 0), Vec3(4, 8, 2), Vec3(1.25, 6.5, 0.75)})
+      EXPECT_LT(glm::length(at(*turned, {7 - 2 * index.y, 5 + index.x / 2, 3 * index.z}) -
+                            index * Vec3(1, 10, 100)),
+                1e-10)
+          << key;
+    EXPECT_EQ(at(*turned, {8, 5, 0}), Vec3(-1)) << key;  // outside, though inside if not turned
+  }
+}
+
+TEST_F(UnitMetaImage, AnIdentityMayBeWrittenInAnyWay) {
+  const auto plain = field("\nTransformMatrix = 1.0 0.0 0 0 1e0 0 -0 0 1.000\n\n");
+  EXPECT_EQ(at(*plain, {4, 8, 2}), Vec3(4, 80, 200));
+}
+
+TEST_F(UnitMetaImage, BigEndianIsSaidInTheWaysOfMetaIO) {
+  for (const char* word : {"True", "true", "T", "1"})
+    EXPECT_EQ(
+        at(*field(fmt::format("BinaryDataByteOrderMSB = {}\n", word), samples(std::endian::big)),
+           {4, 8, 2}),
+        Vec3(4, 80, 200))
+        << word;
+  for (const char* word : {"False", "false", "F", "0"})
+    EXPECT_EQ(at(*field(fmt::format("ElementByteOrderMSB = {}\n", word)), {4, 8, 2}),
+              Vec3(4, 80, 200))
+        << word;
+  EXPECT_THAT(complaint("BinaryDataByteOrderMSB = maybe\n"), HasSubstr("maybe; accepted: True"));
+}
+
+TEST_F(UnitMetaImage, CompressedDataAreThoseUncompressed) {
+  const auto packed = field("CompressedData = True\n", compressed(samples()));
+  EXPECT_EQ(at(*packed, {4, 8, 2}), Vec3(4, 80, 200));
+  EXPECT_EQ(at(*packed, {0, 3.5, 1}), Vec3(0, 35, 100));
+}
+
+TEST_F(UnitMetaImage, CompressedDataThatAreNotWhatIsClaimedAreRefused) {
+  const std::string whole = compressed(samples()), yes = "CompressedData = True\n";
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    EXPECT_THAT(complaint(yes, whole.substr(0, length)), HasSubstr("field.mha: ")) << length;
+  EXPECT_THAT(complaint(yes, compressed(samples() + "1234")), HasSubstr("damaged, or not 1620"));
+  EXPECT_THAT(complaint(yes, compressed(samples().substr(4))), HasSubstr("damaged, or not 1620"));
+  EXPECT_THAT(complaint(yes + "DimSize = 1000000 1000000 1000000\n", whole),
+              HasSubstr("compressed bytes hold no 1000000000000000000 samples of 12"));
+}
+
+TEST_F(UnitMetaImage, AxesThatDoNotSpanSpaceAreRefused) {
+  for (const char* matrix : {"1 0 0 1 0 0 0 0 1", "0 0 0 0 0 0 0 0 0", "nan 0 0 0 1 0 0 0 1"})
+    EXPECT_NE(complaint(fmt::format("Rotation = {}\n", matrix)), "") << matrix;
+  EXPECT_THAT(complaint("Rotation = 1 0 0 1 0 0 0 0 1\n"), HasSubstr("Rotation = 1 0 0 1"));
+  EXPECT_THAT(complaint("Rotation = 1 0 0\n"), HasSubstr("expected 9 numbers"));
+}
+
+}  // namespace
+}  // namespace pellucid::fields
