@@ -13,6 +13,8 @@ namespace pellucid::geometry {
 /// three indices of vertices, from 0.
 struct TriangleMesh : Vertices {
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Holds one value per triangle, by name: what a file says of its faces or cells.
+  std::map<std::string, std::vector<double>> face_scalars;
 };
 
 }  // namespace pellucid::geometry

@@ -12,10 +12,13 @@
 namespace pellucid::scene {
 
 double Isosurface::OtherScalar::fraction(const Vec3& x) const {
-  return fraction_of(field->value(x).value_or(range.x), range);
+  return fraction_of(field->value(x).value_or(range.x), range, scale);
 }
 
-Vec3 Isosurface::Coloring::color(double fraction) const { return (*map)(fraction); }
+Vec3 Isosurface::Coloring::color(double fraction) const {
+  if (nan && std::isnan(fraction)) return *nan;
+  return custom ? (*custom)(fraction) : (*map)(fraction);
+}
 
 float Isosurface::Fading::opacity(const Vec3& x) const {
   return float(std::lerp(opacities.x, opacities.y, std::clamp(scalar.fraction(x), 0.0, 1.0)));

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "geometry/vertices.h"
+#include "scene/appearance/appearance.h"
 
 namespace pellucid::fields {
 class LevelField;
@@ -16,6 +17,7 @@ class SolidMesh;
 
 namespace pellucid::scene {
 
+class Colormap;
 struct ColormapRow;
 
 /// An Isosurface is where a scalar on levels of samples takes a value, in world coordinates.
@@ -35,13 +37,16 @@ struct Isosurface {
   struct OtherScalar {
     std::shared_ptr<const fields::LevelField> field;  // on the same levels
     Vec2 range{0, 1};                                 // in the scalar's unit
+    Scale scale = Scale::linear;                      // of the range
 
     double fraction(const Vec3& x) const;  // of the range
   };
   /// A Coloring colours the surface by a scalar through a colour map.
   struct Coloring {
     OtherScalar scalar;
-    const ColormapRow* map = nullptr;  // from end to end of the range
+    const ColormapRow* map = nullptr;                  // from end to end of the range
+    std::shared_ptr<const Colormap> custom = nullptr;  // in the place of `map`
+    std::optional<Vec3> nan = std::nullopt;            // of NaN, in the place of the map's
 
     Vec3 color(double fraction) const;
   };

@@ -92,6 +92,18 @@ VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points) {
   return attributes;
 }
 
+VertexAttributes vtk_cell_scalars(vtkPolyData& data, const PointIds& cells) {
+  VertexAttributes scalars;
+  vtkCellData& arrays = *data.GetCellData();
+  const vtkDataArray* const colors = find_colors(arrays);
+  for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
+    if (vtkDataArray* array = arrays.GetArray(k);
+        array && array != colors && array != data.GetCellGhostArray() &&
+        array->GetNumberOfTuples() == data.GetNumberOfCells())
+      take_array(*array, cells, scalars);
+  return scalars;
+}
+
 vtkDataArray* vtk_cell_colors(vtkPolyData& data, const VertexAttributes& of_points) {
   vtkDataArray* colors = find_colors(*data.GetCellData());
   const bool usable = colors && colors->GetNumberOfTuples() == data.GetNumberOfCells();

@@ -21,6 +21,10 @@ using PointIds = std::vector<vtkIdType>;
 /// VTK's own flags are none.
 VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points);
 
+/// Returns the cells' numbers in the same way, in the order of `cells`: none of an array that has
+/// not one tuple of each cell, nor colours and VTK's own flags.
+VertexAttributes vtk_cell_scalars(vtkPolyData& data, const PointIds& cells);
+
 /// Returns the colours of cells, unless the points have some or the file has not one of each cell:
 /// then nullptr.
 vtkDataArray* vtk_cell_colors(vtkPolyData& data, const VertexAttributes& of_points);

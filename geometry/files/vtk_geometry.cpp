@@ -141,6 +141,7 @@ TriangleMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   } else {
     take_attributes(std::move(attributes), mesh);
   }
+  mesh.face_scalars = vtk_cell_scalars(*data, cells);
   return mesh;
 }
 
@@ -158,6 +159,7 @@ LineSet lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   VertexAttributes attributes = vtk_attributes(*data, points);
   if (vtkDataArray* colors = vtk_cell_colors(*data, attributes))
     take_vtk_colors(*colors, cells, attributes);
+  attributes.merge(vtk_cell_scalars(*data, cells));  // no two lines share a point here
   take_attributes(std::move(attributes), lines);
   return lines;
 }

@@ -12,8 +12,8 @@ class vtkDataSet;
 namespace pellucid::geometry {
 
 /// Returns the triangles of the data's polygons and strips or, of other data, of the faces that
-/// bound its cells; what the data hide is left out. Every index of the data has to be that of a
-/// point (readers/vtk/cell_rules.h).
+/// bound its cells, with the numbers of the cells as face_scalars; what the data hide is left out.
+/// Every index of the data has to be that of a point (readers/vtk/cell_rules.h).
 TriangleMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data);
 
 /// Returns the data's polylines in the same way.

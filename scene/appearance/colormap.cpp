@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/appearance/colormap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/error.h"
 #include "core/options/names.h"
 
 namespace pellucid::scene {
@@ -41,6 +44,24 @@ Vec3 ColormapRow::operator()(double x) const {
   const int below = std::min(static_cast<int>(position), count - 2);
   const double fraction = position - below;
   return entry(*this, below) * (1 - fraction) + entry(*this, below + 1) * fraction;
+}
+
+Colormap::Colormap(std::vector<ColorStop> stops) : stops_(std::move(stops)) {
+  if (stops_.size() < 2) throw InputError("a colour map has two stops or more");
+  for (std::size_t i = 1; i < stops_.size(); ++i)
+    if (!(stops_[i].at > stops_[i - 1].at))
+      throw InputError(
+          fmt::format("stop {} of the colour map is at {} after {}; they have to ascend", i,
+                      stops_[i].at, stops_[i - 1].at));
+}
+
+Vec3 Colormap::operator()(double x) const {
+  if (std::isnan(x)) return nan_color;
+  const double at = std::lerp(ends().x, ends().y, std::clamp(x, 0.0, 1.0));
+  const auto after = std::upper_bound(stops_.begin() + 1, stops_.end() - 1, at,
+                                      [](double a, const ColorStop& stop) { return a < stop.at; });
+  const ColorStop &below = *(after - 1), &above = *after;
+  return glm::mix(below.color, above.color, (at - below.at) / (above.at - below.at));
 }
 
 std::span<const ColormapRow> colormaps() { return rows; }

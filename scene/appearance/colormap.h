@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/vec.h"
 
@@ -22,6 +23,29 @@ struct ColormapRow {
 
   /// Returns the colour at x, which is clamped to [0, 1]; nan_color for NaN.
   Vec3 operator()(double x) const;
+};
+
+/// A ColorStop is the colour at one place of a map.
+struct ColorStop {
+  double at = 0;
+  Vec3 color{0};  // red, green, blue in [0, 1]
+};
+
+/// A Colormap is a map of one's own: colours at places that ascend, interpolated linearly between
+/// them.
+class Colormap {
+ public:
+  /// Takes two stops or more. Throws InputError when their places do not ascend.
+  explicit Colormap(std::vector<ColorStop> stops);
+
+  /// Returns the colour at the fraction x of the way from the first stop to the last, which is
+  /// clamped to [0, 1]; nan_color for NaN.
+  Vec3 operator()(double x) const;
+  /// Returns the first and the last place.
+  Vec2 ends() const { return {stops_.front().at, stops_.back().at}; }
+
+ private:
+  std::vector<ColorStop> stops_;
 };
 
 /// Returns the table of colour maps.

@@ -56,12 +56,11 @@ bool on_same_samples(const fields::LevelField& a, const fields::LevelField& b) {
   });
 }
 
-Vec2 range_of(const fields::LevelField& field) {
-  Vec2 range(any, -any);
+std::vector<double> samples_of(const fields::LevelField& field) {
+  std::vector<double> samples;
   for (const fields::ScalarLevel& level : field.levels())
-    for (const double sample : level.samples)
-      range = {std::min(range.x, sample), std::max(range.y, sample)};
-  return range;
+    samples.insert(samples.end(), level.samples.begin(), level.samples.end());
+  return samples;
 }
 
 /// What is not by a scalar stays the default's.
@@ -131,9 +130,8 @@ class IsosurfaceReader {
     surface.field = field_on(std::move(levels.front()));
     surface.corners = corners_of(surface.field->bounds());
     if (color_)
-      surface.coloring = {
-          other_scalar(std::move(levels[1]), *surface.field, *color_),
-          &at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); })};
+      surface.coloring = {other_scalar(std::move(levels[1]), *surface.field, *color_), color_map(),
+                          color_->custom, color_->nan};
     if (opacity_)
       surface.fading = {other_scalar(std::move(levels.back()), *surface.field, *opacity_),
                         opacity_->opacities};
@@ -161,6 +159,12 @@ class IsosurfaceReader {
     return node_.has("dataset") ? generate(node_, scalars) : read_files(node_, folder_, scalars);
   }
 
+  /// None when the map is one of the scene's own.
+  const ColormapRow* color_map() const {
+    if (color_->custom) return nullptr;
+    return &at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); });
+  }
+
   std::shared_ptr<const fields::LevelField> field_on(Levels levels) const {
     return at_place(node_, [&] {
       return std::make_shared<const fields::LevelField>(std::move(levels), *reconstruction_);
@@ -175,7 +179,8 @@ class IsosurfaceReader {
       node_.fail(fmt::format(
           "its grids are not those of the scalar '{}'; accepted: the same boxes and widths",
           by.scalar));
-    return {field, by.range.value_or(range_of(*field))};
+    const Vec2 range = at_place(node_, [&] { return range_over(by, samples_of(*field)); });
+    return {field, range, by.scale};
   }
 
   const JsonNode& node_;

@@ -14,54 +14,18 @@
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
+#include "scene/appearance/face_scalars.h"
 #include "scene/datasets/dataset.h"
 #include "scene/files/any_number.h"
+#include "scene/files/appearance_file.h"
 #include "scene/files/isosurface_file.h"
+#include "scene/files/transform_file.h"
 
 namespace pellucid::scene {
 namespace {
 
 namespace fs = std::filesystem;
 
-Vec2 read_pair(const JsonNode& node, double min, double max) {
-  const auto ends = node.elements();
-  if (ends.size() != 2) node.fail("accepted: two numbers");
-  return {ends[0].number(min, max), ends[1].number(min, max)};
-}
-
-std::variant<std::monostate, Vec3, ScalarColor> read_color(const JsonNode& node) {
-  if (node.is_array()) {
-    const Vec3 rgb = node.vec3();
-    for (const JsonNode& channel : node.elements()) channel.number(0, 1);
-    return rgb;
-  }
-  node.accept_keys({"by", "map", "range"});
-  ScalarColor color{node["by"].string(), "viridis", std::nullopt};
-  if (node.has("map")) color.map = node["map"].string();
-  if (node.has("range")) color.range = read_pair(node["range"], -any, any);
-  return color;
-}
-
-std::variant<std::monostate, double, ScalarOpacity> read_opacity(const JsonNode& node) {
-  if (!node.is_object()) return node.number(0, 1);
-  node.accept_keys({"by", "opacities", "range"});
-  ScalarOpacity opacity{node["by"].string(), read_pair(node["opacities"], 0, 1), std::nullopt};
-  if (node.has("range")) opacity.range = read_pair(node["range"], -any, any);
-  return opacity;
-}
-
-std::variant<std::monostate, double, std::string> read_importance(const JsonNode& node) {
-  if (node.is_string()) return node.string();
-  return node.number(0, 1);
-}
-
-Appearance read_appearance(const JsonNode& node) {
-  Appearance appearance;
-  if (node.has("color")) appearance.color = read_color(node["color"]);
-  if (node.has("opacity")) appearance.opacity = read_opacity(node["opacity"]);
-  if (node.has("importance")) appearance.importance = read_importance(node["importance"]);
-  return appearance;
-}
 
 integrators::SeedCurve read_seed(const JsonNode& node) {
   node.accept_keys({"from", "to", "points", "spline", "closed", "center", "normal", "radius"});
@@ -89,10 +53,7 @@ Halo read_halo(const JsonNode& node) {
   Halo halo;
   halo.width = node["width"].number(0, any);
   halo.depth = node.has("depth") ? node["depth"].number(0, any) : halo.width;
-  if (node.has("color")) {
-    halo.color = node["color"].vec3();
-    for (const JsonNode& channel : node["color"].elements()) channel.number(0, 1);
-  }
+  if (node.has("color")) halo.color = read_rgb(node["color"]);
   return halo;
 }
 
@@ -105,7 +66,8 @@ class ObjectReader {
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
     node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "isosurface",
-                       "color", "opacity", "importance", "opaque", "radius", "profile", "halo"});
+                       "color", "opacity", "importance", "opaque", "radius", "profile", "halo",
+                       "transform"});
     if (std::count_if(kinds.begin(), kinds.end(),
                       [&](const Kind& k) { return node_.has(k.key); }) != 1)
       node_.fail(
@@ -113,6 +75,7 @@ class ObjectReader {
     object_.name = node_.has("name") ? node_["name"].string() : node_.place();
     if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
     (this->*kind->read)(node_[kind->key]);
+    if (node_.has("transform")) place(node_["transform"]);
     apply();
     return std::move(object_);
   }
@@ -265,23 +228,43 @@ class ObjectReader {
     for (const char* key : {"radius", "profile", "importance", "halo"})
       if (node_.has(key)) node_[key].fail("an isosurface has none");
     std::string how;
-    std::visit([&](auto surface) { object_.shape = std::move(surface); },
-               read_isosurface(node, context_.folder, read_appearance(node_), how));
+    std::visit(
+        [&](auto surface) { object_.shape = std::move(surface); },
+        read_isosurface(node, context_.folder, read_appearance(node_, context_.folder), how));
     note(std::move(how));
   }
 
+  void place(const JsonNode& node) {
+    const Transform how = read_transform(node);
+    if (std::holds_alternative<Isosurface>(object_.shape))
+      node.fail("an isosurface has none; accepted: with \"mesh\": true");
+    at_place(node, [&] { transform(how, object_.vertices()); });
+    object_.source.reset();  // its field is elsewhere
+  }
+
   void apply() {
-    Appearance appearance = read_appearance(node_);
+    Appearance appearance = read_appearance(node_, context_.folder);
     if (node_.has("isosurface")) {  // what is by a scalar, it has: none is at its vertices
       if (std::holds_alternative<ScalarColor>(appearance.color)) appearance.color = {};
       if (std::holds_alternative<ScalarOpacity>(appearance.opacity)) appearance.opacity = {};
     }
-    at_place(node_, [&] { apply_appearance(appearance, object_.vertices()); });
-    if (!object_.source) return;
-    if (auto* by = std::get_if<ScalarColor>(&appearance.color); by && !by->range)
-      by->range = finite_range(object_.vertices().scalars.at(by->scalar));
-    if (auto* by = std::get_if<ScalarOpacity>(&appearance.opacity); by && !by->range)
-      by->range = finite_range(object_.vertices().scalars.at(by->scalar));
+    at_place(node_, [&] {
+      if (auto* mesh = std::get_if<geometry::TriangleMesh>(&object_.shape)) {
+        bring_to_vertices(appearance, *mesh);
+        mesh->face_scalars.clear();  // nobody asks for them any more
+      }
+      apply_appearance(appearance, object_.vertices());
+    });
+    if (object_.source) fill_in(appearance);
+  }
+
+  /// The ranges of the whole surface, for lines on it.
+  void fill_in(Appearance appearance) {
+    const auto& scalars = object_.vertices().scalars;
+    if (auto* by = std::get_if<ScalarColor>(&appearance.color))
+      by->range = range_over(*by, scalars.at(by->scalar)), by->in_percent = {};
+    if (auto* by = std::get_if<ScalarOpacity>(&appearance.opacity))
+      by->range = range_over(*by, scalars.at(by->scalar)), by->in_percent = {};
     object_.source->appearance = appearance;
   }
 

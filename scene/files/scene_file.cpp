@@ -10,6 +10,7 @@
 #include "core/files/json_node.h"
 #include "core/options/names.h"
 #include "scene/appearance/appearance.h"
+#include "scene/files/appearance_file.h"
 #include "scene/files/camera_file.h"
 #include "scene/files/object_file.h"
 #include "scene/halo.h"
@@ -63,10 +64,7 @@ void read_view(const JsonNode& root, Scene& scene) {
     scene.camera = read_camera(root["camera"]);
     at_place(root, [&] { return camera_frame(scene.camera); });
   }
-  if (root.has("background")) {
-    scene.background = root["background"].vec3();
-    for (const JsonNode& channel : root["background"].elements()) channel.number(0, 1);
-  }
+  if (root.has("background")) scene.background = read_rgb(root["background"]);
   if (root.has("lighting")) scene.lighting = read_lighting(root["lighting"]);
   if (root.has("energy")) scene.energy = read_energy(root["energy"]);
 }

@@ -30,6 +30,8 @@ SCENES = [
     scene_with(**UNKNOWN),
     scene_with(**STACK, color=UNKNOWN),
     scene_with(**STACK, opacity=UNKNOWN),
+    scene_with(**STACK, transform=UNKNOWN),
+    scene_with(**STACK, transform={"rotate": UNKNOWN}),
     scene_with(surface=UNKNOWN),
     scene_with(lines={**LINES, "seed": UNKNOWN}),
     scene_with(lines=UNKNOWN),

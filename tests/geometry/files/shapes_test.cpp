@@ -69,6 +69,37 @@ TEST_F(UnitShapes, AConcavePolygonCoversItsAreaInEveryFormat) {
   }
 }
 
+TEST_F(UnitShapes, ScalarsOfCellsAreThoseOfTheirTriangles) {
+  const TriangleMesh two = read_mesh(file(
+      "two.vtk", squares("CELL_DATA 2\nSCALARS region double 1\nLOOKUP_TABLE default\n7 nan\n")));
+  ASSERT_EQ(two.triangles.size(), 4u);
+  const std::vector<double>& region = two.face_scalars.at("region");
+  ASSERT_EQ(region.size(), 4u);
+  EXPECT_EQ(region[0], 7);
+  EXPECT_EQ(region[1], 7);
+  EXPECT_TRUE(std::isnan(region[2]) && std::isnan(region[3]));
+  EXPECT_FALSE(two.scalars.contains("region"));
+}
+
+TEST_F(UnitShapes, TheBoundaryOfCellsKeepsTheirScalars) {
+  const TriangleMesh mesh = read_mesh(
+      file("cubes.vtk", cubes("CELL_DATA 2\nSCALARS part int 1\nLOOKUP_TABLE default\n3 4\n")));
+  ASSERT_EQ(mesh.face_scalars.at("part").size(), mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    double x = 0;  // of the triangle's centre: the cubes meet at 1
+    for (const std::uint32_t v : mesh.triangles[i]) x += mesh.positions[v].x / 3;
+    EXPECT_EQ(mesh.face_scalars.at("part")[i], x < 1 ? 3 : 4);
+  }
+}
+
+TEST_F(UnitShapes, AScalarOfALineIsAtAllOfItsPoints) {
+  const LineSet lines = read_lines(file(
+      "lines.vtk",
+      "# vtk DataFile Version 3.0\nl\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 1 1 0\n"
+      "LINES 2 6\n2 0 1\n2 1 2\nCELL_DATA 2\nSCALARS part int 1\nLOOKUP_TABLE default\n3 4\n"));
+  EXPECT_EQ(lines.scalars.at("part"), (std::vector<double>{3, 3, 4, 4}));
+}
+
 TEST_F(UnitShapes, EveryObjFaceKeepsItsOwnNormals) {
   const TriangleMesh mesh =
       read_mesh(file("roof.obj",

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/appearance/color_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/options/names.h"
+
+namespace pellucid::scene {
+namespace {
+
+struct NamedColor {
+  std::string_view name;
+  std::uint32_t rgb;  // 0xRRGGBB
+};
+
+constexpr NamedColor named_colors[] = {
+#include "scene/appearance/css_colors.inc"
+};
+
+Vec3 channels(std::uint32_t rgb) {
+  return Vec3(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255) / 255.0;
+}
+
+std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
+  std::uint32_t value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
+/// Each digit of "#rgb" stands for two.
+std::string doubled(std::string_view digits) {
+  std::string all;
+  for (const char digit : digits) all.append(2, digit);
+  return all;
+}
+
+TextColor color_of_digits(std::string_view text) {
+  std::string digits(text.substr(1));
+  if (digits.size() == 3 || digits.size() == 4) digits = doubled(digits);
+  const auto value = digits.size() == 6 || digits.size() == 8 ? hexadecimal(digits) : std::nullopt;
+  if (!value)
+    throw InputError(fmt::format("'{}'; accepted: #rrggbb, #rgb, #rrggbbaa, #rgba", text));
+  if (digits.size() == 6) return {channels(*value), std::nullopt};
+  return {channels(*value >> 8), (*value & 255) / 255.0};
+}
+
+}  // namespace
+
+TextColor color_of_text(std::string_view text) {
+  if (text.starts_with('#')) return color_of_digits(text);
+  std::string small(text);
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  return {channels(find_row("colour", small, named_colors).rgb), std::nullopt};
+}
+
+}  // namespace pellucid::scene

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colour maps of a scene file. ParaView's preset is a list of maps, of which the first counts:
+//   [{"ColorSpace": "RGB", "Name": "…", "RGBPoints": [x, r, g, b, x, r, g, b, …], "NanColor": …}]
+
+#include "scene/files/colormap_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/options/names.h"
+#include "scene/appearance/color_space.h"
+#include "scene/appearance/colormap.h"
+#include "scene/files/appearance_file.h"
+
+namespace pellucid::scene {
+namespace {
+
+constexpr double any = std::numeric_limits<double>::max();
+
+/// Stops as they stand, [place, colour] each; or colours alone, at even distances.
+std::vector<ColorStop> read_stops(const JsonNode& node) {
+  const auto entries = node.elements();
+  std::vector<ColorStop> stops;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].is_array() && entries[i].value().size() == 2) {
+      const auto stop = entries[i].elements();
+      stops.push_back({stop[0].number(-any, any), read_rgb(stop[1])});
+    } else {
+      const double last = std::max(double(entries.size()) - 1, 1.0);
+      stops.push_back({double(i) / last, read_rgb(entries[i])});
+    }
+  }
+  return stops;
+}
+
+/// RGBPoints: four numbers a stop.
+std::vector<ColorStop> read_points(const JsonNode& node) {
+  const auto numbers = node.elements();
+  if (numbers.size() % 4 != 0) node.fail("accepted: four numbers a stop: value, red, green, blue");
+  std::vector<ColorStop> stops;
+  for (std::size_t i = 0; i < numbers.size(); i += 4)
+    stops.push_back(
+        {numbers[i].number(-any, any),
+         {numbers[i + 1].number(0, 1), numbers[i + 2].number(0, 1), numbers[i + 3].number(0, 1)}});
+  return stops;
+}
+
+const ColorSpace& color_space_of(const JsonNode& map) {
+  if (!map.has("ColorSpace")) return color_spaces().front();
+  const JsonNode name = map["ColorSpace"];
+  return at_place(name, [&]() -> const ColorSpace& {
+    return find_row("colour space", name.string(), color_spaces());
+  });
+}
+
+std::vector<ColorStop> read_paraview(const JsonNode& root, ScalarColor& color) {
+  const auto maps = root.is_array() ? root.elements() : std::vector{root};
+  if (maps.empty()) root.fail("no colour map; accepted: one that ParaView has exported");
+  const JsonNode& map = maps.front();
+  if (!map.has("RGBPoints")) map.fail("accepted: ParaView's RGBPoints");
+  if (map.has("NanColor") && !color.nan) color.nan = read_rgb(map["NanColor"]);
+  return linear_in_rgb(read_points(map["RGBPoints"]), color_space_of(map));
+}
+
+bool is_paraview(const JsonNode& node) {
+  return node.is_object() ||
+         (node.is_array() && !node.value().empty() && node.value()[0].is_object());
+}
+
+void take(std::vector<ColorStop> stops, ScalarColor& color) {
+  color.custom = std::make_shared<const Colormap>(std::move(stops));
+  const Vec2 ends = color.custom->ends();
+  if (!color.range && ends != Vec2(0, 1)) color.range = ends;
+}
+
+}  // namespace
+
+void read_colormap(const JsonNode& node, const std::filesystem::path& folder, ScalarColor& color) {
+  if (is_paraview(node)) return at_place(node, [&] { take(read_paraview(node, color), color); });
+  if (node.is_array()) return at_place(node, [&] { take(read_stops(node), color); });
+  color.map = node.string();
+  if (!color.map.ends_with(".json")) return;
+  const std::filesystem::path path = folder / color.map;
+  at_place(node, [&] {
+    const nlohmann::json json = read_json(path);
+    take(read_paraview(JsonNode(path.string(), json), color), color);
+  });
+}
+
+}  // namespace pellucid::scene
