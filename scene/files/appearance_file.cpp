@@ -4,16 +4,14 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
 #include <string_view>
 
 #include "scene/appearance/color_text.h"
+#include "scene/files/any_number.h"
 #include "scene/files/colormap_file.h"
 
 namespace pellucid::scene {
 namespace {
-
-constexpr double any = std::numeric_limits<double>::max();
 
 Vec2 read_opacities(const JsonNode& node) {
   const auto ends = node.elements();

@@ -7,18 +7,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/options/names.h"
 #include "scene/appearance/color_space.h"
 #include "scene/appearance/colormap.h"
+#include "scene/files/any_number.h"
 #include "scene/files/appearance_file.h"
 
 namespace pellucid::scene {
 namespace {
-
-constexpr double any = std::numeric_limits<double>::max();
 
 /// Stops as they stand, [place, colour] each; or colours alone, at even distances.
 std::vector<ColorStop> read_stops(const JsonNode& node) {

@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 integrators::SeedCurve read_seed(const JsonNode& node) {
   node.accept_keys({"from", "to", "points", "spline", "closed", "center", "normal", "radius"});
   const bool closed = node.has("closed") && node["closed"].boolean();

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/files/transform_file.h"
+#include "scene/files/any_number.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 namespace pellucid::scene {
 namespace {
-
-constexpr double any = std::numeric_limits<double>::max();
 
 /// Farther from 1 a factor's square, which a normal's length takes, is 0 or infinite.
 constexpr double smallest_factor = 1e-100, largest_factor = 1e100;
