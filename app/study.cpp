@@ -13,6 +13,7 @@
 #include "compare/report/tables.h"
 #include "compare/results/provenance.h"
 #include "compare/run/run_study.h"
+#include "compare/study/needs.h"
 #include "compare/study/study.h"
 #include "core/error.h"
 
@@ -74,6 +75,8 @@ void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   options.context.gl = globals.gl;
   options.progress = console_progress(globals);
   if (!globals.json && !globals.quiet) options.on_row = print_row;
+  for (const compare::LeftOutScene& scene : compare::left_out_scenes(study.file))
+    std::cerr << "pellucid: " << scene.text() << '\n';
   const compare::StudyOutcome outcome = compare::run_study(study, options);
   if (globals.json)
     fmt::print("{}", compare::results_json(study, outcome.rows));

@@ -9,6 +9,7 @@
 
 #include "compare/measures/study_measures.h"
 #include "compare/methods/optimize_opacities.h"
+#include "compare/study/needs.h"
 #include "compare/study/read_calls.h"
 #include "compare/study/read_given.h"
 #include "compare/study/read_source.h"
@@ -162,6 +163,14 @@ Views read_views(const JsonNode& node) {
   return views;
 }
 
+/// Takes out the scenes that lack a file that they need. A note says so in the report.
+void leave_out(const std::vector<LeftOutScene>& left_out, Study& study) {
+  for (const LeftOutScene& one : left_out) {
+    std::erase_if(study.scenes, [&](const fs::path& s) { return scene_name(s) == one.scene; });
+    study.notes.push_back("Of this study " + one.text() + '.');
+  }
+}
+
 /// A Reading is a study while it is read, with the tables whose rows its calls name.
 struct Reading {
   Catalogue methods, integrators;
@@ -235,8 +244,11 @@ constexpr StudyKey keys[] = {
        for (const JsonNode& element : value.elements())
          to.study.ladders.push_back(read_ladder(element, to.study));
      }},
-    {"published", [](const JsonNode& value, Reading& to) {
-       to.study.published = read_published(value, to.study);
+    {"published", [](const JsonNode& value,
+                     Reading& to) { to.study.published = read_published(value, to.study); }},
+    // The last: what other keys say of a scene holds whether or not its data are there.
+    {"needs", [](const JsonNode& value, Reading& to) {
+       leave_out(read_needs(value, to.folder(), to.scenes()), to.study);
      }}};
 
 void read_keys(std::span<const StudyKey> table, const JsonNode& root, Reading& to) {

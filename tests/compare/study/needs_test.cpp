@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes whose data do not come with the study.
+#include "compare/study/needs.h"
+
+#include <gmock/gmock.h>
+
+#include "compare/study/study.h"
+#include "core/error.h"
+#include "tests/compare/fake_methods.h"
+#include "tests/compare/study_folder.h"
+
+namespace pellucid::compare {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using namespace pellucid::compare::testing;
+
+constexpr const char* needs = R"("needs": {"two": ["one.json", "data/wind.vtu"]})";
+
+std::string error_of(const std::string& more) {
+  const StudyFolder folder;
+  try {
+    load_study(folder.study(R"(["shifted"])", more), fake_methods());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(UnitNeeds, ASceneIsLeftOutUntilItsDataAreThere) {
+  const StudyFolder folder;
+  const auto file = folder.study(R"(["shifted"])", needs);
+  const Study without = load_study(file, fake_methods());
+  EXPECT_THAT(without.scenes, ElementsAre(folder / "one.json"));
+  const std::string said = "'two' is left out: " + (folder / "data/wind.vtu").string();
+  EXPECT_THAT(without.notes, ElementsAre(HasSubstr(said)));
+  ASSERT_EQ(left_out_scenes(file).size(), 1u);
+  EXPECT_THAT(left_out_scenes(file).front().text(), HasSubstr(said));
+
+  write_text(folder / "data/wind.vtu", "here");
+  const Study with = load_study(file, fake_methods());
+  EXPECT_THAT(with.scenes, ElementsAre(folder / "one.json", folder / "two.json"));
+  EXPECT_THAT(with.notes, IsEmpty());
+  EXPECT_THAT(left_out_scenes(file), IsEmpty());
+}
+
+TEST(UnitNeeds, WhatOtherKeysSayOfTheSceneStaysRight) {
+  const StudyFolder folder;
+  const auto file =
+      folder.study(R"(["shifted"])", std::string(needs) + R"(, "crops": {"two": [0, 0, 2, 2]})");
+  EXPECT_THAT(load_study(file, fake_methods()).scenes, ElementsAre(folder / "one.json"));
+}
+
+TEST(UnitNeeds, OtherScenesAndTypesAreRefused) {
+  EXPECT_THAT(error_of(R"("needs": {"tow": "x.vtu"})"),
+              AllOf(HasSubstr("needs: unknown scene 'tow'"), HasSubstr("two")));
+  EXPECT_THAT(error_of(R"("needs": {"two": 3})"), HasSubstr("needs.two"));
+  EXPECT_THAT(error_of(R"("needs": {"one": "x.vtu", "two": "y.vtu"})"),
+              AllOf(HasSubstr("x.vtu is missing"), HasSubstr("one scene at least")));
+}
+
+}  // namespace
+}  // namespace pellucid::compare
