@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "core/machine/stopwatch.h"
+#include "oit/gl/egl_devices.h"
 
 namespace pellucid::app {
 namespace {
@@ -82,8 +83,15 @@ void add_opacities_option(CLI::App& command, std::string& opacities) {
 }
 
 void add_gl_option(CLI::App& command, GlobalOptions& globals) {
-  command.add_option("--gl", globals.gl, "Where OpenGL runs: osmesa (software) or egl")
-      ->check(CLI::IsMember({"osmesa", "egl"}))
+  const auto complaint = [](std::string& text) -> std::string {
+    if (oit::is_gl_kind(text)) return {};
+    return fmt::format("'{}'; accepted: {}", text, oit::accepted_gl);
+  };
+  command
+      .add_option("--gl", globals.gl,
+                  "Where OpenGL runs: osmesa (software), egl (the first graphics card), egl:N (a "
+                  "device by its number), egl:software; see 'list gl'")
+      ->check(CLI::Validator(complaint, "GL"))
       ->capture_default_str();
 }
 

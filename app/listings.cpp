@@ -16,6 +16,7 @@
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/butcher_tableau.h"
 #include "integrators/surfaces/integrate_surface.h"
+#include "oit/gl/egl_devices.h"
 #include "scene/appearance/colormap.h"
 #include "scene/datasets/dataset.h"
 
@@ -215,6 +216,18 @@ nlohmann::ordered_json list_all_studies() {
   return rows;
 }
 
+nlohmann::ordered_json list_gl() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  rows.push_back(
+      {{"name", "osmesa"}, {"title", "Mesa's llvmpipe, without EGL"}, {"software", true}});
+  const std::vector<oit::EglDevice> devices = oit::egl_devices();
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    rows.push_back({{"name", fmt::format("egl:{}", i)},
+                    {"title", devices[i].name},
+                    {"software", devices[i].software}});
+  return rows;
+}
+
 constexpr Listing table[] = {{"methods", "method", list_methods},
                              {"integrators", "integrator", list_integrators},
                              {"steppers", "stepper", list_steppers},
@@ -227,7 +240,8 @@ constexpr Listing table[] = {{"methods", "method", list_methods},
                              {"metrics", "metric", list_metrics},
                              {"measures", "measure", list_measures},
                              {"columns", "column", list_columns},
-                             {"studies", "study", list_all_studies}};
+                             {"studies", "study", list_all_studies},
+                             {"gl", "place where OpenGL runs", list_gl}};
 
 }  // namespace
 

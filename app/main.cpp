@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/manual/manual_options.h"
 #include "core/error.h"
 #include "core/machine/build_info.h"
 
@@ -47,7 +48,8 @@ void limit_threads(int threads, std::optional<tbb::global_control>& limit) {
 int run(int argc, char** argv) {
   CLI::App app{
       "Renders transparent flow visualizations exactly and by order-independent methods,\n"
-      "and says how far each is from the truth and what it costs."};
+      "and says how far each is from the truth and what it costs.",
+      "pellucid"};
   app.set_version_flag("--version",
                        std::string("pellucid ") + build_version + " (" + build_commit + ")");
   app.require_subcommand(1);
@@ -62,7 +64,9 @@ int run(int argc, char** argv) {
   add_conform_command(app, globals);
   add_data_command(app, globals);
   add_info_command(app, globals);
+  add_crossings_command(app, globals);
   add_list_command(app, globals);
+  add_manual_options(app);
   std::optional<tbb::global_control> thread_limit;
   app.parse_complete_callback([&] { limit_threads(globals.threads, thread_limit); });
   try {

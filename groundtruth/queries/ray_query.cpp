@@ -23,15 +23,17 @@ void check(const FreeRay& ray) {
     throw InputError("ray: the direction is 0; accepted: any other length");
 }
 
-/// Whether the ray may meet the box. Distances carry a rounding for their difference and one for
-/// their quotient; they are moved apart by more.
-bool may_meet(const FreeRay& ray, const Box3& box) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where the ray enters the box at the earliest, if it may meet it. Distances carry a rounding for
+/// their difference and one for their quotient; they are moved apart by more.
+std::optional<double> earliest(const FreeRay& ray, const Box3& box) {
   constexpr double outwards = 4 * 0x1p-53;
-  double near = 0, far = std::numeric_limits<double>::infinity();
+  double near = 0, far = infinity;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis], d = ray.direction[axis];
     if (d == 0) {
-      if (o < box.min[axis] || o > box.max[axis]) return false;
+      if (o < box.min[axis] || o > box.max[axis]) return std::nullopt;
       continue;
     }
     double first = (box.min[axis] - o) / d, last = (box.max[axis] - o) / d;
@@ -39,8 +41,13 @@ bool may_meet(const FreeRay& ray, const Box3& box) {
     near = std::max(near, first * (first > 0 ? 1 - outwards : 1 + outwards));
     far = std::min(far, last * (last > 0 ? 1 + outwards : 1 - outwards));
   }
-  return near <= far;
+  if (near > far) return std::nullopt;
+  return near;
 }
+
+/// The t beyond which no box has to be looked at when a hit at `t` is known: further than t by more
+/// than the errors of two hits, 2^-20 each and less than the smallest number of full precision.
+double no_further_than(double t) { return t * (1 + 0x1p-18) + std::numeric_limits<double>::min(); }
 
 int longest_axis(const Box3& box) {
   const Vec3 d = box.max - box.min;
@@ -86,20 +93,31 @@ std::uint32_t RayQuery::build(std::uint32_t begin, std::uint32_t end,
   return number;
 }
 
-/// Calls hit(RayHit) for every crossing, in any order.
+/// Calls hit(RayHit) for every crossing, in any order, but for those beyond `farthest`, which hit()
+/// may lower.
 template <class Visit>
-void RayQuery::visit(const FreeRay& ray, const Visit& hit) const {
+void RayQuery::visit(const FreeRay& ray, const double& farthest, const Visit& hit) const {
   check(ray);
-  std::uint32_t waiting[64];  // a tree of 2^32 triangles is 32 deep
+  struct Waiting {
+    std::uint32_t node;
+    double from;
+  } waiting[64];  // a tree of 2^32 triangles is 32 deep
   int count = 0;
-  waiting[count++] = 0;
+  const auto wait = [&](std::uint32_t node, std::optional<double> from) {
+    if (from) waiting[count++] = {node, *from};
+  };
+  wait(0, earliest(ray, nodes_[0].box));
   while (count > 0) {
-    const std::uint32_t number = waiting[--count];
+    const auto [number, from] = waiting[--count];
+    if (from > farthest) continue;
     const Node& node = nodes_[number];
-    if (!may_meet(ray, node.box)) continue;
     if (node.count == 0) {
-      waiting[count++] = node.right;
-      waiting[count++] = number + 1;
+      const auto left = earliest(ray, nodes_[number + 1].box);
+      const auto right = earliest(ray, nodes_[node.right].box);
+      const bool left_first = left < right;  // the nearer one is put last, and taken first
+      if (left_first) wait(node.right, right);
+      wait(number + 1, left);
+      if (!left_first) wait(node.right, right);
     }
     for (std::uint32_t i = node.right; i < node.right + node.count; ++i) {
       const auto& [a, b, c] = mesh_.triangles[order_[i]];
@@ -111,22 +129,25 @@ void RayQuery::visit(const FreeRay& ray, const Visit& hit) const {
 
 std::vector<RayHit> RayQuery::all(const FreeRay& ray) const {
   std::vector<RayHit> hits;
-  visit(ray, [&](const RayHit& hit) { hits.push_back(hit); });
+  visit(ray, infinity, [&](const RayHit& hit) { hits.push_back(hit); });
   std::sort(hits.begin(), hits.end());
   return hits;
 }
 
 std::optional<RayHit> RayQuery::first(const FreeRay& ray) const {
   std::optional<RayHit> nearest;
-  visit(ray, [&](const RayHit& hit) {
-    if (!nearest || hit < *nearest) nearest = hit;
+  double farthest = infinity;
+  visit(ray, farthest, [&](const RayHit& hit) {
+    if (nearest && !(hit < *nearest)) return;
+    nearest = hit;
+    farthest = no_further_than(hit.t);
   });
   return nearest;
 }
 
 std::size_t RayQuery::count(const FreeRay& ray) const {
   std::size_t count = 0;
-  visit(ray, [&](const RayHit&) { ++count; });
+  visit(ray, infinity, [&](const RayHit&) { ++count; });
   return count;
 }
 

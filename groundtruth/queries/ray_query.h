@@ -52,7 +52,7 @@ class RayQuery {
 
   std::uint32_t build(std::uint32_t begin, std::uint32_t end, const std::vector<Vec3>& centers);
   template <class Visit>
-  void visit(const FreeRay& ray, const Visit& hit) const;
+  void visit(const FreeRay& ray, const double& farthest, const Visit& hit) const;
 
   geometry::TriangleMesh mesh_;
   std::vector<std::uint32_t> order_;

@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "oit/gl/egl_devices.h"
 
 namespace pellucid::oit {
 namespace {
 
 std::unique_ptr<GlPlatform> make_platform(std::string_view kind) {
   if (kind == "osmesa") return make_osmesa_platform();
-  if (kind == "egl") return make_egl_platform();
-  throw InputError(fmt::format("gl: '{}'; accepted: osmesa|egl", kind));
+  if (is_gl_kind(kind)) return make_egl_platform(kind);
+  throw InputError(fmt::format("gl: '{}'; accepted: {}", kind, accepted_gl));
 }
 
 Gl load(GlPlatform& platform) {
@@ -42,6 +43,12 @@ GlContext::GlContext(std::string_view kind)
   platform_->make_current();
   gl_ = load(*platform_);
   driver_ = driver_name(gl_);
+  // Drivers without a word fall back to software, whose times would be taken for a graphics card's.
+  if (kind == "egl" && is_software_renderer(driver_))
+    throw WorkError(
+        fmt::format("EGL: the driver is {}; accepted with --gl egl: a graphics card's; "
+                    "with --gl egl:software or osmesa: this",
+                    driver_));
   gl_.Enable(GL_DEBUG_OUTPUT);
   gl_.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   gl_.DebugMessageCallback(remember_error, message_.get());

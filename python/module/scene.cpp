@@ -192,7 +192,7 @@ constexpr const char* render_doc =
 
 opacities: composite the opacities that this call finds, such as 'decoupled-lists'. warm_up: as the
 command line does, render twice and time the second picture; False halves the wait, and the times of
-OpenGL's methods then have compiling in them. gl: 'osmesa' or 'egl'.)";
+OpenGL's methods then have compiling in them. gl: as `--gl` of the command line.)";
 
 constexpr const char* add_doc =
     R"(Adds a Mesh, Lines, Points, or an object of a scene file as a dict, with further keys of such an
