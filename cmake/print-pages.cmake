@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Run by the build: has PROGRAM print its manual pages and completions into FOLDER.
+function(print file)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${FOLDER}/${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER})
+print(pellucid.bash --completion bash)
+print(_pellucid --completion zsh)
+print(pellucid.1 --manual pellucid)
+file(STRINGS ${FOLDER}/pellucid.1 lines REGEX "see pellucid")
+foreach(line ${lines})
+  string(REGEX MATCH "see pellucid\\\\-([a-z]+)" found "${line}")
+  print(pellucid-${CMAKE_MATCH_1}.1 --manual ${CMAKE_MATCH_1})
+endforeach()
