@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using namespace pellucid::compare::testing;
 
-constexpr const char* needs = R"("needs": {"two": ["one.json", "data/wind.vtu"]})";
+constexpr const char* needs = R"("needs": {"two": ["one.json", "wind.vtu"]})";
 
 std::string error_of(const std::string& more) {
   const StudyFolder folder;
@@ -35,12 +35,12 @@ TEST(UnitNeeds, ASceneIsLeftOutUntilItsDataAreThere) {
   const auto file = folder.study(R"(["shifted"])", needs);
   const Study without = load_study(file, fake_methods());
   EXPECT_THAT(without.scenes, ElementsAre(folder / "one.json"));
-  const std::string said = "'two' is left out: " + (folder / "data/wind.vtu").string();
+  const std::string said = "'two' is left out: " + (folder / "wind.vtu").string();
   EXPECT_THAT(without.notes, ElementsAre(HasSubstr(said)));
   ASSERT_EQ(left_out_scenes(file).size(), 1u);
   EXPECT_THAT(left_out_scenes(file).front().text(), HasSubstr(said));
 
-  write_text(folder / "data/wind.vtu", "here");
+  write_text(folder / "wind.vtu", "here");
   const Study with = load_study(file, fake_methods());
   EXPECT_THAT(with.scenes, ElementsAre(folder / "one.json", folder / "two.json"));
   EXPECT_THAT(with.notes, IsEmpty());
