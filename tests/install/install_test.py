@@ -88,7 +88,7 @@ def test_bash_completes_commands_options_and_names(prefix):
 def test_zsh_completes_the_same(prefix):
     """With functions in the place of the shell's own, which print what they are given."""
     script = ("compdef() { }; compadd() { shift; print -l -- $@ }; _files() { print FILES }; "
-              f"source {prefix}/share/zsh/vendor-completions/_pellucid; words=(pellucid $@); CURRENT=$#words; _pellucid")
+              f"source {prefix}/share/zsh/vendor-completions/_pellucid; words=(pellucid \"$@\"); CURRENT=$#words; _pellucid")
 
     def offered(*words):
         return set(run("zsh", "-fc", script, "zsh", *words).split())
