@@ -75,6 +75,7 @@ std::vector<Cell> expand_cells(const Study& study) {
     if (probes != study.probes.end()) cell.probes = probes->second;
     cell.opacities = study.opacities;
     cell.views = study.views;
+    cell.budget = study.budget;
     cells.push_back(cell);
     cell.reference = false;
     cell.scene_file = scene;
@@ -88,6 +89,9 @@ std::vector<Cell> expand_cells(const Study& study) {
 
 CellFiles::CellFiles(fs::path folder, const Cell& cell)
     : folder_(std::move(folder)), scene_(cell.scene), slug_(cell.call.slug()) {}
+
+CellFiles::CellFiles(fs::path folder, const ResultRow& row)
+    : folder_(std::move(folder)), scene_(row.scene), slug_(slug_of(row.call())) {}
 
 fs::path CellFiles::image(std::string_view ending) const {
   return folder_ / "images" / scene_ / fmt::format("{}{}{}", slug_, view_, ending);
@@ -139,6 +143,8 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
   for (const std::string& measure : cell.measures) hash.add(measure);
   hash.add(text_of(cell.views));
   for (const Pixel& pixel : cell.probes) hash.add(fmt::format("{} {}", pixel.x, pixel.y));
+  if (const auto& b = cell.budget)
+    hash.add(fmt::format("budget {} {} {}", b->field, b->samples, b->factor));
   return hash.hex();
 }
 

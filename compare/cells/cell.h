@@ -24,6 +24,7 @@ struct Cell {
   std::optional<MethodCall> opacities = std::nullopt;  // see Study
   GivenPlace place = {};                               // of a picture from elsewhere
   Views views = {};
+  std::optional<BudgetOptions> budget = std::nullopt;
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }
@@ -36,6 +37,8 @@ std::vector<Cell> expand_cells(const Study& study);
 class CellFiles {
  public:
   CellFiles(std::filesystem::path folder, const Cell& cell);
+  /// Stands for the cell of a row that some run has left in its folder.
+  CellFiles(std::filesystem::path folder, const ResultRow& row);
 
   std::filesystem::path picture() const { return image(".exr"); }  // 32-bit float
   std::filesystem::path preview() const { return image(".png"); }

@@ -27,15 +27,17 @@ std::string MethodCall::text() const {
   return own.empty() ? std::string(row->name) : fmt::format("{}:{}", row->name, own);
 }
 
-std::string MethodCall::slug() const {
-  std::string slug = text();
+std::string MethodCall::slug() const { return slug_of(text()); }
+
+std::string slug_of(const std::string& call) {
+  std::string slug = call;
   bool lossy = false;
   for (char& c : slug) {
     if (is_file_safe(c)) continue;
     lossy |= std::string_view("-:=,").find(c) == std::string_view::npos;
     c = '-';
   }
-  return lossy ? fmt::format("{}-{:08x}", slug.substr(0, 80), short_hash(text())) : slug;
+  return lossy ? fmt::format("{}-{:08x}", slug.substr(0, 80), short_hash(call)) : slug;
 }
 
 }  // namespace pellucid::compare

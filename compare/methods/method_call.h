@@ -23,4 +23,7 @@ struct MethodCall {
   std::string slug() const;
 };
 
+/// Returns the text of a call as part of a file's name.
+std::string slug_of(const std::string& call);
+
 }  // namespace pellucid::compare

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/report/budget_tables.h"
 #include "compare/report/tables.h"
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
@@ -240,7 +241,8 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
   }
   if (!study.claims.empty()) text += "\n## What the source found\n";
   for (const Claim& claim : study.claims) text += markdown_claim(claim, study, rows);
-  return text + markdown_ladders(study, rows) + markdown_costs(study, rows);
+  return text + markdown_budgets(rows) + markdown_ladders(study, rows) +
+         markdown_costs(study, rows);
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {

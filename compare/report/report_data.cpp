@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compare/budget/budget_stages.h"
 #include "compare/cells/cell.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
@@ -113,6 +114,9 @@ json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
   if (!row.error.empty()) return j;
   j["values"] = values_json(row);
   j["intervals"] = intervals_json(row);
+  if (row.budget)
+    for (json& stage : j["budget"]["stages"])
+      stage["title"] = title_of_stage(stage["stage"].get<std::string>());
   j["picture"] = data_uri(files.preview());
   for (json& picture : j["pictures"])
     picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));

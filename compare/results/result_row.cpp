@@ -167,6 +167,7 @@ void add_results(const ResultRow& row, json& j) {
   j["measures"] = measures_json(row);
   j["pictures"] = pictures_json(row);
   j["curves"] = curves_json(row);
+  if (row.budget) j["budget"] = to_json(*row.budget);
   j["explanation"] = row.explanation;
   j["scene_provenance"] = row.scene_provenance;
 }
@@ -189,6 +190,7 @@ void results_from(const json& j, ResultRow& row) {
   for (const json& c : j.at("curves"))
     row.curves.push_back({c.at("name"), c.at("label"), c.at("title"), c.at("x_title"),
                           c.at("y_title"), c.at("x"), c.at("y")});
+  if (j.contains("budget")) row.budget = budget_from_json(j.at("budget"));
   row.explanation = j.at("explanation");
   row.scene_provenance = j.at("scene_provenance");
 }

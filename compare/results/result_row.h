@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compare/pictures/metrics.h"
+#include "compare/results/error_budget.h"
 #include "compare/timing/timing_rule.h"
 #include "core/machine/calibration.h"
 #include "scene/renderer.h"
@@ -68,7 +69,8 @@ struct ResultRow {
   std::vector<scene::Measure> measures;   // that only some methods have
   std::vector<RowPicture> pictures;
   std::vector<RowCurve> curves;
-  std::vector<std::string> explanation;                 // what the method modelled, and why
+  std::optional<ErrorBudget> budget;     // of the picture's error, where the study asks for it
+  std::vector<std::string> explanation;  // what the method modelled, and why
   std::map<std::string, std::string> scene_provenance;  // how the scene was made
   std::map<std::string, std::string> machine;           // with the method's own facts: driver, …
 

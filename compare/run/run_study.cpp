@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compare/report/budget_tables.h"
 #include "compare/report/report.h"
 #include "compare/report/tables.h"
 #include "compare/run/study_jobs.h"
@@ -176,6 +177,7 @@ class StudyRun {
     write_text(options_.folder / "results.json", results_json(study_, outcome_.rows));
     write_text(options_.folder / "table.md", markdown_table(study_, outcome_.rows));
     write_text(options_.folder / "table.tex", latex_table(study_, outcome_.rows));
+    if (study_.budget) write_text(options_.folder / "budget.csv", csv_budgets(outcome_.rows));
     if (study_.published)
       write_text(options_.folder / "costs.csv", csv_costs(study_, outcome_.rows));
     write_report(options_.folder, study_, outcome_.rows);

@@ -23,6 +23,7 @@ class SceneAtHand {
   /// Looks from another view, counted from 0; the scene from the last one ends.
   void look_from(std::size_t view);
   std::size_t view() const { return view_; }
+  const scene::RenderContext& context() const { return context_; }
   /// Returns the scene from this view, with optimized opacities where the study asks for them.
   const scene::Scene& scene();
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "compare/budget/measure_budget.h"
 #include "compare/measures/layer_error.h"
 #include "compare/measures/layer_pictures.h"
 #include "compare/measures/study_measures.h"
@@ -115,6 +116,8 @@ void finish_view(const Job& job, CellMeasurement measured, SceneAtHand& at_hand,
   compare_with_reference(job, files, measured, at_hand);
   if (makes_layers(job.cell.call) && !job.cell.reference && at_hand.has_reference_layers())
     add_layer_difference(at_hand.reference_layers(), measured);
+  if (job.cell.budget && at_hand.view() == 0)
+    add_budget(job.cell, study.reference, at_hand.scene(), at_hand.context(), measured);
   for (const std::string& name : job.cell.measures)
     find_row("measure", name, study_measures())
         .measure(at_hand.scene(), at_hand.reference(), measured);

@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "core/files/json_node.h"
 #include "core/options/names.h"
+#include "fields/make_field.h"
 #include "scene/files/camera_file.h"
 
 namespace pellucid::compare {
@@ -142,6 +143,28 @@ TimingRule read_timing(const JsonNode& node, int repeats) {
   return rule;
 }
 
+/// true, or {"field": NAME, "samples": 4, "factor": 4}. Stages are refined towards the reference.
+std::optional<BudgetOptions> read_budget(const JsonNode& node, const Study& study) {
+  constexpr int most_samples = 16;
+  constexpr double most_factor = 64;
+  if (!study.reference.row->promises.exact)
+    node.fail(
+        fmt::format("the reference, {}, is not exact; accepted: beside one that is, such as "
+                    "raytrace",
+                    study.reference.text()));
+  if (study.reference_scene) node.fail("beside a 'reference_scene'; accepted: one of the two");
+  BudgetOptions options;
+  if (!node.is_object()) return node.boolean() ? std::optional(options) : std::nullopt;
+  node.accept_keys({"field", "samples", "factor"});
+  if (node.has("field")) {
+    options.field = node["field"].string();
+    at_place(node["field"], [&] { fields::make_field(options.field, study.file.parent_path()); });
+  }
+  if (node.has("samples")) options.samples = node["samples"].integer(2, most_samples);
+  if (node.has("factor")) options.factor = node["factor"].number(2, most_factor);
+  return options;
+}
+
 /// A number of views on an orbit, "path", or a list of cameras.
 Views read_views(const JsonNode& node) {
   constexpr int most_views = 1000;
@@ -232,6 +255,8 @@ constexpr StudyKey keys[] = {
      [](const JsonNode& value, Reading& to) {
        to.study.probes = read_by_scene(value, to.scenes(), read_pixels);
      }},
+    {"budget",
+     [](const JsonNode& value, Reading& to) { to.study.budget = read_budget(value, to.study); }},
     {"measures",
      [](const JsonNode& value, Reading& to) { to.study.measures = read_measures(value); }},
     {"claims",

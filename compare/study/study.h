@@ -39,6 +39,13 @@ struct Views {
   bool any() const { return orbit > 0 || path || !cameras.empty(); }
 };
 
+/// BudgetOptions say how much finer the stages of an error budget are made; see docs/evaluation.md.
+struct BudgetOptions {
+  std::string field;  // the formula that a sampled field was sampled from; empty: not known
+  int samples = 4;    // per axis of a pixel, 2 … 16
+  double factor = 4;  // by which the lengths of meshes and lines become shorter, 2 … 64
+};
+
 /// A study file: scenes × methods × parameters against one reference.
 struct Study {
   std::string name;  // the file's stem
@@ -63,6 +70,7 @@ struct Study {
   std::vector<Ladder> ladders;                       // where does each method break?
   std::vector<std::string> measures;                 // names of StudyMeasure, for each picture
   std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
+  std::optional<BudgetOptions> budget;               // of each picture's error
   std::optional<PublishedCosts> published;           // times and bytes that the source printed
 };
 

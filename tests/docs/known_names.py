@@ -46,6 +46,7 @@ STUDIES = [
     {**STUDY, "methods": [{"picture": "theirs.exr", "name": "theirs", **UNKNOWN}]},
     {**STUDY, "integrators": [{"integrator": "*", **UNKNOWN}]},
     {**STUDY, "timing": UNKNOWN},
+    {**STUDY, "budget": UNKNOWN},
     {**STUDY, "claims": [UNKNOWN]},
     {**STUDY, "published": UNKNOWN},
     {**STUDY, "published": {"machine": "", "rows": [UNKNOWN]}},

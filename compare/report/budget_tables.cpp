@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/report/budget_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/budget/budget_stages.h"
+#include "compare/report/tables.h"
+
+namespace pellucid::compare {
+namespace {
+
+bool has_budget(const ResultRow& row) { return row.budget.has_value(); }
+
+std::string csv_quoted(std::string_view text) {
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + '"';
+}
+
+/// Nothing where the finer picture takes no longer: there the gain costs nothing.
+std::string slope_text(const BudgetLine& line) {
+  return line.seconds > 0 ? fmt::format("{:.3g}", line.gain / line.seconds) : "";
+}
+
+std::string csv_line(const BudgetLine& line) {
+  if (!line.why_not.empty())
+    return fmt::format("{},,,,,,,,,{}\n", line.stage, csv_quoted(line.why_not));
+  return fmt::format("{},{},{},{},{},{},{},{},{},\n", line.stage, csv_quoted(line.refinement),
+                     line.share, line.first, line.last, line.rmse, line.gain, line.seconds,
+                     slope_text(line));
+}
+
+std::string csv_budget(const ResultRow& row) {
+  const std::string cell =
+      fmt::format("{},{},{},", row.scene, csv_quoted(row.method), csv_quoted(row.parameters));
+  std::string text;
+  for (const BudgetLine& line : row.budget->lines) text += cell + csv_line(line);
+  text += fmt::format("{}interaction,,{},,,,,,,\n", cell, row.budget->interaction);
+  return text + fmt::format("{}whole,,1,,,{},,{},,\n", cell, row.budget->rmse, row.budget->seconds);
+}
+
+std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
+
+std::string markdown_line(const BudgetLine& line) {
+  return fmt::format("| {} | {} | {} … {} | {:.2e} | {:.2e} | {:+.3g} | {} | {} |\n",
+                     title_of_stage(line.stage), percent(line.share),
+                     percent(std::min(line.first, line.last)),
+                     percent(std::max(line.first, line.last)), line.rmse, line.gain, line.seconds,
+                     line.seconds > 0 ? slope_text(line) : "free", line.refinement);
+}
+
+std::string markdown_budget(const ResultRow& row) {
+  const ErrorBudget& budget = *row.budget;
+  std::string text = fmt::format(
+      "\n### Where the error of {}/{} comes from\n\n"
+      "RMSE {:.3e} against all stages refined; {:.3g} s as drawn.\n\n"
+      "| Stage | Share | alone … last | RMSE | Gain | More [s] | Gain per s | Refined to |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---|\n",
+      row.scene, row.call(), budget.rmse, budget.seconds);
+  std::string others;
+  for (const BudgetLine& line : budget.lines)
+    (line.why_not.empty() ? text : others) +=
+        line.why_not.empty()
+            ? markdown_line(line)
+            : fmt::format("- {}: not here: {}\n", title_of_stage(line.stage), line.why_not);
+  text += fmt::format("| Interaction of three or more | {} | | | | | | |\n",
+                      percent(budget.interaction));
+  return text + (others.empty() ? "" : "\n" + others);
+}
+
+}  // namespace
+
+std::string csv_budgets(std::span<const ResultRow> rows) {
+  if (std::ranges::none_of(rows, has_budget)) return "";
+  std::string text =
+      "scene,method,parameters,stage,refinement,share,share_first,share_last,rmse,gain,seconds,"
+      "gain_per_second,why_not\n";
+  for (const ResultRow& row : rows)
+    if (row.budget) text += csv_budget(row);
+  return text;
+}
+
+std::string markdown_budgets(std::span<const ResultRow> rows) {
+  if (std::ranges::none_of(rows, has_budget)) return "";
+  std::string text = "\n## Where the error comes from\n";
+  for (const ResultRow& row : rows)
+    if (row.budget) text += markdown_budget(row);
+  return text;
+}
+
+}  // namespace pellucid::compare
