@@ -10,6 +10,8 @@
 
 #include "app/commands.h"
 #include "app/compare_inputs.h"
+#include "app/compare_runs.h"
+#include "compare/changes/past_run.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/flip.h"
 #include "compare/pictures/image_file.h"
@@ -31,6 +33,7 @@ struct CompareArguments {
   std::filesystem::path diff, flip_map;
   std::vector<std::string> metrics;                        // empty: all but those on request
   std::map<std::string_view, std::optional<double>> fail;  // by metric: its threshold
+  CompareRunsOptions runs;
 };
 
 /// "--fail-max-error".
@@ -173,7 +176,34 @@ Image flip_image(const Raster<float>& map, const std::filesystem::path& file) {
   return values;
 }
 
+/// Of two folders the options that are of pictures mean nothing.
+void refuse_picture_options(const CompareArguments& arguments) {
+  const CompareFiles& files = arguments.files;
+  const bool any_threshold =
+      std::ranges::any_of(arguments.fail, [](const auto& item) { return item.second.has_value(); });
+  if (any_threshold || !arguments.metrics.empty() || !arguments.diff.empty() ||
+      !arguments.flip_map.empty() || !files.mask.empty() || !files.crop.empty() ||
+      !files.layers.empty() || !files.test_layers.empty())
+    throw InputError(
+        "compare: two runs of a study take no option of pictures; accepted: --output, "
+        "--ignore-times, --json");
+}
+
+void refuse_run_options(const CompareArguments& arguments) {
+  if (!arguments.runs.output.empty() || arguments.runs.ignore_times)
+    throw InputError(
+        "compare: --output and --ignore-times are of two runs of a study; accepted: two folders, "
+        "or pictures without them");
+}
+
 void run(const CompareArguments& arguments, const GlobalOptions& globals) {
+  if (compare::is_run_folder(arguments.files.reference) ||
+      compare::is_run_folder(arguments.files.test)) {
+    refuse_picture_options(arguments);
+    return compare_run_folders(arguments.files.reference, arguments.files.test, arguments.runs,
+                               globals);
+  }
+  refuse_run_options(arguments);
   const ProtectedInputs protected_inputs;
   for (const std::string& name : arguments.metrics) find_row("metric", name, compare::metrics());
   const CompareInputs inputs = read_inputs(arguments.files);
@@ -197,8 +227,11 @@ std::string threshold_help(const MetricRow& metric) {
 }
 
 void add_inputs(CLI::App& command, CompareFiles& files) {
-  command.add_option("REFERENCE", files.reference, "The picture that is right")->required();
-  command.add_option("TEST", files.test, "The picture to be judged")->required();
+  command
+      .add_option("REFERENCE", files.reference, "The picture that is right, or a study's results")
+      ->required();
+  command.add_option("TEST", files.test, "The picture to be judged, or results of the same study")
+      ->required();
   command.add_option("--mask", files.mask,
                      "Only pixels count that are white here: red, green or blue of 0.5 or more");
   command
@@ -234,13 +267,17 @@ void add_outputs(CLI::App& command, CompareArguments& arguments) {
 
 void add_compare_command(CLI::App& app, GlobalOptions& globals) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", "Say how far apart two pictures are");
+  CLI::App* command =
+      app.add_subcommand("compare", "Say how far apart two pictures, or two runs of a study, are");
   add_inputs(*command, arguments->files);
   add_outputs(*command, *arguments);
+  add_run_options(*command, arguments->runs);
   command->footer(
       "Example: pellucid compare truth.exr test.exr --mask object.png --flip-map flip.png "
       "--fail-flip 0.05\n"
-      "Exit code: 0 compared, within the thresholds; 1 beyond one; 2 wrong input.");
+      "         pellucid compare results/before results/after --output changes\n"
+      "Exit code: 0 compared, within the thresholds, or the runs are the same; 1 beyond one, or a "
+      "cell differs beyond its spread; 2 wrong input.");
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }

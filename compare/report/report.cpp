@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/html_text.h"
 #include "compare/report/report_data.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
@@ -74,13 +75,6 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
     page.remove_prefix(end + 2);
   }
   return result.append(page);
-}
-
-std::string html_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text)
-    escaped += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return escaped;
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/results/result_row.h"
+
+namespace pellucid::compare {
+
+/// A PastRun is what a run of a study has left in its folder.
+struct PastRun {
+  std::filesystem::path folder;
+  std::string study;            // its name
+  std::vector<ResultRow> rows;  // of every cell, those that failed too
+};
+
+/// Returns whether the path is a folder, and so meant as the results of a run.
+bool is_run_folder(const std::filesystem::path& path);
+
+/// Reads a run's results.json. Throws InputError, which names the file, when there is none, or one
+/// of another format or version.
+PastRun read_past_run(const std::filesystem::path& folder);
+
+}  // namespace pellucid::compare
