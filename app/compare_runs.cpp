@@ -24,7 +24,7 @@ void add_run_options(CLI::App& command, CompareRunsOptions& options) {
       ->group("Two runs of a study");
   command
       .add_flag("--ignore-times", options.ignore_times,
-                "Times that differ are told, but do not make the runs differ")
+                "Times and memory that differ are told, but do not make the runs differ")
       ->group("Two runs of a study");
 }
 

@@ -13,6 +13,13 @@ namespace {
 
 bool is_time(std::string_view unit) { return unit == "s" || unit == "ms"; }
 
+/// What depends on the machine: how long it takes, and how many threads have memory of their own.
+bool is_cost(std::string_view unit) { return is_time(unit) || unit == "bytes"; }
+
+/// Threads that had no part of a picture have no memory: which ones do differs from run to run, by
+/// some hundred KiB each.
+double rounding_of_bytes(double a, double b) { return 0x1p20 + 0.1 * std::max(a, b); }
+
 /// What says the same again of a picture, or of an interval's ends.
 bool is_repeated(const Column& column) {
   return column.name == "psnr" || column.name.ends_with("_8bit") || column.name == "ms";
@@ -52,12 +59,14 @@ bool is_changed(const Column& column, const ResultRow& a, const ResultRow& b) {
   if (is_time(column.unit)) return of_a && of_b && times_part(column, a, b);
   if (is_repeated(column)) return false;
   if (of_a.has_value() != of_b.has_value()) return true;
-  return of_a && differ(*of_a, *of_b, is_count(column) ? 0.5 : rounding_of(column));
+  if (!of_a) return false;
+  if (column.unit == "bytes") return differ(*of_a, *of_b, rounding_of_bytes(*of_a, *of_b));
+  return differ(*of_a, *of_b, is_count(column) ? 0.5 : rounding_of(column));
 }
 
 NumberChange change_of(const Column& column, const ResultRow& a, const ResultRow& b) {
   NumberChange change{heading(column), text_with_interval(column, a), text_with_interval(column, b),
-                      is_time(column.unit)};
+                      is_cost(column.unit)};
   const std::optional<double> of_a = column.value(a), of_b = column.value(b);
   if (column.better != Better::neither && of_a && of_b)
     change.better = is_better(column, *of_b, *of_a);
