@@ -23,6 +23,7 @@ void add_study_command(CLI::App& app, GlobalOptions& globals);
 void add_render_command(CLI::App& app, GlobalOptions& globals);
 void add_frames_command(CLI::App& app, GlobalOptions& globals);
 void add_compare_command(CLI::App& app, GlobalOptions& globals);
+void add_pack_command(CLI::App& app, GlobalOptions& globals);
 void add_trace_command(CLI::App& app, GlobalOptions& globals);
 void add_tune_command(CLI::App& app, GlobalOptions& globals);
 void add_export_command(CLI::App& app, GlobalOptions& globals);

@@ -33,6 +33,7 @@ json cost_line_json(const CostLine& line) {
 
 json study_json(const Study& study) {
   json j{{"name", study.name},
+         {"file", std::filesystem::absolute(study.file).lexically_normal().string()},
          {"title", study.title},
          {"source", study.source},
          {"notes", study.notes}};

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files written as a folder or as an archive, the same bytes for the same files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pellucid::compare {
+
+/// A PackedFile is a file of a package: its content is `text`, or that of the file `source`.
+struct PackedFile {
+  std::string path;  // within the package, with '/'
+  std::filesystem::path source = {};
+  std::string text = {};
+  bool executable = false;
+
+  std::string content() const;
+};
+
+/// Writes the files below a folder named `name`: by the path's ending as .tar.gz, .tgz (POSIX ustar
+/// with GNU's long names) or .zip (deflated, without ZIP64), else as a folder itself, which may be
+/// replaced if it was made the same way. No time of any file is kept. Throws InputError for a .zip
+/// of 4 GiB or 65535 files, and as OutputFile and OutputFolder do.
+void write_package(const std::filesystem::path& to, const std::string& name,
+                   const std::vector<PackedFile>& files);
+
+/// Returns the name of the folder that unpacking makes: the path's own without such an ending.
+std::string package_name(const std::filesystem::path& to);
+
+}  // namespace pellucid::compare

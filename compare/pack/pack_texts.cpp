@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/pack/pack_texts.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/files/json_text.h"
+#include "core/files/sha256.h"
+#include "core/machine/build_info.h"
+
+namespace pellucid::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Every fact of the machines and builds that the rows come from, each value once.
+json versions(const PastRun& run) {
+  std::map<std::string, std::set<std::string>> facts;
+  for (const ResultRow& row : run.rows)
+    for (const auto& [name, value] : row.machine) facts[name].insert(value);
+  return {{"packed_by", {{"version", build_version}, {"commit", build_commit}}}, {"run_on", facts}};
+}
+
+std::string first_fact(const PastRun& run, const std::string& name) {
+  for (const ResultRow& row : run.rows)
+    if (const auto found = row.machine.find(name); found != row.machine.end()) return found->second;
+  return "unknown";
+}
+
+/// Nothing in it depends on who packs, so that it is one text but for names.
+std::string run_script(const PastRun& run, const PackedRun& packed) {
+  std::string quoted;
+  for (const char c : packed.study) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return fmt::format(R"sh(#!/bin/sh
+# Runs the study again into again/, and says where its pictures are not those of results/ to the last
+# bit, and which times differ beyond their spread. Ends with 0 where all but times is the same.
+# PELLUCID names the program where it is not on the PATH; it was {}, commit {}.
+set -u
+cd "$(dirname "$0")" || exit 2
+pellucid=${{PELLUCID:-pellucid}}
+if ! command -v "$pellucid" >/dev/null; then
+  echo "run.sh: $pellucid: no such program; accepted: pellucid on the PATH, or PELLUCID=FILE" >&2
+  exit 2
+fi
+sha256sum --check --quiet manifest.sha256 || exit 2
+"$pellucid" study './{}' -o again --quiet || exit
+exec "$pellucid" compare results again --ignore-times --output again/changes
+)sh",
+                     first_fact(run, "version"), first_fact(run, "commit"), quoted);
+}
+
+std::string readme(const PastRun& run, const Study& study) {
+  return fmt::format(
+      "# {}\n\n{}A study by Pellucid: `results/report.html` shows it, `inputs/` has all that it "
+      "was "
+      "made of.\n\n`./run.sh` runs it again and says where pictures are not the same to the last "
+      "bit, and which times differ.\nIt needs `pellucid` ({}, commit {}), on the PATH or as "
+      "`PELLUCID=FILE ./run.sh`; `versions.json` has the\nrest. `manifest.sha256` has every file's "
+      "hash, `ro-crate-metadata.json` says the same to programs.\n",
+      study.title, study.source.empty() ? "" : study.source + "\n\n", first_fact(run, "version"),
+      first_fact(run, "commit"));
+}
+
+/// A text between double quotes is YAML as it is JSON.
+std::string citation(const Study& study) {
+  return fmt::format(
+      "cff-version: 1.2.0\nmessage: If you use these results, please cite them, Pellucid, and the "
+      "papers of the methods.\ntype: dataset\ntitle: {}\nauthors:\n  - name: Who ran the study\n"
+      "references:\n  - type: software\n    title: Pellucid\n    authors:\n      - name: The "
+      "Pellucid authors\n    version: {}\n    license: GPL-3.0-or-later\n",
+      json_text(study.title), build_version);
+}
+
+std::string date_of(const PastRun& run) {
+  const auto written = fs::last_write_time(run.folder / "results.json");
+  const auto seconds =
+      std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::file_clock::to_sys(written));
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
+}
+
+std::string_view media_type(const fs::path& path) {
+  constexpr std::pair<std::string_view, std::string_view> types[] = {
+      {".json", "application/json"}, {".csv", "text/csv"},       {".html", "text/html"},
+      {".png", "image/png"},         {".exr", "image/aces"},     {".md", "text/markdown"},
+      {".tex", "application/x-tex"}, {".sh", "application/x-sh"}};
+  for (const auto& [ending, type] : types)
+    if (path.extension() == ending) return type;
+  return "application/octet-stream";
+}
+
+json id(std::string_view of) { return {{"@id", of}}; }
+
+json ids(const std::vector<PackedFile>& files, std::string_view folder) {
+  json list = json::array();
+  for (const PackedFile& file : files)
+    if (file.path.starts_with(folder)) list.push_back(id(file.path));
+  return list;
+}
+
+json file_entity(const PackedFile& file) {
+  const std::string content = file.content();
+  return {{"@id", file.path},
+          {"@type", "File"},
+          {"name", fs::path(file.path).filename().string()},
+          {"encodingFormat", media_type(file.path)},
+          {"contentSize", std::to_string(content.size())},
+          {"sha256", sha256(content)}};
+}
+
+json crate(const PastRun& run, const Study& study, const std::vector<PackedFile>& files) {
+  const json graph_head = {
+      {{"@id", "ro-crate-metadata.json"},
+       {"@type", "CreativeWork"},
+       {"conformsTo", id("https://w3id.org/ro/crate/1.1")},
+       {"about", id("./")}},
+      {{"@id", "./"},
+       {"@type", "Dataset"},
+       {"name", study.title},
+       {"description", "A study by Pellucid with its inputs and results; run.sh runs it again."},
+       {"datePublished", date_of(run)},
+       {"license", "not stated by who packed it"},
+       {"hasPart", ids(files, "")},
+       {"mentions", id("#run")}},
+      {{"@id", "#pellucid"},
+       {"@type", "SoftwareApplication"},
+       {"name", "Pellucid"},
+       {"softwareVersion",
+        fmt::format("{} ({})", first_fact(run, "version"), first_fact(run, "commit"))}},
+      {{"@id", "#run"},
+       {"@type", "CreateAction"},
+       {"name", "pellucid study " + study.name},
+       {"instrument", id("#pellucid")},
+       {"object", ids(files, "inputs/")},
+       {"result", ids(files, "results/")}}};
+  json graph = graph_head;
+  for (const PackedFile& file : files) graph.push_back(file_entity(file));
+  return {{"@context",
+           {"https://w3id.org/ro/crate/1.1/context", {{"sha256", "https://schema.org/sha256"}}}},
+          {"@graph", graph}};
+}
+
+std::string manifest(const std::vector<PackedFile>& files) {
+  std::string text;
+  for (const PackedFile& file : files)
+    text += fmt::format("{}  {}\n", sha256(file.content()), file.path);
+  return text;
+}
+
+}  // namespace
+
+std::vector<PackedFile> pack_texts(const PastRun& run, const Study& study,
+                                   const PackedRun& packed) {
+  std::vector<PackedFile> texts{
+      {.path = "run.sh", .text = run_script(run, packed), .executable = true},
+      {.path = "README.md", .text = readme(run, study)},
+      {.path = "CITATION.cff", .text = citation(study)},
+      {.path = "versions.json", .text = json_text(versions(run), 1) + "\n"}};
+  std::vector<PackedFile> all = packed.files;
+  all.insert(all.end(), texts.begin(), texts.end());
+  texts.push_back({.path = "manifest.sha256", .text = manifest(all)});
+  all.push_back(texts.back());
+  texts.push_back(
+      {.path = "ro-crate-metadata.json", .text = json_text(crate(run, study, all), 1) + "\n"});
+  return texts;
+}
+
+}  // namespace pellucid::compare

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/command_line.h"
+
+namespace pellucid::app {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The results of a study of the sheet.
+class UnitPack : public UnitCommandLine {
+ protected:
+  void SetUp() override {
+    UnitCommandLine::SetUp();
+    fs::create_directory(folder_ / "studies");
+    write_text(folder_ / "studies" / "s.json",
+               R"({"format": "pellucid-study", "version": 1, "scenes": ["../scene.json"],
+                   "reference": "raytrace", "methods": ["weighted-average"], "repeats": 1})");
+    ASSERT_EQ(run("study " + file("studies/s.json") + " --quiet -o " + file("results")).exit_code,
+              0);
+  }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string pack(const std::string& to) const {
+    return "pack " + file("results") + " -o " + file(to);
+  }
+  int shell(const std::string& command) const {
+    return WEXITSTATUS(std::system(("cd " + folder_.path().string() + " && " + command).c_str()));
+  }
+};
+
+TEST_F(UnitPack, ElsewhereItGivesTheSamePicturesToTheLastBit) {
+  ASSERT_EQ(run(pack("p.tar.gz") + " --quiet").exit_code, 0);
+  ASSERT_EQ(shell("mkdir away && tar xzf p.tar.gz -C away"), 0);
+  fs::rename(folder_ / "sheet.ply", folder_ / "gone.ply");  // nothing is read from where it was
+  EXPECT_EQ(shell("PELLUCID=" PELLUCID_PROGRAM " away/p/run.sh > said 2>&1"), 0)
+      << read_text(folder_ / "said");
+  for (const char* picture : {"raytrace.exr", "weighted-average.exr"})
+    EXPECT_EQ(read_text(folder_ / "away/p/again/images/scene" / picture),
+              read_text(folder_ / "results/images/scene" / picture));
+  EXPECT_THAT(read_text(folder_ / "said"), Not(HasSubstr("picture:")));
+}
+
+TEST_F(UnitPack, WhatIsChangedInThePackageIsSeen) {
+  ASSERT_EQ(run(pack("p") + " --quiet").exit_code, 0);
+  std::string sheet = read_text(folder_ / "p/inputs/sheet.ply");
+  sheet.replace(sheet.find("0.75"), 4, "0.70");
+  write_text(folder_ / "p/inputs/sheet.ply", sheet);
+  EXPECT_EQ(shell("PELLUCID=" PELLUCID_PROGRAM " p/run.sh > said 2>&1"), 2);
+  EXPECT_THAT(read_text(folder_ / "said"), HasSubstr("sheet.ply"));
+}
+
+TEST_F(UnitPack, TheCrateListsEveryFile) {
+  const Outcome outcome = run(pack("p") + " --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json files = nlohmann::json::parse(outcome.out).at("files");
+  const nlohmann::json crate =
+      nlohmann::json::parse(read_text(folder_ / "p" / "ro-crate-metadata.json"));
+  std::set<std::string> parts;
+  for (const nlohmann::json& part : crate["@graph"][1]["hasPart"]) parts.insert(part["@id"]);
+  for (const std::string file : files)
+    EXPECT_TRUE(parts.contains(file) || file == "ro-crate-metadata.json") << file;
+  for (const char* file : {"inputs/studies/s.json", "inputs/scene.json", "inputs/sheet.ply",
+                           "results/report.html", "run.sh", "CITATION.cff", "versions.json"})
+    EXPECT_TRUE(parts.contains(file)) << file;
+  EXPECT_EQ(shell("cd p && sha256sum --check --quiet manifest.sha256"), 0);
+}
+
+TEST_F(UnitPack, AnInputThatIsGoneOrAnotherIsOneLine) {
+  write_text(folder_ / "sheet.ply", read_text(folder_ / "sheet.ply") + "\n");
+  EXPECT_THAT(refusal(pack("p.zip")), AllOf(HasSubstr("sheet.ply"), HasSubstr("other content")));
+  fs::remove(folder_ / "sheet.ply");
+  EXPECT_THAT(refusal(pack("p.zip")), AllOf(HasSubstr("sheet.ply"), HasSubstr("is missing")));
+}
+
+TEST_F(UnitPack, AnotherStudyIsNotThatOfTheResults) {
+  write_text(folder_ / "studies" / "s.json",
+             R"({"format": "pellucid-study", "version": 1, "scenes": ["../scene.json"],
+                 "reference": "raytrace", "methods": ["weighted-average"], "repeats": 2})");
+  EXPECT_THAT(refusal(pack("p.zip")), HasSubstr("is not what"));
+  EXPECT_THAT(refusal("pack " + file("studies") + " -o " + file("p.zip")),
+              HasSubstr("has no results.json"));
+}
+
+TEST_F(UnitPack, TwoRunsCompareAsTheirExitCodesSay) {
+  ASSERT_EQ(shell("cp -r results after"), 0);
+  const std::string both = "compare " + file("results") + " " + file("after");
+  EXPECT_EQ(run(both).exit_code, 0);
+  fs::remove(folder_ / "after/images/scene/raytrace.exr");
+  EXPECT_EQ(run(both + " --ignore-times --quiet").exit_code, 1);
+  EXPECT_THAT(refusal(both + " --metric rmse"), HasSubstr("no option of pictures"));
+  EXPECT_THAT(refusal("compare " + file("results") + " " + file("sheet.ply")),
+              HasSubstr("has no results.json"));
+}
+
+}  // namespace
+}  // namespace pellucid::app
