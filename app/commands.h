@@ -15,6 +15,7 @@ struct GlobalOptions {
   bool quiet = false;
   int threads = 0;  // 0: as many as the machine has
   std::string gl = "osmesa";
+  std::string command_line;  // as it was given, for provenance
 };
 
 /// Each adds one subcommand, in app/NAME.cpp, whose callback runs it. Errors leave as InputError or

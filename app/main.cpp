@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
 #include <cerrno>
@@ -54,6 +56,7 @@ int run(int argc, char** argv) {
                        std::string("pellucid ") + build_version + " (" + build_commit + ")");
   app.require_subcommand(1);
   GlobalOptions globals;
+  globals.command_line = fmt::format("{}", fmt::join(argv, argv + argc, " "));
   add_study_command(app, globals);
   add_render_command(app, globals);
   add_frames_command(app, globals);

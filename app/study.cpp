@@ -25,7 +25,16 @@ struct StudyArguments {
   std::filesystem::path folder;
   bool resume = false;
   std::string only;
+  std::string report = "auto";
 };
+
+compare::ReportForm report_form(const StudyArguments& arguments, const GlobalOptions& globals) {
+  using Kind = compare::ReportForm::Kind;
+  const Kind kind = arguments.report == "file"     ? Kind::file
+                    : arguments.report == "folder" ? Kind::folder
+                                                   : Kind::automatic;
+  return {.kind = kind, .command = globals.command_line};
+}
 
 std::string milliseconds_and_memory(const compare::ResultRow& row) {
   if (!row.given.empty())
@@ -72,6 +81,7 @@ void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   if (options.folder.empty()) options.folder = std::filesystem::path("results") / study.name;
   options.resume = arguments.resume;
   options.only = arguments.only;
+  options.report = report_form(arguments, globals);
   options.context.gl = globals.gl;
   options.progress = console_progress(globals);
   if (!globals.json && !globals.quiet) options.on_row = print_row;
@@ -102,7 +112,15 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--only", arguments->only,
                       "Run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this "
                       "pattern, such as 'abc/*'; the others' rows are kept");
-  command->footer("Exit code: 0 done; 1 a cell failed; 2 wrong input.");
+  command
+      ->add_option("--report", arguments->report,
+                   "The report as one file, or as a folder whose page loads pictures when they are "
+                   "looked at; auto: one file up to 60 MB")
+      ->check(CLI::IsMember({"auto", "file", "folder"}))
+      ->capture_default_str();
+  command->footer(
+      "Example: pellucid study quickstart -o first --resume --report folder\n"
+      "Exit code: 0 done; 1 a cell failed; 2 wrong input.");
   add_global_options(*command, globals);
   add_gl_option(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

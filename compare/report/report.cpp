@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "compare/report/html_text.h"
+#include "compare/report/page_texts.h"
 #include "compare/report/report_data.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
@@ -55,11 +57,11 @@ std::string vega_bundle() {
 
 /// All scripts of the page, of which report.js alone does something when it is loaded.
 std::string page_script() {
-  constexpr std::string_view folder = "compare/report/page/";
+  constexpr std::string_view folder = "compare/report/page/", vega = "compare/report/page/vega/";
   std::string script;
   for (const report_files::File& file : report_files::files())
-    if (file.path == fmt::format("{}{}", folder, stem_of(file)) && file.path.ends_with(".js") &&
-        stem_of(file) != "report.js")
+    if (file.path.starts_with(folder) && !file.path.starts_with(vega) &&
+        file.path.ends_with(".js") && stem_of(file) != "report.js")
       script += file.text();
   return script + std::string(report_files::report_js());
 }
@@ -77,16 +79,101 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
   return result.append(page);
 }
 
+/// Elements that no browser runs; the page's script reads them when it needs them.
+std::string text_elements(const PageTexts& texts) {
+  std::string elements;
+  for (const auto& [key, text] : texts)
+    elements += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", key, text);
+  return elements;
+}
+
+/// The files beside a folder's page, which it may load: `file:` where it was opened as a file.
+constexpr const char* files_beside = " 'self' file:";
+
+std::string page_of(const Study& study, const nlohmann::json& data, const PageTexts& texts = {}) {
+  return filled(report_files::report_html(),
+                {{"title", html_escaped(study.title)},
+                 {"css", std::string(report_files::report_css())},
+                 {"vega", vega_bundle()},
+                 {"script", page_script()},
+                 {"data", inline_json(data)},
+                 {"beside", data["pixels"]["in_folder"] ? files_beside : ""},
+                 {"texts", text_elements(texts)}});
+}
+
+/// What an earlier report of a folder has left.
+void remove_texts(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "report", ignored))
+    if (entry.path().extension() == ".js") fs::remove(entry.path(), ignored);
+  fs::remove(folder / "report", ignored);  // where it is empty
+}
+
+/// A ReportWriter makes the page of a study's cells in the one form or the other.
+class ReportWriter {
+ public:
+  ReportWriter(const fs::path& folder, const Study& study, std::span<const ResultRow> rows,
+               const ReportForm& form)
+      : folder_(folder),
+        study_(study),
+        rows_(rows),
+        form_(form),
+        cells_(report_cells(folder, study, rows)) {}
+
+  void write() const {
+    remove_texts(folder_);
+    if (form_.kind == ReportForm::Kind::folder) return write_folder();
+    nlohmann::json data = data_of(false);
+    const std::size_t least = page_of(study_, data).size();
+    if (least > form_.most_bytes && form_.kind == ReportForm::Kind::automatic)
+      return write_folder();
+    write_file(std::move(data), form_.most_bytes - std::min(least, form_.most_bytes));
+  }
+
+ private:
+  nlohmann::json data_of(bool in_folder) const {
+    nlohmann::json data = report_data(folder_, study_, rows_, cells_, in_folder);
+    data["command"] = form_.command;
+    data["pixels"] = {{"in_folder", in_folder}, {"mantissa_bits", in_folder ? 23 : 0}};
+    return data;
+  }
+
+  void write_page(const nlohmann::json& data, const PageTexts& texts = {}) const {
+    write_text(folder_ / "report.html", page_of(study_, data, texts));
+  }
+
+  void write_file(nlohmann::json data, std::size_t most_bytes) const {
+    for (const int bits : {23, 15})
+      if (const auto texts = pixel_texts(cells_, bits, most_bytes)) {
+        data["pixels"]["mantissa_bits"] = bits;
+        return write_page(data, *texts);
+      }
+    write_page(data);
+  }
+
+  /// A page that was opened from a file may load scripts from beside it, and nothing else.
+  void write_folder() const {
+    fs::create_directories(folder_ / "report");
+    for (std::size_t place = 0; place < cells_.size(); ++place)
+      if (cells_[place].is_done())
+        for (const auto& [key, text] : texts_of(cells_, place))
+          write_text(folder_ / "report" / (key + ".js"),
+                     fmt::format("pellucidText(\"{}\", \"{}\");\n", key, text));
+    write_page(data_of(true));
+  }
+
+  const fs::path& folder_;
+  const Study& study_;
+  std::span<const ResultRow> rows_;
+  const ReportForm& form_;
+  std::vector<ReportCell> cells_;
+};
+
 }  // namespace
 
-void write_report(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
-  const std::string page = filled(report_files::report_html(),
-                                  {{"title", html_escaped(study.title)},
-                                   {"css", std::string(report_files::report_css())},
-                                   {"vega", vega_bundle()},
-                                   {"script", page_script()},
-                                   {"data", inline_json(report_data(folder, study, rows))}});
-  write_text(folder / "report.html", page);
+void write_report(const fs::path& folder, const Study& study, std::span<const ResultRow> rows,
+                  const ReportForm& form) {
+  ReportWriter(folder, study, rows, form).write();
 }
 
 }  // namespace pellucid::compare

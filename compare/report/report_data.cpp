@@ -6,26 +6,24 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+<<<<<<< HEAD
 #include "compare/budget/budget_stages.h"
 #include "compare/cells/cell.h"
+=======
+>>>>>>> 193ed0d (Reports carry their pictures' floats: in the page where it stays below 60 MB, else in a folder)
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
-#include "compare/report/base64.h"
 #include "compare/report/crop.h"
+#include "compare/report/page_texts.h"
 #include "compare/report/source_json.h"
 #include "compare/results/columns.h"
 #include "compare/results/provenance.h"
-#include "core/files/output_file.h"
 
 namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::string data_uri(const fs::path& png) {
-  return "data:image/png;base64," + base64(read_text(png));
-}
 
 std::string hex(const Vec3& color) {
   const auto byte = [](double c) { return displayed_byte(float(c)); };
@@ -42,14 +40,6 @@ json error_scale_json() {
         ErrorScale::color(ErrorScale::min * std::pow(ErrorScale::max / ErrorScale::min, share))));
   }
   return {{"min", ErrorScale::min}, {"max", ErrorScale::max}, {"colors", colors}};
-}
-
-const ResultRow* find(std::span<const ResultRow> rows, const Cell& cell) {
-  for (const ResultRow& row : rows)
-    if (row.scene == cell.scene && row.method == cell.call.row->name &&
-        row.parameters == cell.call.parameters.given())
-      return &row;
-  return nullptr;
 }
 
 json column_json(const Column& column) {
@@ -107,6 +97,7 @@ json intervals_json(const ResultRow& row) {
   return intervals;
 }
 
+<<<<<<< HEAD
 json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
   json j = to_json(row);
   j["name"] = cell.call.text();
@@ -118,10 +109,31 @@ json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
     for (json& stage : j["budget"]["stages"])
       stage["title"] = title_of_stage(stage["stage"].get<std::string>());
   j["picture"] = data_uri(files.preview());
+=======
+/// A picture of a page of one file stands in it; that of a folder's page beside it.
+std::string source_of(const fs::path& png, const fs::path& folder, bool in_folder) {
+  return in_folder ? png.lexically_relative(folder).generic_string() : data_uri(png);
+}
+
+void add_pictures(const ReportCell& cell, const fs::path& folder, bool in_folder, json& j) {
+  const auto source = [&](const fs::path& png) { return source_of(png, folder, in_folder); };
+  j["picture"] = source(cell.files.preview());
+>>>>>>> 193ed0d (Reports carry their pictures' floats: in the page where it stays below 60 MB, else in a folder)
   for (json& picture : j["pictures"])
-    picture["source"] = data_uri(files.further(picture["name"].get<std::string>()));
-  if (!row.reference) j["error_map"] = data_uri(files.error_map());
-  if (fs::exists(files.flip_map())) j["flip_map"] = data_uri(files.flip_map());
+    picture["source"] = source(cell.files.further(picture["name"].get<std::string>()));
+  if (!cell.row->reference) j["error_map"] = source(cell.files.error_map());
+  if (fs::exists(cell.files.flip_map())) j["flip_map"] = source(cell.files.flip_map());
+  j["has_layers"] = fs::exists(cell.files.layers());
+}
+
+json row_json(const ReportCell& cell, const fs::path& folder, bool in_folder) {
+  json j = to_json(*cell.row);
+  j["name"] = cell.cell.call.text();
+  j["title"] = cell.cell.call.row->title;
+  if (!cell.is_done()) return j;
+  j["values"] = values_json(*cell.row);
+  j["intervals"] = intervals_json(*cell.row);
+  add_pictures(cell, folder, in_folder, j);
   return j;
 }
 
@@ -130,39 +142,39 @@ void add_error(const Image& reference, const Image& test, Raster<double>& sum) {
     sum.pixels[i] += pixel_error(reference.pixels[i], test.pixels[i]);
 }
 
-/// One scene's part of a study: its cells that are done, the reference first.
-struct SceneCells {
-  std::string name;
-  std::vector<Cell> cells;
-};
-
-std::vector<SceneCells> done_scenes(const Study& study, std::span<const ResultRow> rows) {
-  std::vector<SceneCells> scenes;
-  for (const Cell& cell : expand_cells(study)) {
-    const ResultRow* row = find(rows, cell);
-    if (cell.reference) scenes.push_back({cell.scene, {}});
-    if (row && row->error.empty()) scenes.back().cells.push_back(cell);
+/// The places in the list of each scene's cells that are done, the reference first; only of scenes
+/// whose reference is.
+std::vector<std::vector<std::size_t>> done_scenes(std::span<const ReportCell> cells) {
+  std::vector<std::vector<std::size_t>> scenes;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!cells[i].is_done()) continue;
+    if (cells[i].cell.reference)
+      scenes.push_back({i});
+    else if (cells[i].reference != i)
+      scenes.back().push_back(i);
   }
-  std::erase_if(scenes,
-                [](const SceneCells& s) { return s.cells.empty() || !s.cells[0].reference; });
   return scenes;
 }
 
-Crop choose_crop(const Study& study, const fs::path& folder, const SceneCells& scene) {
-  const Image reference = read_image(CellFiles(folder, scene.cells[0]).picture());
-  const auto given = study.crops.find(scene.name);
+Crop choose_crop(const Study& study, std::span<const ReportCell> cells,
+                 std::span<const std::size_t> scene) {
+  const ReportCell& first = cells[scene[0]];
+  const Image reference = read_image(first.files.picture());
+  const auto given = study.crops.find(first.cell.scene);
   if (given != study.crops.end()) return fit_crop(given->second, reference.width, reference.height);
   Raster<double> error(reference.width, reference.height);
-  for (const Cell& cell : scene.cells)
-    if (!cell.call.row->promises.exact)
-      add_error(reference, read_image(CellFiles(folder, cell).picture()), error);
+  for (const std::size_t i : scene)
+    if (!cells[i].cell.call.row->promises.exact)
+      add_error(reference, read_image(cells[i].files.picture()), error);
   return worst_crop(error);
 }
 
-json scene_json(const Study& study, const fs::path& folder, const SceneCells& scene) {
-  const Image reference = read_image(CellFiles(folder, scene.cells[0]).picture());
-  const Crop crop = choose_crop(study, folder, scene);
-  return {{"name", scene.name},
+json scene_json(const Study& study, std::span<const ReportCell> cells,
+                std::span<const std::size_t> scene) {
+  const ReportCell& first = cells[scene[0]];
+  const Image reference = read_image(first.files.picture());
+  const Crop crop = choose_crop(study, cells, scene);
+  return {{"name", first.cell.scene},
           {"width", reference.width},
           {"height", reference.height},
           {"crop", {crop.x, crop.y, crop.width, crop.height}}};
@@ -183,13 +195,12 @@ json methods_json(const Study& study) {
 
 }  // namespace
 
-json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows) {
+json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows,
+                 std::span<const ReportCell> cells, bool in_folder) {
   json list = json::array(), scenes = json::array();
-  for (const Cell& cell : expand_cells(study))
-    if (const ResultRow* row = find(rows, cell))
-      list.push_back(row_json(cell, CellFiles(folder, cell), *row));
-  for (const SceneCells& scene : done_scenes(study, rows))
-    scenes.push_back(scene_json(study, folder, scene));
+  for (const ReportCell& cell : cells) list.push_back(row_json(cell, folder, in_folder));
+  for (const std::vector<std::size_t>& scene : done_scenes(cells))
+    scenes.push_back(scene_json(study, cells, scene));
   return {{"study", study_json(study)},
           {"warnings", provenance_warnings(rows)},
           {"columns", columns_json()},

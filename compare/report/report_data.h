@@ -5,15 +5,15 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 
-#include "compare/results/result_row.h"
-#include "compare/study/study.h"
+#include "compare/report/report_cells.h"
 
 namespace pellucid::compare {
 
-/// Everything that the report's page shows, with the pictures as data URIs: "study", "rows",
-/// "scenes", "methods", "claims", "costs" and "error_scale". compare/report/page/report.js reads
-/// it.
+/// Everything that the report's page shows, with the pictures as data URIs or, of a page in a
+/// folder, as paths from there: "study", "rows", "scenes", "methods", "claims", "costs",
+/// "error_scale" and more. compare/report/page/report.js reads it.
 nlohmann::json report_data(const std::filesystem::path& folder, const Study& study,
-                           std::span<const ResultRow> rows);
+                           std::span<const ResultRow> rows, std::span<const ReportCell> cells,
+                           bool in_folder);
 
 }  // namespace pellucid::compare

@@ -180,7 +180,7 @@ class StudyRun {
     if (study_.budget) write_text(options_.folder / "budget.csv", csv_budgets(outcome_.rows));
     if (study_.published)
       write_text(options_.folder / "costs.csv", csv_costs(study_, outcome_.rows));
-    write_report(options_.folder, study_, outcome_.rows);
+    write_report(options_.folder, study_, outcome_.rows, options_.report);
   }
 
   const Study& study_;

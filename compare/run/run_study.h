@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/report/report_form.h"
 #include "compare/results/result_row.h"
 #include "compare/study/study.h"
 #include "core/machine/build_info.h"
@@ -19,6 +20,7 @@ struct StudyOptions {
   std::string only;     // shell pattern; empty: every cell
   scene::RenderContext context;
   std::string build = build_id();  // of the program whose rows these are
+  ReportForm report;
   Progress progress;
   std::function<Calibration()> calibrate = pellucid::calibrate;  // between the cells
   std::function<void(const ResultRow&)> on_row;  // called when a cell is done or has failed
@@ -37,7 +39,7 @@ struct StudyOutcome {
 ///     cells/SCENE/METHOD.json                the cell's row, written last, whole or not at all
 ///     images/SCENE/METHOD.{exr,png}          the picture; METHOD.error.png, METHOD.flip.png,
 ///     METHOD.layers.exr results.{csv,json}, table.{md,tex}     made from the cells' rows; the CSV
-///     after every cell report.html
+///     after every cell report.html, and report/ where it is a folder
 ///
 /// Cells share nothing but their scene's reference picture, which is computed where it is missing:
 /// several runs may share the work by `only` and a folder, and a last one with `resume` collects

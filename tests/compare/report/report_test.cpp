@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/report.h"
 #include "compare/results/columns.h"
 #include "compare/run/run_study.h"
 #include "tests/compare/fake_methods.h"
@@ -84,19 +85,24 @@ TEST(UnitReport, HoldsTheColumnsOfTheTable) {
               ::testing::StartsWith("data:image/png;base64,iVBOR"));
 }
 
+/// The page of a study with this title; its tables lie beside it.
+std::string titled_report(const StudyFolder& folder, const std::string& title) {
+  Study study = load_study(folder.study(R"(["shifted:by=0.5", "broken"])"), fake_methods());
+  study.title = title;
+  StudyOptions options;
+  options.folder = folder / "results";
+  run_study(study, options);
+  return read_text(folder / "results/report.html");
+}
+
 /// Whatever a title says, the page reads it back, and no table runs it.
 TEST(UnitReport, AnyTitleIsATitle) {
-  const std::string ordinary = make_report(StudyFolder());
+  const std::string ordinary = titled_report(StudyFolder(), "T");
   for (const std::string title :
        {"{{data}} {{css}}", "<!--<script>", "</script><script>alert(1)</script>", "a\n\\input{x}",
         "=cmd|' /C calc'!A0", "a | b | c", "\xE2\x80\xA8 \"quoted\" 'it'"}) {
     const StudyFolder folder;
-    Study study = load_study(folder.study(R"(["shifted:by=0.5", "broken"])"), fake_methods());
-    study.title = title;
-    StudyOptions options;
-    options.folder = folder / "results";
-    run_study(study, options);
-    const std::string page = read_text(folder / "results/report.html");
+    const std::string page = titled_report(folder, title);
     EXPECT_EQ(count(page, "<script"), count(ordinary, "<script")) << title;
     EXPECT_EQ(count(page, "<!--"), count(ordinary, "<!--")) << title;
     const auto data = nlohmann::json::parse(
@@ -105,6 +111,33 @@ TEST(UnitReport, AnyTitleIsATitle) {
     EXPECT_THAT(read_text(folder / "results/table.tex"), Not(HasSubstr("\n\\input"))) << title;
     EXPECT_THAT(read_text(folder / "results/table.md"), Not(HasSubstr("<script"))) << title;
   }
+}
+
+/// One file where all of it stays below the limit; without floats where only they go beyond it;
+/// else a folder, in which each picture's floats are a script of their own.
+TEST(UnitReport, TakesTheFormThatFits) {
+  const StudyFolder folder;
+  const Study study = load_study(folder.study(R"(["shifted:by=0.5"])"), fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  const auto rows = run_study(study, options).rows;
+  const auto page = [&](std::size_t most_bytes) {
+    write_report(options.folder, study, rows, {.most_bytes = most_bytes});
+    return read_text(folder / "results/report.html");
+  };
+  const std::string whole = page(60'000'000);
+  EXPECT_THAT(whole, HasSubstr("<script type=\"text/plain\" id=\"pixels-0\">"));
+  EXPECT_FALSE(fs::exists(folder / "results/report"));
+  const std::string without = page(whole.size() - 1000);  // the floats of four pictures take more
+  EXPECT_THAT(without, HasSubstr("\"mantissa_bits\":"));
+  EXPECT_LE(without.size(), whole.size() - 1000);
+  const std::string linked = page(100'000);  // Vega alone is larger
+  EXPECT_THAT(linked, HasSubstr("images/one/truth.png"));
+  EXPECT_THAT(linked, Not(HasSubstr("data:image/png")));
+  EXPECT_THAT(read_text(folder / "results/report/pixels-1.js"),
+              HasSubstr("pellucidText(\"pixels-1\""));
+  page(60'000'000);
+  EXPECT_FALSE(fs::exists(folder / "results/report"));  // no more than the page needs
 }
 
 TEST(UnitReport, TextCannotBecomeMarkup) {
