@@ -111,7 +111,7 @@ function flipLegend({ colors }) {
 
 function logarithmicScale({ min, max, colors }, text) {
   const decades = Math.round(Math.log10(max / min));
-  const ticks = Array.from({ length: decades + 1 }, (_, i) => [i / decades, String(Number((min * 10 ** i).toPrecision(1)))]);
+  const ticks = Array.from({ length: decades + 1 }, (_, i) => [i / decades, String(Number((min * 10 ** i).toPrecision(2)))]);
   return colorScale(colors, ticks, text);
 }
 

@@ -2,6 +2,7 @@
 // Puts the page together from the data that the program has inserted.
 
 const data = JSON.parse(document.getElementById("data").textContent);
+data.rows.forEach((row, place) => { row.place = place; });
 const columns = data.columns.map(columnOf);
 const viewer = new Viewer(document.getElementById("viewer"));
 const flips = [];   // one per picture card
