@@ -23,7 +23,7 @@
 // layers meet lists, opacity meets lists and optical depth; trees meet neither locks nor opacity.
 //
 // Texture units are 16 in any stage. Shapes and stage are there in every pass and have the first ones;
-// from 8 on are a method's own, and one method's passes never meet another's.
+// from 10 on are a method's own, and one method's passes never meet another's.
 
 const int image_units = 8;
 const int texture_units = 16;
@@ -71,41 +71,44 @@ const int point_importances_texture = 1;
 const int element_opacities_texture = 2;
 const int triangle_elements_texture = 3;
 const int segment_elements_texture = 4;
+const int solids_texture = 7;
+const int solid_points_texture = 8;
+const int solid_overlaps_texture = 9;
 // Stage: what is opaque.
 const int opaque_picture_texture = 5;
 const int opaque_keys_texture = 6;
 // The first of a method's own. Methods outside of oit/ name theirs by it: own_texture + 1.
-const int own_texture = 8;
+const int own_texture = 10;
 // Optical depth.
-const int coefficients_texture = 8;
-const int color_sums_texture = 9;
+const int coefficients_texture = 10;
+const int color_sums_texture = 11;
 // Weighted sums, averages and blending.
-const int weighted_sums_texture = 8;
-const int fragment_count_texture = 9;
-const int weighted_transmittance_texture = 10;
+const int weighted_sums_texture = 10;
+const int fragment_count_texture = 11;
+const int weighted_transmittance_texture = 12;
 // Averages of bins.
-const int gathered_bins_texture = 8;
+const int gathered_bins_texture = 10;
 // k-buffer.
-const int tail_texture = 8;
-const int tail_transmittance_texture = 9;
+const int tail_texture = 10;
+const int tail_transmittance_texture = 11;
 // Depth peeling.
-const int peeled_keys_texture = 8;
-const int nearest_depth_texture = 9;
-const int peeled_layer_texture = 10;
-const int peeled_layer_key_texture = 11;
-const int peeled_sum_texture = 12;
+const int peeled_keys_texture = 10;
+const int nearest_depth_texture = 11;
+const int peeled_layer_texture = 12;
+const int peeled_layer_key_texture = 13;
+const int peeled_sum_texture = 14;
 // Dual peeling.
-const int left_keys_texture = 8;
-const int ends_texture = 9;
-const int nearest_layer_texture = 10;
-const int farthest_layer_texture = 11;
-const int front_sum_texture = 12;
-const int back_sum_texture = 13;
+const int left_keys_texture = 10;
+const int ends_texture = 11;
+const int nearest_layer_texture = 12;
+const int farthest_layer_texture = 13;
+const int front_sum_texture = 14;
+const int back_sum_texture = 15;
 // Stochastic transparency.
-const int sample_texture = 8;
-const int sample_sum_texture = 9;
-const int sample_average_texture = 10;
-const int sample_transmittance_texture = 11;
+const int sample_texture = 10;
+const int sample_sum_texture = 11;
+const int sample_average_texture = 12;
+const int sample_transmittance_texture = 13;
 
 // Uniform blocks.
 const int view_block = 0;

@@ -173,6 +173,7 @@ class Framebuffer {
 
   GLuint id() const { return name_.id(); }
   int attachments() const { return attachments_; }
+  glm::vec2 size() const { return {width_, height_}; }  // pixels
   /// Draws into the whole of it from here on.
   void bind() const;
   void clear(int index, const glm::vec4& texel) const;

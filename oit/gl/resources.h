@@ -30,7 +30,7 @@ struct Resource {
 /// which asserts.
 class Resources {
  public:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 24;
 
   Resources() = default;
   Resources(const Resource& one) { add(one); }

@@ -11,7 +11,9 @@ namespace pellucid::oit {
 namespace {
 
 // A draw call counts vertices in a signed 32-bit integer.
+// A crossing of a solid has the six vertices of a rectangle.
 constexpr std::uint64_t most_primitives = (std::uint64_t(1) << 31) / 3;
+constexpr std::uint64_t most_crossings = most_primitives / 2;
 
 void check_shape(const scene::SceneObject& object) {
   if (std::holds_alternative<scene::Isosurface>(object.shape))
@@ -19,23 +21,35 @@ void check_shape(const scene::SceneObject& object) {
         "{}: an isosurface: raytrace and march draw it; accepted by this method: meshes, "
         "lines, points",
         object.name));
-  const auto refuse = [&](const char* profile, const char* accepted) {
-    throw InputError(fmt::format(
-        "{}: profile \"{}\": raytrace and march draw it; accepted by this method: \"{}\"",
-        object.name, profile, accepted));
-  };
-  if (const auto* lines = std::get_if<scene::LineObject>(&object.shape))
-    if (lines->profile == scene::LineObject::Profile::tube) refuse("tube", "ribbon");
-  if (const auto* points = std::get_if<scene::PointObject>(&object.shape))
-    if (points->profile == scene::PointObject::Profile::sphere) refuse("sphere", "disc");
 }
 
 struct CountPrimitives {
   std::uint64_t operator()(const geometry::TriangleMesh& mesh) { return mesh.triangles.size(); }
   std::uint64_t operator()(const scene::LineObject& lines) { return 2 * lines.set.segment_count(); }
-  std::uint64_t operator()(const scene::PointObject& points) { return points.set.positions.size(); }
+  std::uint64_t operator()(const scene::PointObject& points) {
+    const bool spheres = points.profile == scene::PointObject::Profile::sphere;
+    return (spheres ? 2 : 1) * points.set.positions.size();
+  }
   std::uint64_t operator()(const scene::Isosurface&) { return 0; }  // refused: see check_shape
 };
+
+/// What Batch::others is, of a kind; `units` of a kind are those passed by.
+template <class Units>
+std::uint32_t others_of(ShapeKind kind, const Units& units) {
+  switch (kind) {
+    case ShapeKind::mesh:
+      return 0;
+    case ShapeKind::ribbon:
+      return units(ShapeKind::tube);
+    case ShapeKind::tube:
+      return units(ShapeKind::ribbon);
+    case ShapeKind::disc:
+      return units(ShapeKind::sphere);
+    case ShapeKind::sphere:
+      return units(ShapeKind::disc);
+  }
+  return 0;
+}
 
 /// Whether an object at that place can be drawn together with the batch before it.
 bool continues(const Batch& batch, const scene::SceneObject& object, const PrimitiveRange& place) {
@@ -44,6 +58,15 @@ bool continues(const Batch& batch, const scene::SceneObject& object, const Primi
 }
 
 }  // namespace
+
+ShapeKind kind_of(const scene::SceneObject& object) {
+  if (const auto* lines = std::get_if<scene::LineObject>(&object.shape))
+    return lines->profile == scene::LineObject::Profile::tube ? ShapeKind::tube : ShapeKind::ribbon;
+  if (const auto* points = std::get_if<scene::PointObject>(&object.shape))
+    return points->profile == scene::PointObject::Profile::sphere ? ShapeKind::sphere
+                                                                  : ShapeKind::disc;
+  return ShapeKind::mesh;
+}
 
 std::uint64_t primitive_count(const scene::SceneObject& object) {
   return std::visit(CountPrimitives(), object.shape);
@@ -54,9 +77,10 @@ std::vector<PrimitiveRange> primitive_ranges(const scene::Scene& scene) {
   std::uint64_t total = 0;
   for (const scene::SceneObject& object : scene.objects) {
     const std::uint64_t n = primitive_count(object), first = total;
-    if ((total += n) >= most_primitives)
+    const std::uint64_t most = is_solid(kind_of(object)) ? most_crossings : most_primitives;
+    if ((total += n) >= most)
       throw InputError(fmt::format("{}: {} primitives in the scene; accepted: fewer than {}",
-                                   object.name, total, most_primitives));
+                                   object.name, total, most));
     ranges.push_back(
         {std::uint32_t(first), std::uint32_t(first + std::max<std::uint64_t>(n, 1)) - 1});
   }
@@ -65,7 +89,10 @@ std::vector<PrimitiveRange> primitive_ranges(const scene::Scene& scene) {
 
 std::vector<Batch> make_batches(const scene::Scene& part, std::span<const PrimitiveRange> places) {
   std::vector<Batch> batches;
-  std::array<std::uint32_t, shape_kinds.size()> of_kind{};
+  std::array<std::uint32_t, shape_kinds.size()> of_kind{};  // primitives
+  const auto units = [&](ShapeKind kind) {
+    return of_kind[std::size_t(kind)] / primitives_of_unit(kind);
+  };
   std::int64_t passed = 0;  // triangles, segments and points
   for (std::size_t i = 0; i < part.objects.size(); ++i) {
     const scene::SceneObject& object = part.objects[i];
@@ -75,12 +102,12 @@ std::vector<Batch> make_batches(const scene::Scene& part, std::span<const Primit
     std::uint32_t& first = of_kind[std::size_t(kind)];
     if (batches.empty() || !continues(batches.back(), object, places[i]))
       batches.push_back({kind, object.opaque, places[i].first, places[i].last, first, first, first,
-                         0, passed - first / triangles_of_unit(kind)});
+                         0, passed - units(kind), others_of(kind, units)});
     batches.back().count += n;
     batches.back().last_primitive = places[i].last;
     first += n;
     batches.back().last_of_kind = std::max(first, 1u) - 1;
-    if (!object.opaque) passed += n / triangles_of_unit(kind);
+    if (!object.opaque) passed += n / primitives_of_unit(kind);
   }
   return batches;
 }

@@ -10,24 +10,31 @@
 
 namespace pellucid::oit {
 
-/// A ShapeKind says how OpenGL draws a shape, in the order of SceneObject::shape.
-enum class ShapeKind { mesh, ribbon, disc };
+/// A ShapeKind says how OpenGL draws a shape: as triangles that are the shape (meshes, ribbons,
+/// discs), or by casting the ray of each pixel at a solid (spheres, tubes).
+enum class ShapeKind { mesh, ribbon, disc, sphere, tube };
 
 /// The table holds every kind, in order.
-inline constexpr std::array shape_kinds = {ShapeKind::mesh, ShapeKind::ribbon, ShapeKind::disc};
+inline constexpr std::array shape_kinds = {ShapeKind::mesh, ShapeKind::ribbon, ShapeKind::disc,
+                                           ShapeKind::sphere, ShapeKind::tube};
 
 /// Returns the kind of an object that is no isosurface.
-inline ShapeKind kind_of(const scene::SceneObject& object) {
-  return ShapeKind(object.shape.index());
+ShapeKind kind_of(const scene::SceneObject& object);
+
+/// Returns whether a kind is drawn by casting rays, and has two crossings a unit: where they enter,
+/// then where they leave.
+constexpr bool is_solid(ShapeKind kind) {
+  return kind == ShapeKind::sphere || kind == ShapeKind::tube;
 }
 
-/// Returns the number of triangles that are thinned out together: two of a segment.
-constexpr std::uint32_t triangles_of_unit(ShapeKind kind) {
-  return kind == ShapeKind::ribbon ? 2 : 1;
+/// Returns the number of primitives of a unit, which is thinned out as one: two of a segment or a
+/// sphere, one of a triangle or a disc.
+constexpr std::uint32_t primitives_of_unit(ShapeKind kind) {
+  return kind == ShapeKind::ribbon || is_solid(kind) ? 2 : 1;
 }
 
-/// Returns the number of triangles of a mesh, of triangles of ribbons (two a segment), or of
-/// points.
+/// Returns the number of triangles of a mesh, of triangles of ribbons (two a segment), of discs, or
+/// of crossings of solids (two a sphere, or a segment of a tube).
 std::uint64_t primitive_count(const scene::SceneObject& object);
 
 /// A PrimitiveRange is an object's place in the order of a scene: the numbers of its first and its
@@ -48,14 +55,17 @@ struct Batch {
   std::uint32_t first_of_kind = 0, last_of_kind = 0;  // likewise, among those of its kind
   std::uint32_t first = 0;                            // in the buffer of its kind
   std::uint32_t count = 0;
-  /// What first_of_kind counts, in segments of ribbons, plus this is the number of triangles,
-  /// segments and points before it that are transparent.
+  /// What first_of_kind counts, in units, plus this is the number of triangles, segments and points
+  /// before it that are transparent.
   std::int64_t passed = 0;
+  /// The points before it that are drawn by the other kind of points, or likewise the segments:
+  /// elements count points and segments whatever their kind.
+  std::uint32_t others = 0;
 };
 
 /// Returns the batches of a scene whose objects have these places in the order of the scene that
 /// they are a part of, or its own. Throws InputError for shapes that OpenGL does not draw here
-/// (isosurfaces, tubes, spheres) and as primitive_ranges().
+/// (isosurfaces) and as primitive_ranges().
 ///@{
 std::vector<Batch> make_batches(const scene::Scene& part, std::span<const PrimitiveRange> places);
 std::vector<Batch> make_batches(const scene::Scene& scene);

@@ -12,7 +12,7 @@ std::uint32_t vertex_count(const scene::Scene& scene, ShapeKind kind) {
   std::size_t count = 0;
   for (const scene::SceneObject& object : scene.objects)
     if (kind_of(object) == kind) count += object.vertices().positions.size();
-  return std::uint32_t(count) * triangles_of_unit(kind);
+  return std::uint32_t(count) * primitives_of_unit(kind);
 }
 
 Corner corner_of(const geometry::Vertices& vertices, std::size_t i) {

@@ -15,7 +15,7 @@ layout(binding = point_importances_texture) uniform samplerBuffer importances;
 #ifdef OPTIMIZED_VERTICES
 // The bits of a float.
 layout(binding = element_opacities_texture) uniform usamplerBuffer element_opacities;
-uniform uint first_point_element;
+uniform uint first_point_element, others;  // see element.glsl
 #endif
 
 // Of an equilateral triangle around the unit circle.
@@ -35,6 +35,6 @@ void main() {
   vertex_importance = texelFetch(importances, point).r;
 #endif
 #ifdef OPTIMIZED_VERTICES
-  vertex_opacity = uintBitsToFloat(texelFetch(element_opacities, int(first_point_element) + point).r);
+  vertex_opacity = uintBitsToFloat(texelFetch(element_opacities, int(first_point_element + others) + point).r);
 #endif
 }

@@ -39,13 +39,16 @@ BufferTexture upload_discs(const Gl& gl, const scene::Scene& scene, const ViewSp
   for (const scene::SceneObject& object : scene.objects)
     if (kind_of(object) == ShapeKind::disc) n += primitive_count(object);
   const GuardBand band(view);
+  const auto append = [&](const scene::PointObject& points, const std::string& name, Point* out) {
+    for (std::size_t i = 0; i < points.set.positions.size(); ++i)
+      *out++ = {view.position(points.set.positions[i]), drawn_radius(band, view, points, i, name),
+                points.set.colors[i]};
+    return out;
+  };
   return {gl, GL_RGBA32F, Buffer::filled<Point>(gl, n, [&](Point* out) {
             for (const scene::SceneObject& object : scene.objects)
-              if (const auto* points = std::get_if<scene::PointObject>(&object.shape))
-                for (std::size_t i = 0; i < points->set.positions.size(); ++i)
-                  *out++ = {view.position(points->set.positions[i]),
-                            drawn_radius(band, view, *points, i, object.name),
-                            points->set.colors[i]};
+              if (kind_of(object) == ShapeKind::disc)
+                out = append(std::get<scene::PointObject>(object.shape), object.name, out);
           })};
 }
 

@@ -2,24 +2,35 @@
 // The element (see scene/elements/elements.h) of a fragment.
 #include "oit/gl/bindings.glsl"
 
+// After fragment.glsl.
 uniform uint first_of_kind, last_of_kind;  // of what is being drawn, among its kind of primitives
 
-int primitive_of_kind() { return int(min(first_of_kind + uint(gl_PrimitiveID), last_of_kind)); }
+int primitive_of_kind() { return int(min(first_of_kind + primitive_index(), last_of_kind)); }
 
+#if defined(DISC) || defined(SPHERE)
 #ifdef DISC
-uniform uint first_point_element;
-
-int element() { return int(first_point_element) + primitive_of_kind(); }
+const int primitives_of_point = 1;
 #else
-#ifdef RIBBON
+const int primitives_of_point = 2;
+#endif
+#if !(defined(SPHERE) && defined(OPTIMIZED_VERTICES))  // else solid.glsl has them
+uniform uint first_point_element, others;
+#endif
+
+int element() {
+  return int(first_point_element + others) + primitive_of_kind() / primitives_of_point;
+}
+#else
+uniform uint others;  // points, or segments, of the other kind that stand before
+#if defined(RIBBON) || defined(TUBE)
 layout(binding = segment_elements_texture) uniform usamplerBuffer elements;
-const int triangles_of_primitive = 2;  // of a segment
+const int triangles_of_primitive = 2;  // of a segment; of a tube crossings
 #else
 layout(binding = triangle_elements_texture) uniform usamplerBuffer elements;
 const int triangles_of_primitive = 1;
 #endif
 
 int element() {
-  return int(texelFetch(elements, primitive_of_kind() / triangles_of_primitive).r);
+  return int(texelFetch(elements, int(others) + primitive_of_kind() / triangles_of_primitive).r);
 }
 #endif

@@ -17,6 +17,13 @@ uvec2 opaque_key() {
 }
 #endif
 
+#ifdef SOLID
+#include "oit/shapes/solid.glsl"
+#else
+// Of the primitives that are being drawn.
+uint primitive_index() { return uint(gl_PrimitiveID); }
+#endif
+
 uniform uint first_primitive, last_primitive;  // of what is being drawn, in the order of the scene
 
 struct Fragment {
@@ -26,7 +33,7 @@ struct Fragment {
 };
 
 // The place in the order of the scene: by object, then by primitive.
-uint primitive_order() { return min(first_primitive + uint(gl_PrimitiveID), last_primitive); }
+uint primitive_order() { return min(first_primitive + primitive_index(), last_primitive); }
 
 // The order of compositing: by depth, then by primitive. 0 precedes all of them.
 uvec2 key_of(Fragment f) { return uvec2(floatBitsToUint(f.depth), primitive_order() + 1u); }
@@ -36,7 +43,9 @@ bool precedes(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y);
 // |n . v|. See scene.h for the shapes' normals.
 #ifdef LIT
 #include "oit/shapes/lighting.glsl"
-#ifdef DISC
+#ifdef SOLID
+float facing() { return solid_facing; }
+#elif defined(DISC)
 float facing() { return sqrt(1.0 - dot(vertex_corner, vertex_corner)); }
 #else
 vec3 view_direction() {
@@ -85,6 +94,9 @@ float optimized_opacity(float importance, float depth);
 Fragment fragment() {
 #ifdef DISC
   if (dot(vertex_corner, vertex_corner) > 1.0) discard;
+#endif
+#ifdef SOLID
+  if (!meet_solid()) discard;
 #endif
   // Interpolation may round an opacity or a depth of 1 to just above it.
   Fragment f = Fragment(vertex_color.rgb, clamp(vertex_color.a, 0.0, 1.0),

@@ -46,6 +46,17 @@ class Thinning {
   std::vector<IndexTriangle> triangles_, kept_;
 };
 
+/// Keeps likewise every n-th of what is drawn without indices: discs and solids.
+Batch keep_every(const Batch& batch, std::uint32_t n) {
+  const std::uint32_t group = primitives_of_unit(batch.kind), units = batch.count / group;
+  const auto passed = std::uint64_t(batch.passed + batch.first_of_kind / group);
+  const auto phase = std::uint32_t((n - passed % n) % n);
+  Batch kept = batch;
+  kept.first += group * phase;
+  kept.count = units > phase ? group * ((units - phase + n - 1) / n) : 0;
+  return kept;
+}
+
 }  // namespace
 
 Geometry::Geometry(const Gl& gl, const scene::Scene& scene)
@@ -70,6 +81,10 @@ Geometry::Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRan
   if (meshes_) draw_parts(ShapeKind::mesh, *meshes_);
   if (ribbons_) draw_parts(ShapeKind::ribbon, *ribbons_);
   if (has(ShapeKind::disc)) points_ = upload_discs(gl, part, view_);
+  if (has(ShapeKind::sphere) || has(ShapeKind::tube)) solids_.emplace(gl, part, view_);
+  for (const scene::SceneObject& object : part.objects)
+    if (const auto* lines = std::get_if<scene::LineObject>(&object.shape))
+      lines_.push_back({kind_of(object), lines->set.positions.size()});
   sample_at(Vec2(0.5));
 }
 
@@ -108,7 +123,19 @@ void Geometry::set_mesh_opacities(std::span<const float> opacities) {
 }
 
 void Geometry::set_line_opacities(std::span<const float> opacities) {
-  if (ribbons_) upload_opacities(gl_, opacities, 2, *ribbons_);
+  if (ribbons_) upload_opacities(gl_, opacities_of(opacities, ShapeKind::ribbon), 2, *ribbons_);
+  if (solids_) solids_->set_tube_opacities(opacities_of(opacities, ShapeKind::tube));
+}
+
+std::vector<float> Geometry::opacities_of(std::span<const float> line_opacities,
+                                          ShapeKind kind) const {
+  std::vector<float> chosen;
+  for (const LineRun& run : lines_) {
+    const std::span<const float> of_run = line_opacities.first(run.points);
+    if (run.kind == kind) chosen.insert(chosen.end(), of_run.begin(), of_run.end());
+    line_opacities = line_opacities.subspan(run.points);
+  }
+  return chosen;
 }
 
 void Geometry::sample_at(const Vec2& sample) const {
@@ -121,6 +148,7 @@ Resources Geometry::resources() const {
   Resources list{uniforms_.as_uniform_block(view_block)};
   if (points_) list.add(points_->as_texture(points_texture));
   if (point_importance_) list.add(point_importance_->as_texture(point_importances_texture));
+  if (solids_) list.add(solids_->resources());
   if (elements_) list.add(elements_->resources());
   return list;
 }
@@ -129,18 +157,19 @@ Geometry::Source Geometry::everything() const {
   return {meshes_ ? &meshes_->indices : nullptr, ribbons_ ? &ribbons_->indices : nullptr, 1};
 }
 
-void Geometry::draw_all(const GeometryProgram& program, bool opaque) const {
+void Geometry::draw_all(const GeometryProgram& program, const glm::vec2& size, bool opaque) const {
   for (const Batch& batch : batches_)
-    if (batch.opaque == opaque) draw_batch(program, batch, everything());
+    if (batch.opaque == opaque) draw_batch(program, size, batch, everything());
 }
 
-void Geometry::draw(const GeometryProgram& program, const Subset& subset) const {
+void Geometry::draw(const GeometryProgram& program, const glm::vec2& size,
+                    const Subset& subset) const {
   for (const Batch& batch : subset.batches)
-    draw_batch(program, batch,
+    draw_batch(program, size, batch,
                {&subset.mesh_indices, &subset.ribbon_indices, subset.stride_of_points});
 }
 
-void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
+void Geometry::draw_batch(const GeometryProgram& program, const glm::vec2& size, const Batch& batch,
                           const Source& source) const {
   const Program& of_kind = program.of(batch.kind);
   of_kind.use();
@@ -148,10 +177,13 @@ void Geometry::draw_batch(const GeometryProgram& program, const Batch& batch,
   of_kind.set_if_used("last_primitive", batch.last_primitive);
   of_kind.set_if_used("first_of_kind", batch.first_of_kind);
   of_kind.set_if_used("last_of_kind", batch.last_of_kind);
+  of_kind.set_if_used("others", batch.others);
+  of_kind.set_if_used("target_size", size);
   if (elements_) of_kind.set_if_used("first_point_element", elements_->first_point);
   if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
   if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
   if (batch.kind == ShapeKind::disc) draw_discs(of_kind, batch, source.stride_of_points);
+  if (is_solid(batch.kind)) draw_solids(of_kind, batch, source.stride_of_points);
 }
 
 void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
@@ -169,23 +201,26 @@ void Geometry::draw_discs(const Program& program, const Batch& batch, std::uint3
   gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(3 * batch.count));
 }
 
+void Geometry::draw_solids(const Program& program, const Batch& batch, std::uint32_t stride) const {
+  const std::uint32_t first = batch.first / primitives_of_unit(batch.kind);
+  program.set("first_solid", solids_->first(batch.kind) + first);
+  program.set("stride_of_solids", stride);
+  gl_.BindVertexArray(no_attributes_.id());
+  gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(6 * batch.count));
+}
+
 Subset Geometry::every(std::uint32_t n) const {
   const Source source = everything();
-  Thinning meshes(source.mesh_indices, triangles_of_unit(ShapeKind::mesh));
-  Thinning ribbons(source.ribbon_indices, triangles_of_unit(ShapeKind::ribbon));
+  Thinning meshes(source.mesh_indices, primitives_of_unit(ShapeKind::mesh));
+  Thinning ribbons(source.ribbon_indices, primitives_of_unit(ShapeKind::ribbon));
   Subset subset;
   subset.stride_of_points = n;
   for (const Batch& batch : batches_) {
     if (batch.opaque) continue;
     if (batch.kind == ShapeKind::mesh) subset.batches.push_back(meshes.keep(batch, n));
     if (batch.kind == ShapeKind::ribbon) subset.batches.push_back(ribbons.keep(batch, n));
-    if (batch.kind == ShapeKind::disc) {
-      const auto passed = std::uint64_t(batch.passed + batch.first_of_kind);
-      const auto phase = std::uint32_t((n - passed % n) % n);
-      subset.batches.push_back(batch);
-      subset.batches.back().first += phase;
-      subset.batches.back().count = batch.count > phase ? (batch.count - phase + n - 1) / n : 0;
-    }
+    if (batch.kind == ShapeKind::disc || is_solid(batch.kind))
+      subset.batches.push_back(keep_every(batch, n));
   }
   subset.mesh_indices = meshes.buffer(gl_);
   subset.ribbon_indices = ribbons.buffer(gl_);

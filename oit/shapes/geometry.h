@@ -5,6 +5,7 @@
 
 #include "oit/shapes/geometry_program.h"
 #include "oit/shapes/geometry_upload.h"
+#include "oit/shapes/solids.h"
 
 namespace pellucid::oit {
 
@@ -25,7 +26,7 @@ struct ElementTextures {
   Resources resources() const;  // for reading
 };
 
-/// A Geometry is the scene's meshes, ribbons and discs on the OpenGL side.
+/// A Geometry is the scene's meshes, ribbons, discs, spheres and tubes on the OpenGL side.
 class Geometry {
  public:
   /// Uploads the scene. Throws as make_batches() does, and as scene::depth_range().
@@ -58,14 +59,18 @@ class Geometry {
   /// Returns what the shapes' shaders find in any pass that draws them.
   Resources resources() const;
   /// Draws what is transparent, or a subset of it, in the order of the scene, in the pass that has
-  /// begun.
+  /// begun, whose target has `size` pixels.
   ///@{
-  void draw(const GeometryProgram& program) const { draw_all(program, false); }
-  void draw(const GeometryProgram& program, const Subset& subset) const;
+  void draw(const GeometryProgram& program, const glm::vec2& size) const {
+    draw_all(program, size, false);
+  }
+  void draw(const GeometryProgram& program, const glm::vec2& size, const Subset& subset) const;
   ///@}
 
-  /// Draws what is opaque, in the order of the scene.
-  void draw_opaque(const GeometryProgram& program) const { draw_all(program, true); }
+  /// Draws what is opaque, in the order of the scene, likewise.
+  void draw_opaque(const GeometryProgram& program, const glm::vec2& size) const {
+    draw_all(program, size, true);
+  }
   /// Returns every n-th transparent primitive, from the first.
   Subset every(std::uint32_t n) const;
 
@@ -76,14 +81,23 @@ class Geometry {
     const Buffer* ribbon_indices;
     std::uint32_t stride_of_points;
   };
+  /// A LineRun is the number of points of lines of one kind that follow each other.
+  struct LineRun {
+    ShapeKind kind;
+    std::size_t points;
+  };
 
+  /// Returns those of the opacities of all lines' points that are of a kind.
+  std::vector<float> opacities_of(std::span<const float> line_opacities, ShapeKind kind) const;
   /// Lets the parts of clipped triangles be drawn in their place.
   void draw_parts(ShapeKind kind, const IndexedVertices& vertices);
-  void draw_all(const GeometryProgram& program, bool opaque) const;
-  void draw_batch(const GeometryProgram& program, const Batch& batch, const Source& source) const;
+  void draw_all(const GeometryProgram& program, const glm::vec2& size, bool opaque) const;
+  void draw_batch(const GeometryProgram& program, const glm::vec2& size, const Batch& batch,
+                  const Source& source) const;
   void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
                     const Batch& batch) const;
   void draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const;
+  void draw_solids(const Program& program, const Batch& batch, std::uint32_t stride) const;
   Source everything() const;
 
   const Gl& gl_;
@@ -94,6 +108,8 @@ class Geometry {
   Buffer uniforms_;
   std::optional<IndexedVertices> meshes_, ribbons_;
   std::optional<BufferTexture> points_, point_importance_;
+  std::optional<Solids> solids_;
+  std::vector<LineRun> lines_;
   const ElementTextures* elements_ = nullptr;
   VertexArray no_attributes_;
 };

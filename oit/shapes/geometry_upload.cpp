@@ -25,10 +25,11 @@ void for_each(const scene::Scene& scene, const Call& call) {
     if (const auto* shape = std::get_if<Shape>(&object.shape)) call(*shape);
 }
 
-/// call(set of lines, index of the line's first point, the line's points)
+/// call(set of ribbons, index of the line's first point, the line's points)
 template <class Call>
 void for_each_line(const scene::Scene& scene, const Call& call) {
   for_each<scene::LineObject>(scene, [&](const scene::LineObject& lines) {
+    if (lines.profile != scene::LineObject::Profile::ribbon) return;
     const geometry::LineSet& set = lines.set;
     const std::span<const Vec3> points(set.positions);
     for (std::size_t k = 0; k < set.line_count(); ++k)

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the vertex shaders hand to the fragment shaders. Whoever includes this defines VARYING, as
 // out or in.
+#if defined(SPHERE) || defined(TUBE)
+#define SOLID
+#endif
+#ifdef SOLID
+layout(location = 0) flat VARYING int vertex_solid;  // see solid.glsl, which has all the others
+#else
 #ifdef DISC
 #define OF_SHAPE flat  // one value for a whole disc
 #else
@@ -22,4 +28,5 @@ layout(location = 5) OF_SHAPE VARYING float vertex_importance;
 #endif
 #ifdef OPTIMIZED_VERTICES
 layout(location = 6) OF_SHAPE VARYING float vertex_opacity;
+#endif
 #endif

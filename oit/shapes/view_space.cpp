@@ -36,7 +36,10 @@ ViewSpace::Uniforms ViewSpace::uniforms(const Vec2& sample) const {
   Uniforms u;
   u.clip_scale = {float(clip_scale_.x), float(-clip_scale_.y)};
   // A pixel is 2 / size wide in clip space, where y runs down as in the picture.
-  u.clip_shift = glm::vec2(2.0 * (0.5 - sample) / size_);
+  u.ray_shift = 2.0 * (0.5 - sample) / size_;
+  u.clip_shift = glm::vec2(u.ray_shift);
+  u.ray_scale = {1 / clip_scale_.x, -1 / clip_scale_.y};
+  u.view_depth = {range_.near / unit_, (range_.far - range_.near) / unit_};
   u.clip_w = glm::vec2(w_);
   if (projection_ == scene::Projection::perspective) {
     // w = z and z_clip = z - 2 nearest: inside [-w, w] exactly when z >= nearest.

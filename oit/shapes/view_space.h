@@ -32,6 +32,12 @@ class ViewSpace {
     return {glm::dot(frame_.right, world), glm::dot(frame_.up, world),
             glm::dot(frame_.forward, world)};
   }
+  /// Returns a position of the world in view units in all three axes, z the view depth.
+  Vec3 view_position(const Vec3& world) const {
+    const Vec3 x = world - frame_.eye;
+    return Vec3(glm::dot(frame_.right, x), glm::dot(frame_.up, x), glm::dot(frame_.forward, x)) /
+           unit_;
+  }
   /// Returns a length in view units.
   double exact_length(double world) const { return world / unit_; }
 
@@ -42,9 +48,13 @@ class ViewSpace {
   /// Returns the least d that is drawn: it lies at the eye, or next to it.
   double nearest_drawn() const;
 
+  /// Returns the picture's size in pixels.
+  Vec2 size() const { return size_; }
+
   /// Uniforms are the block `View` of view.glsl.
   struct Uniforms {
     glm::vec2 clip_scale, clip_shift, clip_w, clip_z;
+    Vec2 ray_scale, ray_shift, view_depth;
   };
   /// Returns the block for a `sample` of the pixel, in pixels from its top left corner (see
   /// pixel_samples.h).
@@ -58,6 +68,6 @@ class ViewSpace {
   double unit_;  // world units per view unit
   Vec2 clip_scale_, w_;
 };
-static_assert(sizeof(ViewSpace::Uniforms) == 32);
+static_assert(sizeof(ViewSpace::Uniforms) == 80);
 
 }  // namespace pellucid::oit

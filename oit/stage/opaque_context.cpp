@@ -23,7 +23,7 @@ void OpaqueContext::draw(const glm::vec3& background) const {
   keys_.clear(~0u);  // nothing there: follows every fragment
   target_.clear_depth(1);
   Pass(target_, {Blend::replace}, geometry_.resources(), DepthTest::less).begin(gl_);
-  geometry_.draw_opaque(program_);
+  geometry_.draw_opaque(program_, target_.size());
 }
 
 Resources OpaqueContext::resources() const {

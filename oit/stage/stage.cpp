@@ -89,20 +89,20 @@ void Stage::begin(Pass pass, const Resources& of_program) const {
 
 void Stage::draw_geometry(const Pass& pass, const GeometryProgram& program) const {
   begin(pass, program.resources() + geometry_.resources());
-  geometry_.draw(program);
+  geometry_.draw(program, pass.target->size());
 }
 
 void Stage::draw_geometry(const Pass& pass, const GeometryProgram& program,
                           const Geometry& geometry) const {
   geometry.sample_at(sample_);
   begin(pass, program.resources() + geometry.resources());
-  geometry.draw(program);
+  geometry.draw(program, pass.target->size());
 }
 
 void Stage::draw_geometry(const Pass& pass, const GeometryProgram& program,
                           const Subset& subset) const {
   begin(pass, program.resources() + geometry_.resources());
-  geometry_.draw(program, subset);
+  geometry_.draw(program, pass.target->size(), subset);
 }
 
 void Stage::draw_screen(const Pass& pass, const Program& program) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oit/shapes/element.glsl"
 #include "oit/shapes/fragment.glsl"
+#include "oit/shapes/element.glsl"
 #include "oit/lists/list_append.glsl"
 
 void main() {

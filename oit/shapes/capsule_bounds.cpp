@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oit/shapes/capsule_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pellucid::oit {
+namespace {
+
+using std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Vec2 everything{-infinity, infinity}, nothing{infinity, -infinity};
+
+/// Tangents of directions between two angles from the viewing axis, less than π apart.
+Vec2 tangents(double low, double high) {
+  const double middle = 0.5 * (low + high), turn = std::remainder(middle, 2 * pi) - middle;
+  low += turn;
+  high += turn;
+  if (low >= 0.5 * pi || high <= -0.5 * pi) return nothing;
+  return {low <= -0.5 * pi ? -infinity : std::tan(low),
+          high >= 0.5 * pi ? infinity : std::tan(high)};
+}
+
+/// From where to where one axis of the picture sees the hull of two circles around a and b, points
+/// of the plane of that axis and the viewing axis; the eye is at 0.
+Vec2 seen_from_eye(const Vec2& a, const Vec2& b, double radius) {
+  const double far_a = glm::length(a), far_b = glm::length(b);
+  if (!(std::min(far_a, far_b) > radius)) return everything;
+  const double at_a = std::atan2(a.x, a.y);
+  const double at_b = at_a + std::remainder(std::atan2(b.x, b.y) - at_a, 2 * pi);
+  const double wide_a = std::asin(radius / far_a), wide_b = std::asin(radius / far_b);
+  const double low = std::min(at_a - wide_a, at_b - wide_b);
+  const double high = std::max(at_a + wide_a, at_b + wide_b);
+  return high - low < pi ? tangents(low, high) : everything;  // else the eye may be within
+}
+
+/// Along which axis a capsule is longest in the picture; any will do.
+Vec2 axis_of(const Capsule& capsule, scene::Projection projection) {
+  const bool parallel = projection == scene::Projection::orthographic;
+  if (!parallel && !(std::min(capsule.a.z, capsule.b.z) > 0)) return {1, 0};
+  const auto seen = [&](const Vec3& x) { return Vec2(x) / (parallel ? 1 : x.z); };
+  const Vec2 along = seen(capsule.b) - seen(capsule.a);
+  const double length = glm::length(along);
+  return length > 0 && length < infinity ? along / length : Vec2(1, 0);
+}
+
+}  // namespace
+
+PictureRectangle bounds_in_picture(const Capsule& capsule, const ViewSpace& view) {
+  const auto& [a, b, radius] = capsule;
+  const bool parallel = view.projection() == scene::Projection::orthographic;
+  if (!(std::max(a.z, b.z) + radius > 0)) return {};
+  PictureRectangle rectangle;
+  rectangle.axis = axis_of(capsule, view.projection());
+  const double pixel = std::max(2 / (view.clip_scale().x * view.size().x),
+                                2 / (view.clip_scale().y * view.size().y));
+  // From the middle to a corner, and a pixel for where samples are.
+  const double reach = glm::length(1.0 / view.clip_scale()) + pixel;
+  const auto along = [&](const Vec2& axis) {
+    const double on_a = glm::dot(axis, Vec2(a)), on_b = glm::dot(axis, Vec2(b));
+    const Vec2 seen = parallel ? Vec2(std::min(on_a, on_b) - radius, std::max(on_a, on_b) + radius)
+                               : seen_from_eye({on_a, a.z}, {on_b, b.z}, radius);
+    return glm::clamp(seen + pixel / 8 * Vec2(-1, 1), -reach, reach);
+  };
+  rectangle.first = along(rectangle.axis);
+  rectangle.second = along({-rectangle.axis.y, rectangle.axis.x});
+  return rectangle.empty() ? PictureRectangle() : rectangle;
+}
+
+}  // namespace pellucid::oit

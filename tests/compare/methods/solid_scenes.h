@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Scenes of spheres and tubes.
+
+#include <random>
+#include <vector>
+
+#include "tests/compare/methods/promise_scenes.h"
+
+namespace pellucid::compare {
+
+inline scene::SceneObject spheres(std::vector<Vec3> centers, double radius,
+                                  std::vector<Rgba> colors) {
+  scene::PointObject points;
+  points.radius = radius;
+  points.profile = scene::PointObject::Profile::sphere;
+  points.set.positions = std::move(centers);
+  points.set.colors = std::move(colors);
+  return {"spheres", std::move(points)};
+}
+
+inline scene::SceneObject tube(std::vector<Vec3> line, double radius, std::vector<Rgba> colors) {
+  scene::LineObject lines;
+  lines.radius = radius;
+  lines.profile = scene::LineObject::Profile::tube;
+  lines.set.offsets = {0, line.size()};
+  lines.set.positions = std::move(line);
+  lines.set.colors = std::move(colors);
+  return {"tube", std::move(lines)};
+}
+
+/// Makes objects of any place and colour in [-1, 1]³.
+class RandomSolids {
+ public:
+  explicit RandomSolids(unsigned seed) : random_(seed) {}
+
+  scene::SceneObject any_spheres(int count, double radius) {
+    std::vector<Vec3> centers(std::size_t(count), Vec3(0));
+    for (Vec3& x : centers) x = any();
+    return spheres(centers, radius, colors(centers.size()));
+  }
+  /// A walk with sharp turns, whose parts overlap and which meets itself.
+  scene::SceneObject any_tube(int points, double radius) {
+    std::vector<Vec3> line{any()};
+    while (int(line.size()) < points) line.push_back(line.back() + 0.3 * any());
+    return tube(line, radius, colors(line.size()));
+  }
+  Vec3 any() { return Vec3(unit_(random_), unit_(random_), unit_(random_)); }
+
+ private:
+  std::vector<Rgba> colors(std::size_t count) {
+    std::vector<Rgba> list(count);
+    for (Rgba& color : list) color = Rgba(0.5 + 0.5 * any(), 0.5 + 0.4 * unit_(random_));
+    return list;
+  }
+
+  std::mt19937 random_;
+  std::uniform_real_distribution<double> unit_{-1, 1};
+};
+
+/// A SolidScene is a scene with a name; of spheres and tubes alone, or of other shapes, too.
+struct SolidScene {
+  const char* name;
+  bool solids_alone;
+  scene::Scene (*make)();
+};
+
+/// Before an eye at a distance of 3, in 40 × 30 pixels.
+inline scene::Scene some_solids() {
+  RandomSolids random(3);
+  scene::Scene scene = testing::empty_scene(40, 30);
+  scene.camera = {.eye = {0, 0, 3}, .target = {0, 0, 0}};
+  for (int i = 0; i < 4; ++i) {
+    scene.objects.push_back(random.any_spheres(5, 0.1 + 0.08 * i));
+    scene.objects.push_back(random.any_tube(12, 0.04 + 0.03 * i));
+  }
+  return scene;
+}
+
+inline scene::Scene mixed_with_others() {
+  scene::Scene scene = some_solids();
+  for (const scene::SceneObject& triangle : triangle_cloud(40, 30, 10, 12).objects)
+    scene.objects.push_back(triangle);
+  RandomSolids random(4);
+  scene::SceneObject discs = random.any_spheres(5, 0.2), ribbon = random.any_tube(6, 0.1);
+  std::get<scene::PointObject>(discs.shape).profile = scene::PointObject::Profile::disc;
+  std::get<scene::LineObject>(ribbon.shape).profile = scene::LineObject::Profile::ribbon;
+  scene.objects.insert(scene.objects.begin() + 1, {discs, ribbon});
+  return scene;
+}
+
+inline std::vector<SolidScene> solid_scenes() {
+  return {{"Perspective", true, some_solids},
+          {"Parallel", true,
+           [] {
+             scene::Scene scene = some_solids();
+             scene.camera.projection = scene::Projection::orthographic;
+             scene.camera.height = 2;
+             return scene;
+           }},
+          {"FromWithin", true,
+           [] {
+             scene::Scene scene = some_solids();
+             scene.camera.eye = {0.05, 0, 0};
+             scene.camera.target = {1, 0.2, 0.1};
+             scene.camera.fov = 100;
+             RandomSolids random(9);
+             scene.objects.push_back(spheres({{0, 0, 0}}, 0.4, {{0.9, 0.2, 0.4, 0.3}}));
+             scene.objects.push_back(tube({{-1, 0.1, 0}, {0, 0, 0}, {0.5, 0.5, 0}}, 0.2,
+                                          {{0, 0, 1, 0.5}, {1, 0, 0, 0.5}, {0, 1, 0, 0.5}}));
+             return scene;
+           }},
+          {"Lit", true,
+           [] {
+             scene::Scene scene = some_solids();
+             scene.lighting = scene::Lighting::phong;
+             return scene;
+           }},
+          {"TinyAndFar", true,
+           [] {
+             scene::Scene scene = some_solids();
+             for (scene::SceneObject& object : scene.objects) {
+               for (Vec3& x : object.vertices().positions) x = 1e-4 * x + Vec3(70, -20, 5);
+               if (auto* points = std::get_if<scene::PointObject>(&object.shape))
+                 points->radius *= 1e-4;
+               else
+                 std::get<scene::LineObject>(object.shape).radius *= 1e-4;
+             }
+             scene.camera.eye = {70, -20, 100};
+             scene.camera.target = {70, -20, 5};
+             scene.camera.fov = 2e-4 / 95 * 57.3;
+             return scene;
+           }},
+          {"Opaque", true,
+           [] {
+             scene::Scene scene = some_solids();
+             scene.objects[2].opaque = scene.objects[5].opaque = true;
+             return scene;
+           }},
+          {"Samples", true,
+           [] {
+             scene::Scene scene = some_solids();
+             scene.samples.per_axis = 2;
+             return scene;
+           }},
+          {"Mixed", false, mixed_with_others}};
+}
+
+}  // namespace pellucid::compare
