@@ -6,11 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-<<<<<<< HEAD
 #include "compare/budget/budget_stages.h"
 #include "compare/cells/cell.h"
-=======
->>>>>>> 193ed0d (Reports carry their pictures' floats: in the page where it stays below 60 MB, else in a folder)
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/crop.h"
@@ -97,19 +94,6 @@ json intervals_json(const ResultRow& row) {
   return intervals;
 }
 
-<<<<<<< HEAD
-json row_json(const Cell& cell, const CellFiles& files, const ResultRow& row) {
-  json j = to_json(row);
-  j["name"] = cell.call.text();
-  j["title"] = cell.call.row->title;
-  if (!row.error.empty()) return j;
-  j["values"] = values_json(row);
-  j["intervals"] = intervals_json(row);
-  if (row.budget)
-    for (json& stage : j["budget"]["stages"])
-      stage["title"] = title_of_stage(stage["stage"].get<std::string>());
-  j["picture"] = data_uri(files.preview());
-=======
 /// A picture of a page of one file stands in it; that of a folder's page beside it.
 std::string source_of(const fs::path& png, const fs::path& folder, bool in_folder) {
   return in_folder ? png.lexically_relative(folder).generic_string() : data_uri(png);
@@ -118,7 +102,6 @@ std::string source_of(const fs::path& png, const fs::path& folder, bool in_folde
 void add_pictures(const ReportCell& cell, const fs::path& folder, bool in_folder, json& j) {
   const auto source = [&](const fs::path& png) { return source_of(png, folder, in_folder); };
   j["picture"] = source(cell.files.preview());
->>>>>>> 193ed0d (Reports carry their pictures' floats: in the page where it stays below 60 MB, else in a folder)
   for (json& picture : j["pictures"])
     picture["source"] = source(cell.files.further(picture["name"].get<std::string>()));
   if (!cell.row->reference) j["error_map"] = source(cell.files.error_map());
@@ -133,6 +116,9 @@ json row_json(const ReportCell& cell, const fs::path& folder, bool in_folder) {
   if (!cell.is_done()) return j;
   j["values"] = values_json(*cell.row);
   j["intervals"] = intervals_json(*cell.row);
+  if (cell.row->budget)
+    for (json& stage : j["budget"]["stages"])
+      stage["title"] = title_of_stage(stage["stage"].get<std::string>());
   add_pictures(cell, folder, in_folder, j);
   return j;
 }
