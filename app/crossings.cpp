@@ -14,9 +14,6 @@
 #include "groundtruth/queries/ray_query.h"
 
 namespace pellucid::app {
-void add_crossings_command(CLI::App& app, GlobalOptions& globals);
-}  // namespace pellucid::app
-namespace pellucid::app {
 namespace {
 
 using groundtruth::FreeRay;

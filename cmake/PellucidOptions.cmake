@@ -5,9 +5,9 @@ set(PELLUCID_SANITIZE "" CACHE STRING "Value of -fsanitize=, or empty")
 add_library(pellucid_options INTERFACE)
 target_include_directories(pellucid_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(pellucid_options INTERFACE -Wall -Wextra -Wpedantic -Wnon-virtual-dtor)
-# A name of another file of the same translation unit is not hidden by a local one: nobody meant it.
+# Of files that are compiled together, a local name hides none that was meant, and a file is no header to GCC.
 target_compile_options(pellucid_options INTERFACE
-  $<IF:$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${PELLUCID_UNITY}>>,-Wshadow=local,-Wshadow>)
+  $<IF:$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${PELLUCID_UNITY}>>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
 # No contraction and no fast-math: the exact paths count on IEEE double as written.
 target_compile_options(pellucid_options INTERFACE -ffp-contract=off)
 # A program starts as fast as its libraries are found: only those whose functions it calls.

@@ -9,13 +9,14 @@
 namespace pellucid::app {
 namespace {
 
-nlohmann::ordered_json json_of(double value) {
+nlohmann::ordered_json number_json(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 nlohmann::ordered_json to_json(const ArrayContents& array) {
   nlohmann::ordered_json ranges = nlohmann::ordered_json::array();
-  for (const Vec2& range : array.ranges) ranges.push_back({json_of(range.x), json_of(range.y)});
+  for (const Vec2& range : array.ranges)
+    ranges.push_back({number_json(range.x), number_json(range.y)});
   return {{"name", array.name},
           {"at", array.at},
           {"components", array.ranges.size()},
@@ -52,7 +53,9 @@ std::string text_of(const nlohmann::ordered_json& value) {
 
 }  // namespace
 
-nlohmann::ordered_json json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }
+nlohmann::ordered_json json_of(const Vec3& v) {
+  return {number_json(v.x), number_json(v.y), number_json(v.z)};
+}
 
 nlohmann::ordered_json to_json(const FileContents& contents) {
   nlohmann::ordered_json json{{"kind", contents.kind}, {"format", contents.title}};

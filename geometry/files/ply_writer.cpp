@@ -88,7 +88,7 @@ void write_ply_lines(const std::filesystem::path& path, const LineSet& lines) {
   write_text(path, encode_ply(lines));
 }
 void write_ply_points(const std::filesystem::path& path, const PointSet& points) {
-  write_ply(path, {Vertices(points), {}});
+  write_ply(path, {Vertices(points), {}, {}});
 }
 
 }  // namespace pellucid::geometry

@@ -9,11 +9,10 @@
 #include "fields/make_field.h"
 #include "fields/reversed_field.h"
 #include "integrators/lines/integrate_lines.h"
+#include "tests/integrators/lines/trajectory_error.h"
 
 namespace pellucid::integrators {
 namespace {
-
-constexpr double trajectory_error = 1e-8;  // as in lines_test.cpp
 
 LineRequest request_of(const fields::VectorField& field, double duration, double start_time = 0) {
   LineRequest request;

@@ -8,13 +8,10 @@
 
 #include "core/error.h"
 #include "fields/make_field.h"
+#include "tests/integrators/lines/trajectory_error.h"
 
 namespace pellucid::integrators {
 namespace {
-
-/// By default a step's error is estimated at 1e-9 of the lines' extent, some units, and they take
-/// some tens of steps: what they are off by, world units, if errors add up.
-constexpr double trajectory_error = 1e-8;
 
 LineRequest request_for(const fields::VectorField& field, double duration) {
   LineRequest request;

@@ -81,14 +81,14 @@ TEST(AgreementSampled, SurfacesAreWithinTheReportedErrorOfTheAnalyticOnes) {
   }
 }
 
-IntegratedSurface sweep(const fields::VectorField& field, const std::string& integrator,
-                        const SeedCurve& seed) {
+IntegratedSurface sweep_samples(const fields::VectorField& field, const std::string& integrator,
+                                const SeedCurve& seed) {
   return integrate_surface(integrator, {&field, seed, duration, 0, false, {}});
 }
 
 std::uint64_t evaluations(const fields::VectorField& field, const std::string& integrator,
                           const SeedCurve& seed) {
-  return sweep(field, integrator, seed).stats.evaluations;
+  return sweep_samples(field, integrator, seed).stats.evaluations;
 }
 
 Vec3 swirl(const Vec3& x) { return {-x.y, x.x, 0.3}; }
@@ -128,8 +128,8 @@ TEST(UnitSampledSteps, NoneOverAHole) {
   const auto field = fields::make_field(write_samples(
       folder, [&](const Vec3& x) { return glm::length(x) < 1e-9 ? Vec3(nan) : Vec3(10, 0, 0); },
       -3));
-  const auto surface = sweep(*field, "fixed-front:particles=9,rows=1",
-                             segment_seed({-2, -0.15, -0.1}, {-2, 0.15, 0.1}));
+  const auto surface = sweep_samples(*field, "fixed-front:particles=9,rows=1",
+                                     segment_seed({-2, -0.15, -0.1}, {-2, 0.15, 0.1}));
   EXPECT_EQ(surface.stats.ends.at(EndReason::not_finite), 9u);
   // Steps that leave are halved down to a thousand tolerances of 1e-9 of the extent: see
   // edge_tolerances.

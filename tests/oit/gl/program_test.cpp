@@ -9,7 +9,7 @@
 namespace pellucid::oit::test {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr std::string_view fragment = R"(
 uniform float scale;
