@@ -21,7 +21,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::attempt("input", [&] { check_vertices("input", geometry::points_of(set)); });
     for (const auto interpolation : {fields::Interpolation::linear, fields::Interpolation::c1})
       fuzz::attempt("input", [&] {
-        fuzz::use(*fields::field_of(set, {.interpolation = interpolation}, "input.vtk"));
+        fields::FileOptions options;
+        options.interpolation = interpolation;
+        fuzz::use(*fields::field_of(set, options, "input.vtk"));
       });
   });
   return 0;
