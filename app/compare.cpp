@@ -185,8 +185,9 @@ void refuse_picture_options(const CompareArguments& arguments) {
       !arguments.flip_map.empty() || !files.mask.empty() || !files.crop.empty() ||
       !files.layers.empty() || !files.test_layers.empty())
     throw InputError(
-        "compare: two runs of a study take no option of pictures; accepted: --output, "
-        "--ignore-times, --json");
+        fmt::format("compare: {} {}: a folder is a run of a study, which takes no option of "
+                    "pictures; accepted: --output, --ignore-times, --json",
+                    files.reference.string(), files.test.string()));
 }
 
 void refuse_run_options(const CompareArguments& arguments) {
