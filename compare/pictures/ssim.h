@@ -9,8 +9,10 @@ namespace pellucid::compare {
 
 /// The window of SSIM has so many pixels on a side.
 constexpr int ssim_window = 11;
-/// (K₁ L)² and (K₂ L)² of Wang et al. 2004 for values from 0 to L = 1.
-constexpr double ssim_c1 = 0.01 * 0.01, ssim_c2 = 0.03 * 0.03;
+/// C₁ is (K₁ L)² of Wang et al. 2004, for values from 0 to L = 1.
+constexpr double ssim_c1 = 0.01 * 0.01;
+/// C₂ is (K₂ L)².
+constexpr double ssim_c2 = 0.03 * 0.03;
 /// So many pixels from each edge of a picture have no window that lies inside.
 constexpr int ssim_margin = ssim_window / 2;
 
