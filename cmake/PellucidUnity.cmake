@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# pellucid_unity(TARGET [FOLDER…]): compiles the .cpp files of a folder by eight, which parses their headers once instead of eight
-# times and halves the time of a build from nothing. Names in anonymous namespaces are therefore one folder's, not one
-# file's. Files of the FOLDERs,
-# and those with options or definitions of their own, are compiled alone.
+# pellucid_unity(TARGET [FOLDER|FILE…]): compiles the .cpp files of a folder by eight, which parses their headers once
+# instead of eight times and halves the time of a build from nothing. Names in anonymous namespaces are therefore one
+# folder's, not one file's. The FILEs, those in the FOLDERs, and those with options or definitions of their own are
+# compiled alone.
 option(PELLUCID_UNITY "Compile the files of a folder by eight: less time for all of them, more for one that changed" OFF)
 
 function(pellucid_unity target)
@@ -15,8 +15,9 @@ function(pellucid_unity target)
   list(FILTER sources EXCLUDE REGEX "^${CMAKE_BINARY_DIR}")
   foreach(source ${sources})
     get_filename_component(folder ${source} DIRECTORY)
-    get_filename_component(name ${folder} NAME)
-    if(name IN_LIST ARGN)
+    get_filename_component(folder_name ${folder} NAME)
+    get_filename_component(file_name ${source} NAME)
+    if(folder_name IN_LIST ARGN OR file_name IN_LIST ARGN)
       continue()
     endif()
     string(MAKE_C_IDENTIFIER ${folder} group)
