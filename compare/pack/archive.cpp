@@ -196,7 +196,7 @@ bool ends(const fs::path& path, std::string_view ending) {
 std::string PackedFile::content() const { return source.empty() ? text : read_text(source); }
 
 std::string package_name(const fs::path& to) {
-  const std::string name = fs::absolute(to / "").parent_path().filename().string();
+  std::string name = fs::absolute(to / "").parent_path().filename().string();
   for (const std::string_view ending : {".tar.gz", ".tgz", ".zip"})
     if (name.ends_with(ending) && name.size() > ending.size())
       return name.substr(0, name.size() - ending.size());

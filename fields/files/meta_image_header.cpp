@@ -42,7 +42,7 @@ class Lines {
 
   /// Which of the accepted values the key has.
   std::string one_of(const char* key, const std::string& otherwise, Keys accepted) const {
-    const std::string value = find({key}, otherwise).second;
+    std::string value = find({key}, otherwise).second;
     for (const char* candidate : accepted)
       if (value == candidate) return value;
     bad_file(path_, fmt::format("{} = {}; accepted: {}", key, value, fmt::join(accepted, ", ")));
