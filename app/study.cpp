@@ -13,7 +13,6 @@
 #include "compare/report/tables.h"
 #include "compare/results/provenance.h"
 #include "compare/run/run_study.h"
-#include "compare/study/needs.h"
 #include "compare/study/study.h"
 #include "core/error.h"
 
@@ -28,12 +27,13 @@ struct StudyArguments {
   std::string report = "auto";
 };
 
+const std::map<std::string, compare::ReportForm::Kind> report_kinds = {
+    {"auto", compare::ReportForm::Kind::automatic},
+    {"file", compare::ReportForm::Kind::file},
+    {"folder", compare::ReportForm::Kind::folder}};
+
 compare::ReportForm report_form(const StudyArguments& arguments, const GlobalOptions& globals) {
-  using Kind = compare::ReportForm::Kind;
-  const Kind kind = arguments.report == "file"     ? Kind::file
-                    : arguments.report == "folder" ? Kind::folder
-                                                   : Kind::automatic;
-  return {.kind = kind, .command = globals.command_line};
+  return {.kind = report_kinds.at(arguments.report), .command = globals.command_line};
 }
 
 std::string milliseconds_and_memory(const compare::ResultRow& row) {
@@ -85,7 +85,7 @@ void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   options.context.gl = globals.gl;
   options.progress = console_progress(globals);
   if (!globals.json && !globals.quiet) options.on_row = print_row;
-  for (const compare::LeftOutScene& scene : compare::left_out_scenes(study.file))
+  for (const compare::LeftOutScene& scene : study.left_out)
     std::cerr << "pellucid: " << scene.text() << '\n';
   const compare::StudyOutcome outcome = compare::run_study(study, options);
   if (globals.json)
@@ -116,7 +116,7 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
       ->add_option("--report", arguments->report,
                    "The report as one file, or as a folder whose page loads pictures when they are "
                    "looked at; auto: one file up to 60 MB")
-      ->check(CLI::IsMember({"auto", "file", "folder"}))
+      ->check(CLI::IsMember(report_kinds))
       ->capture_default_str();
   command->footer(
       "Example: pellucid study quickstart -o first --resume --report folder\n"

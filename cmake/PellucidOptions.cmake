@@ -5,7 +5,8 @@ set(PELLUCID_SANITIZE "" CACHE STRING "Value of -fsanitize=, or empty")
 add_library(pellucid_options INTERFACE)
 target_include_directories(pellucid_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(pellucid_options INTERFACE -Wall -Wextra -Wpedantic -Wnon-virtual-dtor)
-# Of files that are compiled together, a local name hides none that was meant, and a file is no header to GCC.
+# To GCC files that are compiled together are headers of one: it would tell of local names that are another file's, and
+# of types of anonymous namespaces in what it takes for a header.
 target_compile_options(pellucid_options INTERFACE
   $<IF:$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${PELLUCID_UNITY}>>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
 # No contraction and no fast-math: the exact paths count on IEEE double as written.

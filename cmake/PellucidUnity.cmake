@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # pellucid_unity(TARGET [FOLDER|FILE…]): compiles the .cpp files of a folder by eight, which parses their headers once
-# instead of eight times and halves the time of a build from nothing. Names in anonymous namespaces are therefore one
-# folder's, not one file's. The FILEs, those in the FOLDERs, and those with options or definitions of their own are
-# compiled alone.
+# instead of eight times. Names in anonymous namespaces are therefore one folder's, not one file's. The FILEs, those in
+# the FOLDERs, and those with options or definitions of their own are compiled alone.
 option(PELLUCID_UNITY "Compile the files of a folder by eight: less time for all of them, more for one that changed" OFF)
 
 function(pellucid_unity target)

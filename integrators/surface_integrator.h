@@ -57,6 +57,7 @@ struct IntegratorRow {
   std::span<const ParameterSpec> parameters;
   IntegratorPromises promises;
   IntegratedSurface (*run)(const SurfaceRequest&, const Parameters&);
+  double default_threshold = 0;  // world units, where neither threshold nor tolerance is given
 };
 
 }  // namespace pellucid::integrators

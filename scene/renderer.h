@@ -140,7 +140,7 @@ class Renderer {
 
 /// A RenderContext is what a method is given beside its scene.
 struct RenderContext {
-  std::string gl = "osmesa";      // "osmesa" | "egl"
+  std::string gl = "osmesa";      // "osmesa", "egl", "egl:N", "egl:software"
   FrameMemory* memory = nullptr;  // along a camera path; has to outlive the renderer
 };
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/options/names.h"
 #include "core/options/parameters.h"
 #include "core/vec.h"
 #include "fields/readers/file_field.h"
@@ -105,11 +106,11 @@ void divide(NameAndOptions& call, const char* key, double by) {
     call.options[key] = fmt::format("{:.6g}", *value / by);
 }
 
-/// Of a front that inserts particles: its threshold where no tolerance is given has no default in
-/// the table of parameters, which says it in words.
+/// Of a front that inserts particles, where no tolerance is given.
 void take_default_threshold(NameAndOptions& call) {
-  if (!call.options.contains("tolerance"))
-    call.options.try_emplace("threshold", call.name == "hultquist" ? "0.05" : "0.5");
+  if (call.options.contains("tolerance")) return;
+  const auto& row = find_row("integrator", call.name, integrators::integrators());
+  call.options.try_emplace("threshold", fmt::format("{}", row.default_threshold));
 }
 
 /// A mesh's distance to its surface goes with the square of its triangles' sides.

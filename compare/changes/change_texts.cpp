@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes between two runs as lines for people, and as JSON.
+#include "compare/changes/change_texts.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "compare/changes/changes.h"
 
 namespace pellucid::compare {
 namespace {
@@ -51,14 +51,6 @@ json cell_json(const CellChange& cell) {
           {"causes", cell.causes}};
 }
 
-std::string picture_line(const PictureChange& p) {
-  const std::string view = p.view > 0 ? fmt::format("view {}: ", p.view + 1) : "";
-  if (!p.why_not.empty()) return fmt::format("{}picture: {}", view, p.why_not);
-  return fmt::format("{}picture: {} pixels differ, the first at ({}, {}), by up to {:.3g}{}", view,
-                     p.pixels, p.x, p.y, p.largest,
-                     p.beyond_rounding() ? "" : ", which is rounding");
-}
-
 std::string number_line(const NumberChange& n) {
   return fmt::format("{}: {} → {}{}", n.title, n.before, n.after,
                      !n.better   ? ""
@@ -68,13 +60,27 @@ std::string number_line(const NumberChange& n) {
 
 void add_cell(const CellChange& cell, std::vector<std::string>& lines) {
   if (cell.kind == CellChange::Kind::same) return;
-  lines.push_back(fmt::format("{}: {}", cell.cell, name_of(cell.kind)));
+  lines.push_back(heading_line(cell));
   for (const PictureChange& p : cell.pictures) lines.push_back("  " + picture_line(p));
   for (const NumberChange& n : cell.numbers) lines.push_back("  " + number_line(n));
-  for (const std::string& cause : cell.causes) lines.push_back("  since " + cause);
+  for (const std::string& cause : cell.causes) lines.push_back("  " + cause_line(cause));
 }
 
 }  // namespace
+
+std::string heading_line(const CellChange& cell) {
+  return fmt::format("{}: {}", cell.cell, name_of(cell.kind));
+}
+
+std::string picture_line(const PictureChange& p) {
+  const std::string view = p.view > 0 ? fmt::format("view {}: ", p.view + 1) : "";
+  if (!p.why_not.empty()) return fmt::format("{}picture: {}", view, p.why_not);
+  return fmt::format("{}picture: {} pixels differ, the first at ({}, {}), by up to {:.3g}{}", view,
+                     p.pixels, p.x, p.y, p.largest,
+                     p.beyond_rounding() ? "" : ", which is rounding");
+}
+
+std::string cause_line(const std::string& cause) { return "since " + cause; }
 
 json to_json(const RunChanges& changes) {
   json cells = json::array();

@@ -16,20 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string cell_name(const ResultRow& row) { return row.scene + "/" + row.call(); }
-
-const ResultRow* find(const PastRun& run, const std::string& cell) {
-  for (const ResultRow& row : run.rows)
-    if (cell_name(row) == cell) return &row;
-  return nullptr;
-}
-
 /// By file names, since a run elsewhere reads its inputs from another folder.
-std::set<std::string> inputs_of(const ResultRow& row) {
+std::set<std::string> names_and_hashes(const ResultRow& row) {
   std::set<std::string> inputs;
-  for (const auto& [path, hash] : row.files_read)
-    if (!fs::path(path).filename().string().starts_with("pellucid-read-"))
-      inputs.insert(fs::path(path).filename().string() + "\n" + hash);
+  for (const auto& [path, hash] : inputs_of(row))
+    inputs.insert(fs::path(path).filename().string() + "\n" + hash);
   return inputs;
 }
 
@@ -37,7 +28,7 @@ std::vector<std::string> causes(const ResultRow& before, const ResultRow& after)
   std::vector<std::string> why;
   if (before.fingerprint != after.fingerprint)
     why.emplace_back("it was asked for otherwise: its scene, parameters, repeats or views");
-  const std::set<std::string> a = inputs_of(before), b = inputs_of(after);
+  const std::set<std::string> a = names_and_hashes(before), b = names_and_hashes(after);
   std::set<std::string> names;
   std::vector<std::string> others;
   std::ranges::set_symmetric_difference(a, b, std::back_inserter(others));
@@ -71,7 +62,7 @@ CellChange compare_cells(const PastRun& before, const PastRun& after, const Resu
 
 void check_one_study(const PastRun& before, const PastRun& after) {
   const bool common = std::ranges::any_of(
-      before.rows, [&](const ResultRow& row) { return find(after, cell_name(row)); });
+      before.rows, [&](const ResultRow& row) { return find_row_of(after, cell_name(row)); });
   if (before.study == after.study && common) return;
   throw InputError(
       fmt::format("{} against {}: {}; accepted: results of one study", after.folder.string(),
@@ -98,12 +89,12 @@ RunChanges compare_runs(const PastRun& before, const PastRun& after) {
   check_one_study(before, after);
   RunChanges changes;
   for (const ResultRow& a : before.rows) {
-    const ResultRow* b = find(after, cell_name(a));
+    const ResultRow* b = find_row_of(after, cell_name(a));
     changes.cells.push_back(b ? compare_cells(before, after, a, *b)
                               : CellChange{cell_name(a), CellChange::Kind::missing, {}, {}, {}});
   }
   for (const ResultRow& b : after.rows)
-    if (!find(before, cell_name(b)))
+    if (!find_row_of(before, cell_name(b)))
       changes.cells.push_back({cell_name(b), CellChange::Kind::added, {}, {}, {}});
   std::vector<ResultRow> rows = before.rows;
   rows.insert(rows.end(), after.rows.begin(), after.rows.end());

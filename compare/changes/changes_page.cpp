@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/cells/cell.h"
+#include "compare/changes/change_texts.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/base64.h"
@@ -35,24 +36,19 @@ std::string figure(const std::string& png, std::string_view caption) {
       caption, base64(png));
 }
 
-/// The map passes through a file beside the page, since pictures are written by path.
-std::string map_of(const CellFiles& before, const CellFiles& after, const fs::path& folder) {
-  const Image a = read_image(before.picture()), b = read_image(after.picture());
-  const fs::path file = folder / "error.png";
-  write_image(file, error_map(a, b));
-  std::string png = read_text(file);
-  fs::remove(file);
-  return png;
+std::string map_of(const CellFiles& before, const CellFiles& after) {
+  return encode_png(before.error_map(),
+                    error_map(read_image(before.picture()), read_image(after.picture())));
 }
 
 std::string pictures_html(const PictureChange& change, const ResultRow& row, const PastRun& before,
-                          const PastRun& after, const fs::path& folder) {
+                          const PastRun& after) {
   if (!change.why_not.empty()) return "";
   const CellFiles a = CellFiles(before.folder, row).from(change.view);
   const CellFiles b = CellFiles(after.folder, row).from(change.view);
   return fmt::format("<div class=\"row\">{}{}{}</div>\n", figure(read_text(a.preview()), "before"),
                      figure(read_text(b.preview()), "after"),
-                     figure(map_of(a, b, folder), "difference, logarithmic from 0.001 to 1"));
+                     figure(map_of(a, b), "difference, logarithmic from 0.001 to 1"));
 }
 
 std::string numbers_html(const std::vector<NumberChange>& numbers) {
@@ -68,26 +64,17 @@ std::string numbers_html(const std::vector<NumberChange>& numbers) {
                             "</table>\n";
 }
 
-const ResultRow* row_of(const CellChange& cell, const PastRun& run) {
-  for (const ResultRow& row : run.rows)
-    if (row.scene + "/" + row.call() == cell.cell) return &row;
-  return nullptr;
+std::string paragraph(const std::string& line) {
+  return fmt::format("<p>{}</p>\n", html_escaped(line));
 }
 
-std::string cell_html(const CellChange& cell, const PastRun& before, const PastRun& after,
-                      const fs::path& folder) {
-  std::string html;
-  RunChanges alone;
-  alone.cells = {cell};
-  std::vector<std::string> lines = lines_of(alone);
-  lines.pop_back();  // how many are the same
-  html += fmt::format("<h2>{}</h2>\n", html_escaped(lines.front()));
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    if (i <= cell.pictures.size() || i > cell.pictures.size() + cell.numbers.size())
-      html += fmt::format("<p>{}</p>\n", html_escaped(lines[i]));
-  const ResultRow* row = row_of(cell, before);
-  for (const PictureChange& change : cell.pictures)
-    if (row) html += pictures_html(change, *row, before, after, folder);
+std::string cell_html(const CellChange& cell, const PastRun& before, const PastRun& after) {
+  std::string html = fmt::format("<h2>{}</h2>\n", html_escaped(heading_line(cell)));
+  for (const PictureChange& change : cell.pictures) html += paragraph(picture_line(change));
+  for (const std::string& cause : cell.causes) html += paragraph(cause_line(cause));
+  if (const ResultRow* row = find_row_of(before, cell.cell))
+    for (const PictureChange& change : cell.pictures)
+      html += pictures_html(change, *row, before, after);
   return html + numbers_html(cell.numbers);
 }
 
@@ -119,10 +106,9 @@ void write_changes(const fs::path& folder, const RunChanges& changes, const Past
       "</head><body><h1>{0}</h1>\n<p>{2} against {3}: {4}</p>\n",
       html_escaped("Two runs of " + before.study), style, html_escaped(after.folder.string()),
       html_escaped(before.folder.string()), lines_of(changes).back());
-  for (const std::string& warning : changes.warnings)
-    page += fmt::format("<p>{}</p>\n", html_escaped(warning));
+  for (const std::string& warning : changes.warnings) page += paragraph(warning);
   for (const CellChange& cell : cells)
-    if (cell.kind != CellChange::Kind::same) page += cell_html(cell, before, after, folder);
+    if (cell.kind != CellChange::Kind::same) page += cell_html(cell, before, after);
   write_text(folder / "changes.html", page + "</body></html>\n");
 }
 

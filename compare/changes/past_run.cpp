@@ -39,4 +39,20 @@ PastRun read_past_run(const fs::path& folder) {
   return run;
 }
 
+std::string cell_name(const ResultRow& row) { return row.scene + "/" + row.call(); }
+
+const ResultRow* find_row_of(const PastRun& run, const std::string& cell) {
+  for (const ResultRow& row : run.rows)
+    if (cell_name(row) == cell) return &row;
+  return nullptr;
+}
+
+std::map<std::string, std::string> inputs_of(const ResultRow& row) {
+  std::map<std::string, std::string> inputs = row.files_read;
+  std::erase_if(inputs, [](const auto& file) {
+    return fs::path(file.first).filename().string().starts_with("pellucid-read-");
+  });
+  return inputs;
+}
+
 }  // namespace pellucid::compare

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,15 @@ bool is_run_folder(const std::filesystem::path& path);
 /// Reads a run's results.json. Throws InputError, which names the file, when there is none, or one
 /// of another format or version.
 PastRun read_past_run(const std::filesystem::path& folder);
+
+/// Returns the name of a row's cell: "abc/fourier:bands=5".
+std::string cell_name(const ResultRow& row);
+
+/// Returns the run's row of the cell of this name; nullptr where it has none.
+const ResultRow* find_row_of(const PastRun& run, const std::string& cell);
+
+/// Returns the files that the row's cell has read, with the hashes of their contents; without the
+/// program's own helpers, which read files for it.
+std::map<std::string, std::string> inputs_of(const ResultRow& row);
 
 }  // namespace pellucid::compare

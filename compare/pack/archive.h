@@ -18,10 +18,9 @@ struct PackedFile {
   std::string content() const;
 };
 
-/// Writes the files below a folder named `name`: by the path's ending as .tar.gz, .tgz (POSIX ustar
-/// with GNU's long names) or .zip (deflated, without ZIP64), else as a folder itself, which may be
-/// replaced if it was made the same way. No time of any file is kept. Throws InputError for a .zip
-/// of 4 GiB or 65535 files, and as OutputFile and OutputFolder do.
+/// Writes the files below a folder named `name`: by the path's ending as .tar.gz, .tgz or .zip,
+/// else as a folder itself, which may be replaced if it was made the same way. No time of any file
+/// is kept. Throws as OutputFile and OutputFolder do, and WorkError where writing fails.
 void write_package(const std::filesystem::path& to, const std::string& name,
                    const std::vector<PackedFile>& files);
 

@@ -19,17 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The programs that read files for others belong to the program, and are no inputs.
-bool is_reader(const fs::path& file) {
-  return file.filename().string().starts_with("pellucid-read-");
-}
-
 /// Every file that a cell has read, with its content's hash.
-std::map<fs::path, std::string> inputs_of(const PastRun& run) {
+std::map<fs::path, std::string> all_inputs(const PastRun& run) {
   std::map<fs::path, std::string> inputs;
   for (const ResultRow& row : run.rows)
-    for (const auto& [path, hash] : row.files_read)
-      if (!is_reader(path)) inputs.emplace(path, hash);
+    for (const auto& [path, hash] : inputs_of(row)) inputs.emplace(path, hash);
   return inputs;
 }
 
@@ -49,19 +43,17 @@ void check_inputs(const std::map<fs::path, std::string>& inputs) {
   }
 }
 
-/// Where OpenGL ran is in the fingerprint, but in no fact of every row.
+/// Rows that do not say where OpenGL ran are of an earlier version, and ran there by default.
 bool is_asked_alike(const Cell& cell, const Study& study, const ResultRow& row) {
-  return std::ranges::any_of(
-      std::initializer_list<const char*>{"osmesa", "egl"}, [&](const char* gl) {
-        return cell_fingerprint(cell, study.reference, timing_of(study), {.gl = gl}) ==
-               row.fingerprint;
-      });
+  scene::RenderContext context;
+  if (const auto gl = row.machine.find("gl"); gl != row.machine.end()) context.gl = gl->second;
+  return cell_fingerprint(cell, study.reference, timing_of(study), context) == row.fingerprint;
 }
 
 void check_cells(const PastRun& run, const Study& study) {
   const std::vector<Cell> cells = expand_cells(study);
   for (const ResultRow& row : run.rows) {
-    const std::string name = row.scene + "/" + row.call();
+    const std::string name = cell_name(row);
     if (!row.given.empty())
       throw InputError(
           fmt::format("{}: {} is a {} from elsewhere, which cannot be run again; "
@@ -122,7 +114,7 @@ fs::path study_of_run(const fs::path& folder) {
 }
 
 PackedRun pack_run(const PastRun& run, const Study& study) {
-  const std::map<fs::path, std::string> inputs = inputs_of(run);
+  const std::map<fs::path, std::string> inputs = all_inputs(run);
   check_inputs(inputs);
   check_cells(run, study);
   const fs::path study_file = fs::absolute(study.file).lexically_normal();

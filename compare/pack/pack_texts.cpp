@@ -4,12 +4,14 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compare/pack/sha256.h"
 #include "core/files/json_text.h"
-#include "core/files/sha256.h"
 #include "core/machine/build_info.h"
 
 namespace pellucid::compare {
@@ -102,17 +104,28 @@ json ids(const std::vector<PackedFile>& files, std::string_view folder) {
   return list;
 }
 
-json file_entity(const PackedFile& file) {
+/// A Digest is what is said of a file's content.
+struct Digest {
+  std::size_t size;
+  std::string sha256;
+};
+
+Digest digest_of(const PackedFile& file) {
   const std::string content = file.content();
+  return {content.size(), sha256(content)};
+}
+
+json file_entity(const PackedFile& file, const Digest& digest) {
   return {{"@id", file.path},
           {"@type", "File"},
           {"name", fs::path(file.path).filename().string()},
           {"encodingFormat", media_type(file.path)},
-          {"contentSize", std::to_string(content.size())},
-          {"sha256", sha256(content)}};
+          {"contentSize", std::to_string(digest.size)},
+          {"sha256", digest.sha256}};
 }
 
-json crate(const PastRun& run, const Study& study, const std::vector<PackedFile>& files) {
+json crate(const PastRun& run, const Study& study, const std::vector<PackedFile>& files,
+           const std::vector<Digest>& digests) {
   const json graph_head = {
       {{"@id", "ro-crate-metadata.json"},
        {"@type", "CreativeWork"},
@@ -138,16 +151,16 @@ json crate(const PastRun& run, const Study& study, const std::vector<PackedFile>
        {"object", ids(files, "inputs/")},
        {"result", ids(files, "results/")}}};
   json graph = graph_head;
-  for (const PackedFile& file : files) graph.push_back(file_entity(file));
+  for (std::size_t i = 0; i < files.size(); ++i) graph.push_back(file_entity(files[i], digests[i]));
   return {{"@context",
            {"https://w3id.org/ro/crate/1.1/context", {{"sha256", "https://schema.org/sha256"}}}},
           {"@graph", graph}};
 }
 
-std::string manifest(const std::vector<PackedFile>& files) {
+std::string manifest(const std::vector<PackedFile>& files, const std::vector<Digest>& digests) {
   std::string text;
-  for (const PackedFile& file : files)
-    text += fmt::format("{}  {}\n", sha256(file.content()), file.path);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    text += fmt::format("{}  {}\n", digests[i].sha256, files[i].path);
   return text;
 }
 
@@ -162,10 +175,13 @@ std::vector<PackedFile> pack_texts(const PastRun& run, const Study& study,
       {.path = "versions.json", .text = json_text(versions(run), 1) + "\n"}};
   std::vector<PackedFile> all = packed.files;
   all.insert(all.end(), texts.begin(), texts.end());
-  texts.push_back({.path = "manifest.sha256", .text = manifest(all)});
+  std::vector<Digest> digests;
+  std::ranges::transform(all, std::back_inserter(digests), digest_of);
+  texts.push_back({.path = "manifest.sha256", .text = manifest(all, digests)});
   all.push_back(texts.back());
-  texts.push_back(
-      {.path = "ro-crate-metadata.json", .text = json_text(crate(run, study, all), 1) + "\n"});
+  digests.push_back(digest_of(all.back()));
+  texts.push_back({.path = "ro-crate-metadata.json",
+                   .text = json_text(crate(run, study, all, digests), 1) + "\n"});
   return texts;
 }
 

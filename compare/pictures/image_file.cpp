@@ -134,7 +134,11 @@ void write_image(const fs::path& path, const Image& image) {
   if (is_exr(path))
     return write_text(path, encode_exr(path, image.width, image.height, {"R", "G", "B", "A"},
                                        Imf::FLOAT, image.pixels.data()));
-  write_text(path, encode_png(path, image.width, image.height, 3, to_bytes(image)));
+  write_text(path, encode_png(path, image));
+}
+
+std::string encode_png(const fs::path& path, const Image& image) {
+  return encode_png(path, image.width, image.height, 3, to_bytes(image));
 }
 
 void write_counts(const fs::path& path, const CountImage& counts) {

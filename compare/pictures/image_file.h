@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "core/raster.h"
 
@@ -21,6 +22,9 @@ Image read_image(const std::filesystem::path& path);
 /// composited: a viewer would blend them a second time. Throws InputError for another ending or a
 /// folder that cannot be written, WorkError when the disk is full.
 void write_image(const std::filesystem::path& path, const Image& image);
+
+/// Returns the picture as write_image() writes it to a .png; `path` is for messages.
+std::string encode_png(const std::filesystem::path& path, const Image& image);
 
 /// Writes numbers of layers: .exr holds one 32-bit integer channel; .png 8-bit grey, capped at 255.
 /// Throws as write_image() does.

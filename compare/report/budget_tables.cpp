@@ -13,12 +13,6 @@ namespace {
 
 bool has_budget(const ResultRow& row) { return row.budget.has_value(); }
 
-std::string csv_quoted(std::string_view text) {
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + '"';
-}
-
 /// Nothing where the finer picture takes no longer: there the gain costs nothing.
 std::string slope_text(const BudgetLine& line) {
   return line.seconds > 0 ? fmt::format("{:.3g}", line.gain / line.seconds) : "";
@@ -26,15 +20,15 @@ std::string slope_text(const BudgetLine& line) {
 
 std::string csv_line(const BudgetLine& line) {
   if (!line.why_not.empty())
-    return fmt::format("{},,,,,,,,,{}\n", line.stage, csv_quoted(line.why_not));
-  return fmt::format("{},{},{},{},{},{},{},{},{},\n", line.stage, csv_quoted(line.refinement),
+    return fmt::format("{},,,,,,,,,{}\n", line.stage, csv_field(line.why_not));
+  return fmt::format("{},{},{},{},{},{},{},{},{},\n", line.stage, csv_field(line.refinement),
                      line.share, line.first, line.last, line.rmse, line.gain, line.seconds,
                      slope_text(line));
 }
 
 std::string csv_budget(const ResultRow& row) {
-  const std::string cell =
-      fmt::format("{},{},{},", row.scene, csv_quoted(row.method), csv_quoted(row.parameters));
+  const std::string cell = fmt::format("{},{},{},", csv_field(row.scene), csv_field(row.method),
+                                       csv_field(row.parameters));
   std::string text;
   for (const BudgetLine& line : row.budget->lines) text += cell + csv_line(line);
   text += fmt::format("{}interaction,,{},,,,,,,\n", cell, row.budget->interaction);

@@ -35,17 +35,6 @@ constexpr TextColumn identity_columns[] = {
     {"method", [](const ResultRow& r) { return r.method; }},
     {"parameters", [](const ResultRow& r) { return r.parameters; }}};
 
-/// Quoted when it has to be. What a spreadsheet would take for a formula gets an apostrophe, which
-/// it takes for the mark of a text.
-std::string csv_field(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos)
-    text.insert(0, 1, '\'');
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string csv_header(std::span<const scene::Measure> measures) {
   std::string line;
   for (const TextColumn& column : identity_columns) line += fmt::format("{},", column.name);
@@ -65,6 +54,15 @@ std::string csv_line(const ResultRow& row, std::span<const scene::Measure> measu
 }
 
 }  // namespace
+
+std::string csv_field(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos)
+    text.insert(0, 1, '\'');
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
 
 std::string csv_table(std::span<const ResultRow> rows) {
   const std::vector<scene::Measure> measures = measure_columns(rows);

@@ -17,17 +17,45 @@ std::vector<std::uint32_t> words_of(const ReportCell& cell, int mantissa_bits) {
   return color_words(read_image(cell.files.picture()), mantissa_bits);
 }
 
-/// The floats and layers of the cell at `place`; `reference` is kept for the cells that follow.
-void add_pixels(std::span<const ReportCell> cells, std::size_t place, int mantissa_bits,
-                std::pair<std::size_t, std::vector<std::uint32_t>>& reference, PageTexts& texts) {
-  const ReportCell& cell = cells[place];
-  if (reference.second.empty() || reference.first != cell.reference)
-    reference = {cell.reference, words_of(cells[cell.reference], mantissa_bits)};
-  texts[fmt::format("pixels-{}", place)] =
-      place == cell.reference ? packed_words(reference.second)
-                              : packed_words(words_of(cell, mantissa_bits), reference.second);
-  if (std::filesystem::exists(cell.files.layers()))
-    texts[fmt::format("layers-{}", place)] = packed_words(read_counts(cell.files.layers()).pixels);
+/// A PixelTexts packs one cell after another; the reference of the last one's scene is kept.
+class PixelTexts {
+ public:
+  PixelTexts(std::span<const ReportCell> cells, int mantissa_bits)
+      : cells_(cells), mantissa_bits_(mantissa_bits) {}
+
+  /// The floats and layers of the cell at `place`.
+  PageTexts of(std::size_t place) {
+    const ReportCell& cell = cells_[place];
+    if (words_.empty() || reference_ != cell.reference) {
+      reference_ = cell.reference;
+      words_ = words_of(cells_[reference_], mantissa_bits_);
+    }
+    PageTexts texts;
+    texts[fmt::format("pixels-{}", place)] =
+        place == reference_ ? packed_words(words_)
+                            : packed_words(words_of(cell, mantissa_bits_), words_);
+    if (std::filesystem::exists(cell.files.layers()))
+      texts[fmt::format("layers-{}", place)] =
+          packed_words(read_counts(cell.files.layers()).pixels);
+    return texts;
+  }
+
+ private:
+  std::span<const ReportCell> cells_;
+  int mantissa_bits_;
+  std::size_t reference_ = 0;
+  std::vector<std::uint32_t> words_;  // of the reference's picture
+};
+
+/// Maps and further pictures of the cell at `place`.
+PageTexts map_texts(const ReportCell& cell, std::size_t place) {
+  PageTexts texts;
+  if (std::filesystem::exists(cell.files.flip_map()))
+    texts[fmt::format("flip-{}", place)] = data_uri(cell.files.flip_map());
+  for (std::size_t k = 0; k < cell.row->pictures.size(); ++k)
+    texts[fmt::format("further-{}-{}", place, k)] =
+        data_uri(cell.files.further(cell.row->pictures[k].name));
+  return texts;
 }
 
 std::size_t bytes_of(const PageTexts& texts) {
@@ -41,12 +69,11 @@ std::size_t bytes_of(const PageTexts& texts) {
 std::optional<PageTexts> pixel_texts(std::span<const ReportCell> cells, int mantissa_bits,
                                      std::size_t most_bytes) {
   PageTexts texts;
-  std::pair<std::size_t, std::vector<std::uint32_t>> reference;
+  PixelTexts pixels(cells, mantissa_bits);
   std::size_t bytes = 0;
   for (std::size_t place = 0; place < cells.size(); ++place) {
     if (!cells[place].is_done()) continue;
-    PageTexts of_cell;
-    add_pixels(cells, place, mantissa_bits, reference, of_cell);
+    PageTexts of_cell = pixels.of(place);
     bytes += bytes_of(of_cell);
     if (bytes > most_bytes) return std::nullopt;
     texts.merge(of_cell);
@@ -54,17 +81,14 @@ std::optional<PageTexts> pixel_texts(std::span<const ReportCell> cells, int mant
   return texts;
 }
 
-PageTexts texts_of(std::span<const ReportCell> cells, std::size_t place) {
-  PageTexts texts;
-  std::pair<std::size_t, std::vector<std::uint32_t>> reference;
-  add_pixels(cells, place, all_bits, reference, texts);
-  const ReportCell& cell = cells[place];
-  if (std::filesystem::exists(cell.files.flip_map()))
-    texts[fmt::format("flip-{}", place)] = data_uri(cell.files.flip_map());
-  for (std::size_t k = 0; k < cell.row->pictures.size(); ++k)
-    texts[fmt::format("further-{}-{}", place, k)] =
-        data_uri(cell.files.further(cell.row->pictures[k].name));
-  return texts;
+void for_each_text(std::span<const ReportCell> cells,
+                   const std::function<void(const std::string&, const std::string&)>& visit) {
+  PixelTexts pixels(cells, all_bits);
+  for (std::size_t place = 0; place < cells.size(); ++place) {
+    if (!cells[place].is_done()) continue;
+    for (const auto& [key, text] : pixels.of(place)) visit(key, text);
+    for (const auto& [key, text] : map_texts(cells[place], place)) visit(key, text);
+  }
 }
 
 std::string data_uri(const std::filesystem::path& png) {

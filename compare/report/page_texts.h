@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -24,8 +25,10 @@ using PageTexts = std::map<std::string, std::string>;
 std::optional<PageTexts> pixel_texts(std::span<const ReportCell> cells, int mantissa_bits,
                                      std::size_t most_bytes);
 
-/// Returns the floats and layers of one cell, and its maps as data URIs.
-PageTexts texts_of(std::span<const ReportCell> cells, std::size_t place);
+/// Calls visit(key, text) for the exact floats, the layers and the maps of every cell, one cell
+/// after another, so that no more than one's are in memory.
+void for_each_text(std::span<const ReportCell> cells,
+                   const std::function<void(const std::string&, const std::string&)>& visit);
 
 /// Returns a PNG file as a URI that holds all of it.
 std::string data_uri(const std::filesystem::path& png);

@@ -154,11 +154,10 @@ class ReportWriter {
   /// A page that was opened from a file may load scripts from beside it, and nothing else.
   void write_folder() const {
     fs::create_directories(folder_ / "report");
-    for (std::size_t place = 0; place < cells_.size(); ++place)
-      if (cells_[place].is_done())
-        for (const auto& [key, text] : texts_of(cells_, place))
-          write_text(folder_ / "report" / (key + ".js"),
-                     fmt::format("pellucidText(\"{}\", \"{}\");\n", key, text));
+    for_each_text(cells_, [&](const std::string& key, const std::string& text) {
+      write_text(folder_ / "report" / (key + ".js"),
+                 fmt::format("pellucidText(\"{}\", \"{}\");\n", key, text));
+    });
     write_page(data_of(true));
   }
 

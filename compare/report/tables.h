@@ -37,6 +37,10 @@ std::string latex_costs(const Study& study, std::span<const ResultRow> rows);
 /// A line for each step: table, scene, method, step, milliseconds.
 std::string csv_costs(const Study& study, std::span<const ResultRow> rows);
 
+/// Returns a text as a field of CSV, quoted when it has to be. What a spreadsheet would take for a
+/// formula gets an apostrophe, which it takes for the mark of a text.
+std::string csv_field(std::string text);
+
 /// Escapes a text so that LaTeX prints it as it stands.
 std::string latex_escaped(std::string_view text);
 

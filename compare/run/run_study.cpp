@@ -150,6 +150,7 @@ class StudyRun {
   /// Where no row can be written, on a full disk, the study ends.
   void record(Job& job, ResultRow row) {
     row.machine["build"] = options_.build;
+    row.machine["gl"] = options_.context.gl;
     write_row(job.files, row);
     job.row = std::move(row);
     ++outcome_.computed;

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/study/study.h"
 #include "core/files/json_node.h"
 #include "core/options/names.h"
 
@@ -56,16 +55,6 @@ std::vector<LeftOutScene> read_needs(const JsonNode& node, const fs::path& folde
   if (!scenes.empty() && left_out.size() == scenes.size())
     node.fail(left_out.front().text() + ", and so are all others; accepted: one scene at least");
   return left_out;
-}
-
-std::vector<LeftOutScene> left_out_scenes(const fs::path& study_file) {
-  const nlohmann::json json = read_json(study_file);
-  const JsonNode root(study_file.string(), json);
-  if (!root.has("needs")) return {};
-  std::vector<std::string> scenes;
-  for (const JsonNode& element : root["scenes"].elements())
-    scenes.push_back(scene_name(element.string()));
-  return read_needs(root["needs"], study_file.parent_path(), scenes);
 }
 
 }  // namespace pellucid::compare

@@ -26,7 +26,4 @@ struct LeftOutScene {
 std::vector<LeftOutScene> read_needs(const JsonNode& node, const std::filesystem::path& folder,
                                      std::span<const std::string> scenes);
 
-/// Returns the scenes that load_study() leaves out of the study in this file, which it has read.
-std::vector<LeftOutScene> left_out_scenes(const std::filesystem::path& study_file);
-
 }  // namespace pellucid::compare

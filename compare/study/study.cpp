@@ -187,8 +187,9 @@ Views read_views(const JsonNode& node) {
 }
 
 /// Takes out the scenes that lack a file that they need. A note says so in the report.
-void leave_out(const std::vector<LeftOutScene>& left_out, Study& study) {
-  for (const LeftOutScene& one : left_out) {
+void leave_out(std::vector<LeftOutScene> left_out, Study& study) {
+  study.left_out = std::move(left_out);
+  for (const LeftOutScene& one : study.left_out) {
     std::erase_if(study.scenes, [&](const fs::path& s) { return scene_name(s) == one.scene; });
     study.notes.push_back("Of this study " + one.text() + '.');
   }

@@ -14,6 +14,7 @@
 #include "compare/study/claims.h"
 #include "compare/study/costs.h"
 #include "compare/study/ladders.h"
+#include "compare/study/needs.h"
 #include "compare/timing/timing_rule.h"
 #include "scene/renderer.h"
 
@@ -54,6 +55,7 @@ struct Study {
   std::vector<std::string> notes;  // what a reader of its results has to know, a paragraph each
   std::filesystem::path file;
   std::vector<std::filesystem::path> scenes;
+  std::vector<LeftOutScene> left_out;  // not among the scenes, since their data are missing
   MethodCall reference;
   /// All calls composite the opacities of least energy that this one finds; see
   /// optimize_opacities().

@@ -23,6 +23,7 @@ namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
+
 std::size_t bytes_left(std::istream& file) {
   const auto here = file.tellg();
   file.seekg(0, std::ios::end);

@@ -28,7 +28,8 @@ bool is_ghost(Companion companion) {
   return companion == Companion::ghost_reset || companion == Companion::ghost_rescaled;
 }
 
-// Where a step that leaves the domain stops being halved, in tolerances.
+// Where a step that leaves the domain stops being halved, in tolerances: some steps' errors
+// together are no less.
 constexpr double edge_tolerances = 10;
 // The same in durations, for who rests: no tolerance tells how far that is. A tolerance is 1e-9 of
 // an extent unless it is given.

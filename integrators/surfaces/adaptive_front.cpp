@@ -37,6 +37,7 @@ const IntegratorRow& adaptive_front_integrator() {
       .parameters = adaptive_front_options().specs(),
       .promises = {.refines = true, .coarsens = true, .bounds_error = true},
       .run = run_adaptive,
+      .default_threshold = default_threshold,
   };
   return row;
 }

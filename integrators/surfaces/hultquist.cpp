@@ -204,6 +204,7 @@ const IntegratorRow& hultquist_integrator() {
       .parameters = hultquist_options().specs(),
       .promises = {.refines = true, .coarsens = true, .bounds_error = true},
       .run = run_hultquist,
+      .default_threshold = default_distance,
   };
   return row;
 }

@@ -75,8 +75,7 @@ Vec2 range_on_scale(const By& by, const std::vector<double>& values) {
   if (by.scale == Scale::linear) return found_range(by, values);
   const std::vector<double> positive = positive_of(values);
   const Vec2 range = found_range(by, positive);
-  const bool given = by.range && !by.in_percent[0] && !by.in_percent[1];
-  if (!given && finite_range(positive).x > finite_range(positive).y)
+  if (!has_given_range(by) && finite_range(positive).x > finite_range(positive).y)
     throw InputError(fmt::format(
         "'{}' has no value above 0; accepted on a logarithmic scale: values above 0", by.scalar));
   if (!(range.x > 0 && range.y > 0))

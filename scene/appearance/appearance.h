@@ -67,8 +67,16 @@ Vec2 finite_range(const std::vector<double>& values);
 /// each other in order (Hyndman, Fan 1996, type 7, as NumPy does); NaN of none.
 double percentile_of(std::vector<double> values, double percentile);
 
+/// Returns whether both ends of a ScalarColor's or a ScalarOpacity's range are given as values, so
+/// that it is the same whatever the scalar's.
+template <class By>
+bool has_given_range(const By& by) {
+  return by.range && !by.in_percent[0] && !by.in_percent[1];
+}
+
 /// Returns the range of a ScalarColor or a ScalarOpacity over the scalar's values, its percentiles
-/// found. Throws InputError for a logarithmic range that is not above 0.
+/// found; values are not asked of one that has_given_range(). Throws InputError for a logarithmic
+/// range that is not above 0.
 ///@{
 Vec2 range_over(const ScalarColor& by, const std::vector<double>& values);
 Vec2 range_over(const ScalarOpacity& by, const std::vector<double>& values);

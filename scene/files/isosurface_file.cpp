@@ -179,7 +179,9 @@ class IsosurfaceReader {
       node_.fail(fmt::format(
           "its grids are not those of the scalar '{}'; accepted: the same boxes and widths",
           by.scalar));
-    const Vec2 range = at_place(node_, [&] { return range_over(by, samples_of(*field)); });
+    const Vec2 range = at_place(node_, [&] {
+      return range_over(by, has_given_range(by) ? std::vector<double>() : samples_of(*field));
+    });
     return {field, range, by.scale};
   }
 

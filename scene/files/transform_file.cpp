@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/files/transform_file.h"
-#include "scene/files/any_number.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+
+#include "scene/files/any_number.h"
 
 namespace pellucid::scene {
 namespace {

@@ -59,5 +59,6 @@ function provenanceSection(data) {
     metricFacts(data.metrics),
     sceneFacts(data.rows),
     make("h3", {}, "Machine"), machineFacts(data.rows),
+    data.command && facts([["command", data.command]]),
     make("p", { class: "note" }, measures));
 }

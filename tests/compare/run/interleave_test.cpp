@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/options/names.h"
 #include "tests/compare/run/studies.h"
+#include "tests/compare/study_error.h"
 
 namespace pellucid::compare {
 namespace {
@@ -140,15 +141,7 @@ TEST(UnitInterleave, WithoutTimingCellsAreTimedOneAfterAnother) {
   EXPECT_EQ(row_of(outcome, "one", "wild").calibrations.size(), 2u);  // before and after
 }
 
-std::string error_of(const std::string& more) {
-  const StudyFolder folder;
-  try {
-    load_study(folder.study("[]", more), fake_methods());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+std::string error_of(const std::string& more) { return study_error("[]", more); }
 
 TEST(UnitTiming, AStudyAsksForItByKeys) {
   const StudyFolder folder;

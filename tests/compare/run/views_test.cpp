@@ -9,6 +9,7 @@
 #include "compare/results/measure_columns.h"
 #include "core/error.h"
 #include "tests/compare/run/studies.h"
+#include "tests/compare/study_error.h"
 
 namespace pellucid::compare {
 namespace {
@@ -182,15 +183,7 @@ TEST(UnitViews, TimingIsOfEachView) {
   EXPECT_NEAR(row.seconds.interval->low, 0.5 + 0.25 + 0.15, float_grey);
 }
 
-std::string error_of(const std::string& views) {
-  const StudyFolder folder;
-  try {
-    load_study(folder.study("[]", R"("views": )" + views), fake_methods());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+std::string error_of(const std::string& views) { return study_error("[]", R"("views": )" + views); }
 
 TEST(UnitViews, WhatIsNoViewIsRefused) {
   EXPECT_THAT(error_of("1"), HasSubstr("views: 1; accepted: an integer, 2"));

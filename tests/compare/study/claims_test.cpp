@@ -9,6 +9,7 @@
 #include "core/options/names.h"
 #include "tests/compare/fake_methods.h"
 #include "tests/compare/study/result_rows.h"
+#include "tests/compare/study_error.h"
 #include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
@@ -223,14 +224,7 @@ TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
 }
 
 std::string error_of(const std::string& claims) {
-  const StudyFolder folder;
-  try {
-    load_study(folder.study(R"(["shifted:by=0.5", "broken"])", R"("claims": [)" + claims + "]"),
-               fake_methods());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return study_error(R"(["shifted:by=0.5", "broken"])", R"("claims": [)" + claims + "]");
 }
 
 Claim read_first(const std::string& methods, const std::string& claim) {

@@ -7,6 +7,7 @@
 
 #include "compare/report/tables.h"
 #include "tests/compare/fake_methods.h"
+#include "tests/compare/study_error.h"
 #include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
@@ -86,16 +87,9 @@ TEST(UnitCosts, TablesMarkTheBottleneck) {
 }
 
 std::string error_of(const std::string& costs) {
-  const StudyFolder folder;
-  try {
-    load_study(folder.study(R"(["broken"])", R"("published": {"machine": "a GPU",
-                                                "steps": ["1", "2"], "rows": [)" +
-                                                 costs + "]}"),
-               fake_methods());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return study_error(
+      R"(["broken"])",
+      R"("published": {"machine": "a GPU", "steps": ["1", "2"], "rows": [)" + costs + "]}");
 }
 
 TEST(UnitCosts, AStudyGivesCostsOfItsOwnScenesAndCalls) {

@@ -7,6 +7,7 @@
 #include "compare/study/study.h"
 #include "core/error.h"
 #include "tests/compare/fake_methods.h"
+#include "tests/compare/study_error.h"
 #include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
@@ -20,15 +21,7 @@ using namespace pellucid::compare::testing;
 
 constexpr const char* needs = R"("needs": {"two": ["one.json", "wind.vtu"]})";
 
-std::string error_of(const std::string& more) {
-  const StudyFolder folder;
-  try {
-    load_study(folder.study(R"(["shifted"])", more), fake_methods());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+std::string error_of(const std::string& more) { return study_error(R"(["shifted"])", more); }
 
 TEST(UnitNeeds, ASceneIsLeftOutUntilItsDataAreThere) {
   const StudyFolder folder;
@@ -37,14 +30,14 @@ TEST(UnitNeeds, ASceneIsLeftOutUntilItsDataAreThere) {
   EXPECT_THAT(without.scenes, ElementsAre(folder / "one.json"));
   const std::string said = "'two' is left out: " + (folder / "wind.vtu").string();
   EXPECT_THAT(without.notes, ElementsAre(HasSubstr(said)));
-  ASSERT_EQ(left_out_scenes(file).size(), 1u);
-  EXPECT_THAT(left_out_scenes(file).front().text(), HasSubstr(said));
+  ASSERT_EQ(without.left_out.size(), 1u);
+  EXPECT_THAT(without.left_out.front().text(), HasSubstr(said));
 
   write_text(folder / "wind.vtu", "here");
   const Study with = load_study(file, fake_methods());
   EXPECT_THAT(with.scenes, ElementsAre(folder / "one.json", folder / "two.json"));
   EXPECT_THAT(with.notes, IsEmpty());
-  EXPECT_THAT(left_out_scenes(file), IsEmpty());
+  EXPECT_THAT(with.left_out, IsEmpty());
 }
 
 TEST(UnitNeeds, WhatOtherKeysSayOfTheSceneStaysRight) {

@@ -7,6 +7,7 @@
 #include "compare/methods/methods.h"
 #include "core/error.h"
 #include "tests/compare/fake_methods.h"
+#include "tests/compare/study_error.h"
 #include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
@@ -29,12 +30,7 @@ Study load(const std::string& methods, const std::string& more = "") {
 }
 
 std::string error_of(const std::string& methods, const std::string& more = "") {
-  try {
-    load(methods, more);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return study_error(methods, more);
 }
 
 TEST(UnitStudy, ReadsWhatStandsInTheFile) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/sha256.h"
+#include "compare/pack/sha256.h"
 
 #include <gtest/gtest.h>
 
-namespace pellucid {
+namespace pellucid::compare {
 namespace {
 
 // NIST's examples for FIPS 180-4, of no, of one and of two blocks, and of a million letters.
@@ -17,4 +17,4 @@ TEST(UnitSha256, AnswersAreThoseOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace pellucid
+}  // namespace pellucid::compare
