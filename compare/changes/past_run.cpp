@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/files/json_node.h"
+#include "scene/renderer.h"
 
 namespace pellucid::compare {
 
@@ -45,6 +46,11 @@ const ResultRow* find_row_of(const PastRun& run, const std::string& cell) {
   for (const ResultRow& row : run.rows)
     if (cell_name(row) == cell) return &row;
   return nullptr;
+}
+
+std::string gl_of(const ResultRow& row) {
+  const auto gl = row.machine.find("gl");
+  return gl == row.machine.end() ? scene::RenderContext().gl : gl->second;
 }
 
 std::map<std::string, std::string> inputs_of(const ResultRow& row) {

@@ -30,6 +30,10 @@ std::string cell_name(const ResultRow& row);
 /// Returns the run's row of the cell of this name; nullptr where it has none.
 const ResultRow* find_row_of(const PastRun& run, const std::string& cell);
 
+/// Returns where OpenGL ran, as --gl takes it. Rows that do not say it are of an earlier version,
+/// and are taken for those of the default.
+std::string gl_of(const ResultRow& row);
+
 /// Returns the files that the row's cell has read, with the hashes of their contents; without the
 /// program's own helpers, which read files for it.
 std::map<std::string, std::string> inputs_of(const ResultRow& row);

@@ -43,11 +43,9 @@ void check_inputs(const std::map<fs::path, std::string>& inputs) {
   }
 }
 
-/// Rows that do not say where OpenGL ran are of an earlier version, and ran there by default.
 bool is_asked_alike(const Cell& cell, const Study& study, const ResultRow& row) {
-  scene::RenderContext context;
-  if (const auto gl = row.machine.find("gl"); gl != row.machine.end()) context.gl = gl->second;
-  return cell_fingerprint(cell, study.reference, timing_of(study), context) == row.fingerprint;
+  return cell_fingerprint(cell, study.reference, timing_of(study), {.gl = gl_of(row)}) ==
+         row.fingerprint;
 }
 
 void check_cells(const PastRun& run, const Study& study) {

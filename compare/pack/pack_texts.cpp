@@ -50,10 +50,11 @@ if ! command -v "$pellucid" >/dev/null; then
   exit 2
 fi
 sha256sum --check --quiet manifest.sha256 || exit 2
-"$pellucid" study './{}' -o again --quiet || exit
+"$pellucid" study './{}' -o again --gl {} --quiet || exit
 exec "$pellucid" compare results again --ignore-times --output again/changes
 )sh",
-                     first_fact(run, "version"), first_fact(run, "commit"), quoted);
+                     first_fact(run, "version"), first_fact(run, "commit"), quoted,
+                     gl_of(run.rows.front()));
 }
 
 std::string readme(const PastRun& run, const Study& study) {

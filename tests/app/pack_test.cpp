@@ -42,6 +42,16 @@ TEST_F(UnitPack, ElsewhereItGivesTheSamePicturesToTheLastBit) {
   EXPECT_THAT(read_text(folder_ / "said"), Not(HasSubstr("picture:")));
 }
 
+TEST_F(UnitPack, ItRunsWhereItRan) {
+  if (run("study " + file("studies/s.json") + " --quiet --gl egl:software -o " + file("results"))
+          .exit_code != 0)
+    GTEST_SKIP() << "no EGL here";
+  ASSERT_EQ(run(pack("p") + " --quiet").exit_code, 0);
+  EXPECT_EQ(shell("PELLUCID=" PELLUCID_PROGRAM " p/run.sh > said 2>&1"), 0)
+      << read_text(folder_ / "said");
+  EXPECT_THAT(read_text(folder_ / "p/again/results.json"), HasSubstr("egl:software"));
+}
+
 TEST_F(UnitPack, WhatIsChangedInThePackageIsSeen) {
   ASSERT_EQ(run(pack("p") + " --quiet").exit_code, 0);
   std::string sheet = read_text(folder_ / "p/inputs/sheet.ply");

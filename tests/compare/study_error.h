@@ -10,7 +10,8 @@
 
 namespace pellucid::compare::testing {
 
-/// What is wrong with a study of these methods and further keys, as StudyFolder::study() takes them.
+/// What is wrong with a study of these methods and further keys, as StudyFolder::study() takes
+/// them.
 inline std::string study_error(const std::string& methods, const std::string& more) {
   const StudyFolder folder;
   try {
