@@ -50,10 +50,14 @@ nlohmann::json view_json(const scene::Scene& scene) {
           {"samples", scene::samples_json(scene.samples)}};
 }
 
-void print_summary(const RenderOptions& options, const scene::RenderStats& stats) {
+void print_summary(const RenderOptions& options, const scene::Scene& scene,
+                   const scene::RenderStats& stats) {
   std::cout << fmt::format("{}: {:.1f} ms, {:.2f} MB, {} fragments, at most {} layers\n",
                            options.output, 1e3 * stats.seconds(), 1e-6 * stats.total_bytes(),
                            stats.fragments, stats.max_layers);
+  for (const scene::SceneObject& object : scene.objects)
+    for (const std::string& remark : object.vertices().remarks)
+      std::cout << fmt::format("note: {}: {}\n", object.name, remark);
 }
 
 /// What is asked for beside the picture: it is exact, whatever the method.
@@ -97,6 +101,8 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   if (options.explain) {
     std::cout << fmt::format("camera: {} ({})\n", scene::camera_text(scene.camera),
                              scene.provenance.at("camera"));
+    for (const auto& [object, how] : scene.provenance)
+      if (object != "camera") std::cout << fmt::format("{}: {}\n", object, how);
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
   }
   compare::write_image(options.output, rendering.image);
@@ -108,7 +114,7 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   if (globals.json)
     std::cout << json_text(json, 2) << '\n';
   else
-    print_summary(options, rendering.stats);
+    print_summary(options, scene, rendering.stats);
 }
 
 }  // namespace

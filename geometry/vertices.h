@@ -20,6 +20,7 @@ struct Vertices {
   std::vector<Rgba> colors;     // straight (not premultiplied) colour, opacity in alpha, in [0, 1]
   std::vector<float> importance;                       // g in [0, 1]
   std::map<std::string, std::vector<double>> scalars;  // by name: s, t, time, speed, …
+  std::vector<std::string> remarks;  // what of their file was mended or is not drawn, a line each
 
   Box3 bounds() const {
     Box3 box;

@@ -82,6 +82,7 @@ void add_vertices(const geometry::Vertices& vertices, FileContents& contents) {
   add_numbers("importance", "point", "float", vertices.importance, contents);
   for (const auto& [name, values] : vertices.scalars)
     add_numbers(name, "point", "double", values, contents);
+  if (!vertices.remarks.empty()) contents.more["remarks"] = vertices.remarks;
 }
 
 FileContents inspect_geometry(const std::filesystem::path& path) {

@@ -40,6 +40,7 @@ nlohmann::ordered_json describe(const scene::SceneObject& object) {
                               {"opaque", object.opaque},
                               {"scalars", scalars_of(object)}};
   if (const double radius = scene::drawn_radius(object); radius > 0) json["radius"] = radius;
+  if (!object.vertices().remarks.empty()) json["remarks"] = object.vertices().remarks;
   if (!range.arrays.empty()) {
     const Vec2 opacity = range.arrays.front().ranges.back();
     json["opacities"] = {opacity.x, opacity.y};

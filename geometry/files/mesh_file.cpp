@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/vertex_normals.h"
 
@@ -23,12 +24,33 @@ const FormatRow& row_with(Function FormatRow::*function, const fs::path& path,
   return *format;
 }
 
+void remark_normals(std::size_t none, std::size_t count, TriangleMesh& mesh) {
+  if (none > 0)
+    mesh.remarks.push_back(fmt::format(
+        "{} of {} vertices have no normal of their own and get their facets'", none, count));
+}
+
+using Scalars = std::map<std::string, std::vector<double>>;
+
+void remark_untaken_colors(const Scalars& scalars, Vertices& vertices) {
+  std::vector<std::string> names;
+  for (const auto& [name, values] : scalars) names.push_back(name);
+  for (const std::string& name : untaken_colors(names))
+    vertices.remarks.push_back(
+        fmt::format("'{}' is called as colours are, and is read as scalars: {}", name,
+                    vertices.colors.empty() ? "colours are bytes or numbers in [0, 1]"
+                                            : "the colours are another array's"));
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(const fs::path& path) {
   TriangleMesh mesh = row_with(&FormatRow::read_mesh, path, "mesh").read_mesh(path);
   check_mesh(path.string(), mesh);
-  mend_normals(mesh);
+  const std::size_t none = mend_normals(mesh);
+  remark_normals(none, mesh.positions.size(), mesh);
+  remark_untaken_colors(mesh.scalars, mesh);
+  remark_untaken_colors(mesh.face_scalars, mesh);
   return mesh;
 }
 
@@ -36,6 +58,7 @@ LineSet read_lines(const fs::path& path) {
   LineSet lines = row_with(&FormatRow::read_lines, path, "line").read_lines(path);
   check_vertices(path.string(), lines);
   if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
+  remark_untaken_colors(lines.scalars, lines);
   return lines;
 }
 
@@ -43,6 +66,7 @@ PointSet read_points(const fs::path& path) {
   PointSet points = row_with(&FormatRow::read_points, path, "point").read_points(path);
   check_vertices(path.string(), points);
   if (points.positions.empty()) throw InputError(path.string() + ": the file holds no points");
+  remark_untaken_colors(points.scalars, points);
   return points;
 }
 

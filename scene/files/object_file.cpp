@@ -132,7 +132,7 @@ class ObjectReader {
 
   void read_mesh_file(const JsonNode& node) {
     geometry::TriangleMesh mesh = shape_of(node, geometry::read_mesh);
-    note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()));
+    note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()), mesh);
     draw(std::move(mesh));
   }
 
@@ -177,7 +177,8 @@ class ObjectReader {
   geometry::LineSet line_file(const JsonNode& node) {
     geometry::LineSet lines = shape_of(node, geometry::read_lines);
     note(fmt::format("{}, {} lines, {} points", file_name(node), lines.line_count(),
-                     lines.positions.size()));
+                     lines.positions.size()),
+         lines);
     return lines;
   }
 
@@ -203,7 +204,7 @@ class ObjectReader {
 
   void read_point_object(const JsonNode& node) {
     geometry::PointSet points = shape_of(node, geometry::read_points);
-    note(fmt::format("{}, {} points", file_name(node), points.positions.size()));
+    note(fmt::format("{}, {} points", file_name(node), points.positions.size()), points);
     draw(std::move(points));
   }
 
@@ -272,6 +273,10 @@ class ObjectReader {
     return fs::path(node.string()).filename().string();
   }
   void note(std::string how) { context_.provenance[node_.place()] = std::move(how); }
+  void note(std::string how, const geometry::Vertices& read) {
+    for (const std::string& remark : read.remarks) how += "; " + remark;
+    note(std::move(how));
+  }
 
   const JsonNode& node_;
   const ObjectContext& context_;
