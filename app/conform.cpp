@@ -38,7 +38,7 @@ compare::MethodCall call_of(const ConformArguments& arguments) {
                                    .ending = '.' + arguments.output,
                                    .base = fs::current_path()});
   const NameAndOptions named = parse_name_and_options(arguments.method);
-  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
+  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
   return {&row, Parameters(row.name, row.parameters, named.options)};
 }
 

@@ -108,7 +108,7 @@ class FrameTable {
 
 compare::MethodCall parse_call(const std::string& text) {
   const NameAndOptions named = parse_name_and_options(text);
-  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
+  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
   return {&row, Parameters(row.name, row.parameters, named.options)};
 }
 

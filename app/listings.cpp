@@ -36,7 +36,7 @@ nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
 
 nlohmann::ordered_json list_methods() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const scene::MethodRow& row : compare::methods())
+  for (const scene::MethodRow& row : compare::callable_methods())
     rows.push_back(
         {{"name", row.name},
          {"title", row.title},

@@ -37,7 +37,7 @@ void run(const PackArguments& arguments, const GlobalOptions& globals) {
   const compare::PastRun results = compare::read_past_run(arguments.results);
   const fs::path file = arguments.study.empty() ? compare::study_of_run(arguments.results)
                                                 : compare::find_study(arguments.study);
-  const compare::Study study = compare::load_study(file, compare::methods());
+  const compare::Study study = compare::load_study(file, compare::callable_methods());
   const compare::PackedRun packed = compare::pack_run(results, study);
   compare::write_package(arguments.output, compare::package_name(arguments.output), packed.files);
   if (globals.json || !globals.quiet) print_packed(packed, arguments.output, globals.json);

@@ -82,7 +82,7 @@ void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
 void render(const RenderOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   const NameAndOptions named = parse_name_and_options(options.method);
-  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
+  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
   const Parameters parameters(row.name, row.parameters, named.options);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);

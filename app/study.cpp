@@ -75,7 +75,7 @@ void check_failures(const compare::StudyOutcome& outcome, const std::filesystem:
 
 void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   const compare::Study study =
-      compare::load_study(compare::find_study(arguments.name_or_file), compare::methods());
+      compare::load_study(compare::find_study(arguments.name_or_file), compare::callable_methods());
   compare::StudyOptions options;
   options.folder = arguments.folder;
   if (options.folder.empty()) options.folder = std::filesystem::path("results") / study.name;

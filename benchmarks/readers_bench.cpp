@@ -125,8 +125,8 @@ void compare(benchmark::State& state, const Read& here, const Read& apart) {
 }
 
 void add(const std::string& name, const Read& here, const Read& apart, int pairs) {
-  benchmark::RegisterBenchmark(
-      name.c_str(), [=](benchmark::State& state) { compare(state, here, apart); })
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=](benchmark::State& state) { compare(state, here, apart); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond)
       ->Iterations(pairs);
@@ -134,12 +134,14 @@ void add(const std::string& name, const Read& here, const Read& apart, int pairs
 
 template <class Reader>
 void add_vtk(const std::string& name, const fs::path& path, int pairs) {
-  add(name, [path] { read_here<Reader>(path); }, [path] { readers::read_vtk_data_set(path); },
+  add(
+      name, [path] { read_here<Reader>(path); }, [path] { readers::read_vtk_data_set(path); },
       pairs);
 }
 
 void add_vdb(const std::string& name, const fs::path& path, int pairs) {
-  add(name, [path] { read_grids_here(path); }, [path] { readers::read_vdb_grids(path); }, pairs);
+  add(
+      name, [path] { read_grids_here(path); }, [path] { readers::read_vdb_grids(path); }, pairs);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "groundtruth/methods/decoupled.h"
 #include "groundtruth/methods/march.h"
 #include "groundtruth/methods/raytrace.h"
+#include "oit/methods/written/glsl_method.h"
 #include "oit/registry.h"
 
 namespace pellucid::compare {
@@ -15,6 +16,15 @@ std::span<const scene::MethodRow> methods() {
     std::vector<scene::MethodRow> rows{groundtruth::raytrace_method(), groundtruth::march_method(),
                                        groundtruth::decoupled_method()};
     rows.insert(rows.end(), oit::oit_methods().begin(), oit::oit_methods().end());
+    return rows;
+  }();
+  return table;
+}
+
+std::span<const scene::MethodRow> callable_methods() {
+  static const std::vector<scene::MethodRow> table = [] {
+    std::vector<scene::MethodRow> rows(methods().begin(), methods().end());
+    rows.push_back(oit::glsl_method());
     return rows;
   }();
   return table;

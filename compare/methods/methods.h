@@ -11,4 +11,7 @@ namespace pellucid::compare {
 /// study files, property tests, benchmarks, report and README iterate. The reference comes first.
 std::span<const scene::MethodRow> methods();
 
+/// Returns methods() and `glsl`, which is whatever its file says: all that a call can name.
+std::span<const scene::MethodRow> callable_methods();
+
 }  // namespace pellucid::compare

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/methods/sweep.h"
 
+#include <algorithm>
+
 #include "core/options/split.h"
 
 namespace pellucid::compare {
@@ -30,10 +32,15 @@ std::vector<MethodCall> sweep_of(const scene::MethodRow& row) {
   return calls;
 }
 
+bool needs_file(const scene::MethodRow& row) {
+  return std::ranges::find(row.parameters, ParameterSpec::Kind::file, &ParameterSpec::kind) !=
+         row.parameters.end();
+}
+
 std::vector<MethodCall> every_method(std::span<const scene::MethodRow> table) {
   std::vector<MethodCall> calls;
   for (const scene::MethodRow& row : table)
-    if (!row.promises.optimizes_opacity)
+    if (!row.promises.optimizes_opacity && !needs_file(row))
       for (MethodCall& call : sweep_of(row)) calls.push_back(std::move(call));
   return calls;
 }

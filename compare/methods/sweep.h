@@ -17,8 +17,11 @@ std::vector<RawOptions> crossed(const std::vector<RawOptions>& sets, const std::
 /// does not accept one.
 std::vector<MethodCall> sweep_of(const scene::MethodRow& row);
 
+/// Says whether the method draws nothing unless a call names a file.
+bool needs_file(const scene::MethodRow& row);
+
 /// Returns all methods in all their settings, in the table's order, but for those that optimize
-/// opacity.
+/// opacity or need a file.
 std::vector<MethodCall> every_method(std::span<const scene::MethodRow> table);
 
 }  // namespace pellucid::compare

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@ namespace pellucid::compare {
 struct Catalogue {
   std::string_view kind;  // of a row, and the key of its name in an object: "method"
   std::span<const scene::MethodRow> rows;
+  std::filesystem::path folder = {};  // that the paths of files start at
 };
 
 /// Reads an entry of a list of calls and expands its sweeps: "NAME[:key=value,…]",

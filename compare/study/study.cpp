@@ -309,7 +309,7 @@ Study load_study(const fs::path& file, std::span<const scene::MethodRow> methods
                  std::span<const scene::MethodRow> integrators) {
   const nlohmann::json json = read_json(file);
   const JsonNode root(file.string(), json);
-  Reading reading{{"method", methods}, {"integrator", integrators}};
+  Reading reading{{"method", methods, file.parent_path()}, {"integrator", integrators}};
   reading.study.file = file;
   reading.study.name = reading.study.title = file.stem().string();
   read_keys(marks, root, reading);

@@ -146,6 +146,16 @@ Option<Options> text(std::string_view name, std::string Options::*member,
       [member](Options& options, const std::string& given) { options.*member = given; });
 }
 
+/// Makes the row of a file's path.
+template <class Options>
+Option<Options> file(std::string_view name, std::string Options::*member,
+                     std::string_view help = {}) {
+  const ParameterSpec spec{.name = name, .kind = ParameterSpec::Kind::file, .help = help};
+  return option_detail::make<Options>(
+      spec, Options{}.*member, "",
+      [member](Options& options, const std::string& given) { options.*member = given; });
+}
+
 /// Makes the row of a member of any type, by its own way to write and to read it; `read` throws
 /// InputError for what it does not accept.
 template <class Options, class T>

@@ -24,6 +24,7 @@ bool is_valid(const ParameterSpec& spec, std::string_view value) {
   double number = 0;
   switch (spec.kind) {
     case ParameterSpec::Kind::text:
+    case ParameterSpec::Kind::file:
       return true;
     case ParameterSpec::Kind::flag:
       return value == "on" || value == "off";
@@ -58,6 +59,8 @@ std::string ParameterSpec::accepted() const {
   switch (kind) {
     case Kind::text:
       return "text";
+    case Kind::file:
+      return "a file";
     case Kind::flag:
       return "on|off";
     case Kind::choice:

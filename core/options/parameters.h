@@ -14,8 +14,9 @@ namespace pellucid {
 /// A ParameterSpec describes one parameter of a method, integrator or field: a row of a constexpr
 /// table. `list`, the command line, study files and the report all read it.
 struct ParameterSpec {
-  /// Kind says which texts a parameter accepts; a flag is "on" or "off".
-  enum class Kind { integer, real, choice, flag, text };
+  /// Kind says which texts a parameter accepts; a flag is "on" or "off". A file is a path, which a
+  /// study file has from its own folder on; a row with one does nothing without it.
+  enum class Kind { integer, real, choice, flag, text, file };
 
   std::string_view name;
   Kind kind = Kind::real;

@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const fuzz::FileInMemory file(
       "input.json", {{"a.json", R"({"format": "pellucid-scene"})"}, {"b.json", "{}"}});
   fuzz::attempt(file.name(), [&] {
-    const compare::Study study = compare::load_study(file.with({data, size}), compare::methods());
+    const compare::Study study =
+        compare::load_study(file.with({data, size}), compare::callable_methods());
     for (const compare::MethodCall& call : study.methods) call.slug();
   });
   return 0;

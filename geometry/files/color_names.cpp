@@ -14,9 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 4> rgba{"red", "green", "blue", "alpha"};
 constexpr std::array<const char*, 4> families[] = {
-    rgba,
-    {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
-    {"r", "g", "b", "a"}};
+    rgba, {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}, {"r", "g", "b", "a"}};
 
 std::string small(std::string_view text) {
   std::string result(text);

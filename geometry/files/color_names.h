@@ -14,8 +14,8 @@ namespace pellucid::geometry {
 /// With each goes its alpha, diffuse_alpha or a; an alpha alone is one, too.
 std::map<std::string, std::string> color_channels(const std::vector<std::string>& names);
 
-/// Returns, of the names of scalars, what is called as a colour is and so was not taken for one: the
-/// stem of NAME_x, NAME_y, NAME_z; "r g b" of three. Sorted.
+/// Returns, of the names of scalars, what is called as a colour is and so was not taken for one:
+/// the stem of NAME_x, NAME_y, NAME_z; "r g b" of three. Sorted.
 std::vector<std::string> untaken_colors(const std::vector<std::string>& scalars);
 
 /// Says whether an array of three or four components is called as colours are: RGB, RGBA, or a

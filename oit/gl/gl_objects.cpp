@@ -67,6 +67,11 @@ void Texture::clear(std::uint32_t value) const {
   name_.gl().ClearTexImage(id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texel);
 }
 
+void Texture::clear_floats(float value) const {
+  const float texel[] = {value, value, value, value};
+  name_.gl().ClearTexImage(id(), 0, GL_RGBA, GL_FLOAT, texel);
+}
+
 void Texture::read(GLenum format, GLenum type, std::size_t bytes, void* data) const {
   name_.gl().GetTextureImage(id(), 0, format, type, GLsizei(bytes), data);
 }
@@ -115,7 +120,7 @@ BufferTexture::BufferTexture(const Gl& gl, GLenum format, Buffer buffer)
   gl.TextureBuffer(name_.id(), format, buffer_.id());
 }
 
-Framebuffer::Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachments)
+Framebuffer::Framebuffer(const Gl& gl, std::span<const Attachment> attachments)
     : name_(gl, create([&](GLuint* id) { gl.CreateFramebuffers(1, id); })),
       width_(attachments.begin()->texture.width()),
       height_(attachments.begin()->texture.height()) {

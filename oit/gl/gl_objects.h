@@ -62,6 +62,7 @@ class Texture {
     return {&name_.gl(), ResourceKind::image, GLuint(unit), id(), format_, GL_TRUE};
   }
   void clear(std::uint32_t value) const;  // every component of an unsigned integer format
+  void clear_floats(float value) const;   // … of a format of floats
   void read(GLenum format, GLenum type, std::size_t bytes, void* data) const;
   /// Reads one pixel of all `layers`, the first layer first.
   void read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
@@ -167,7 +168,9 @@ class Framebuffer {
   };
 
   Framebuffer() = default;
-  Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachments);
+  Framebuffer(const Gl& gl, std::span<const Attachment> attachments);
+  Framebuffer(const Gl& gl, std::initializer_list<Attachment> attachments)
+      : Framebuffer(gl, std::span(attachments.begin(), attachments.size())) {}
   /// Makes one without attachments, for passes that only store; its size is in pixels.
   Framebuffer(const Gl& gl, int width, int height);
 

@@ -76,7 +76,7 @@ void add(Scene& scene, const py::object& object, const py::kwargs& keys) {
 
 compare::MethodCall call_of(const py::handle& method) {
   const NameAndOptions named = parse_name_and_options(text_of(method, "render: method"));
-  const scene::MethodRow& row = find_row("method", named.name, compare::methods());
+  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
   return {&row, Parameters(row.name, row.parameters, named.options)};
 }
 

@@ -59,7 +59,7 @@ Results run_study(const py::object& study, const py::object& out, bool resume,
   return result_unlocked([&](const Progress& progress) {
     options.progress = progress;
     const compare::Study loaded =
-        compare::load_study(compare::find_study(name), compare::methods());
+        compare::load_study(compare::find_study(name), compare::callable_methods());
     return Results{compare::run_study(loaded, options).rows, options.folder.string()};
   });
 }

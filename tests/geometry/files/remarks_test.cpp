@@ -35,8 +35,8 @@ TEST_F(UnitRemarks, ASecondFamilyOfColoursIsNamed) {
   const std::string both =
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
       "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n";
-  const TriangleMesh mesh = read_mesh(file(
-      "a.ply", ply(both, "0 0 0 255 0 0 1 2 3\n1 0 0 255 0 0 1 2 3\n0 1 0 255 0 0 1 2 3\n")));
+  const TriangleMesh mesh = read_mesh(
+      file("a.ply", ply(both, "0 0 0 255 0 0 1 2 3\n1 0 0 255 0 0 1 2 3\n0 1 0 255 0 0 1 2 3\n")));
   EXPECT_EQ(mesh.colors[0], Rgba(1, 0, 0, 1));
   EXPECT_THAT(mesh.remarks,
               ElementsAre("'diffuse_red diffuse_green diffuse_blue' is called as colours are, and "
@@ -45,8 +45,8 @@ TEST_F(UnitRemarks, ASecondFamilyOfColoursIsNamed) {
 
 /// Colours in 0 … 255 that are not bytes: which unit they have, the file does not say.
 TEST_F(UnitRemarks, ColoursOfNoKnownUnitAreNamed) {
-  const PointSet points = read_points(file(
-      "a.vtp", R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData>
+  const PointSet points = read_points(
+      file("a.vtp", R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData>
 <Piece NumberOfPoints="1" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
 <PointData><DataArray type="Float32" Name="my colour" NumberOfComponents="3" format="ascii">255 0 9
 </DataArray></PointData><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">

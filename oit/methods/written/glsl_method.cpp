@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oit/methods/written/glsl_method.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <variant>
+
+#include "core/error.h"
+#include "core/options/split.h"
+#include "oit/gl/bindings.h"
+#include "oit/methods/written/glsl_file.h"
+#include "oit/stage/oit_renderer.h"
+
+namespace pellucid::oit {
+namespace {
+
+// Image units that neither locks nor opacities have.
+constexpr int free_images[] = {0, 1, 2, 4, 5};
+constexpr std::string_view locks = "locks";  // declared by oit/stage/pixel_lock.glsl
+
+RawOptions options_of(const std::string& text) {
+  RawOptions options;
+  for (const std::string_view part : split(text, ' ')) {
+    if (part.empty()) continue;
+    const std::size_t equals = part.find('=');
+    if (equals == part.npos || equals == 0)
+      throw InputError(
+          fmt::format("glsl: parameters: '{}'; accepted: NAME=VALUE, with spaces between", part));
+    options.emplace(part.substr(0, equals), part.substr(equals + 1));
+  }
+  return options;
+}
+
+std::string sampler(const GlslTexture& texture) {
+  return fmt::format("{}sampler2D{}", texture.format->whole ? "u" : "",
+                     texture.layers > 0 ? "Array" : "");
+}
+
+std::string image(const GlslTexture& texture) {
+  return fmt::format("{}image2D{}", texture.format->whole ? "u" : "",
+                     texture.layers > 0 ? "Array" : "");
+}
+
+/// The text with its lines numbered as in its file, whatever its includes are replaced by.
+std::string numbered(const std::string& text) {
+  std::string result = "#line 1\n";
+  int line = 0;
+  for (const std::string_view part : split(text, '\n')) {
+    ++line;
+    result += fmt::format("{}\n", part);
+    if (part.starts_with("#include")) result += fmt::format("#line {}\n", line + 1);
+  }
+  return result;
+}
+
+/// What of a pass is bound, and how its shader finds it.
+class Interface {
+ public:
+  Interface(const WrittenMethod& method, const GlslPass& pass, const std::vector<Texture>& textures) {
+    text_ = pass.screen && !pass.into.empty() ? "" : pass.screen ? composite : fragment;
+    for (const GlslParameter& parameter : method.parameters)
+      text_ += fmt::format("uniform {} {};\n", parameter.whole ? "int" : "float", parameter.name);
+    for (std::size_t i = 0; i < pass.into.size(); ++i) {
+      const GlslTexture& target = method.textures[pass.into[i].first];
+      text_ += fmt::format("layout(location = {}) out {} {};\n", i, target.format->type,
+                           target.name);
+    }
+    int unit = bindings::own_texture;
+    for (const std::size_t index : pass.reads) {
+      const GlslTexture& texture = method.textures[index];
+      text_ += fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler(texture),
+                           texture.name);
+      resources_.add(textures[index].as_texture(unit++));
+    }
+    std::size_t next = 0;
+    for (const std::size_t index : pass.images) {
+      const GlslTexture& texture = method.textures[index];
+      const bool is_lock = texture.name == locks;
+      const int image_unit = is_lock ? bindings::locks_image : free_images[next++];
+      if (!is_lock)
+        text_ += fmt::format("layout(binding = {}, {}) coherent uniform {} {};\n", image_unit,
+                             texture.format->name, image(texture), texture.name);
+      resources_.add(textures[index].as_image(image_unit));
+    }
+  }
+
+  std::string complete(const GlslPass& pass) const { return text_ + numbered(pass.text); }
+  const Resources& resources() const { return resources_; }
+
+ private:
+  static constexpr std::string_view fragment = "#include \"oit/shapes/fragment.glsl\"\n";
+  static constexpr std::string_view composite = "#include \"oit/stage/composite.glsl\"\n";
+
+  std::string text_;
+  Resources resources_;
+};
+
+/// A pass ready to be drawn.
+struct ReadyPass {
+  std::string step;
+  std::variant<GeometryProgram, Program> program;
+  std::optional<Framebuffer> target;  // none: the picture
+  std::array<Blend, 8> blends{};
+  Resources resources;
+  bool stores = false;  // into images, which the next pass waits for
+};
+
+class GlslMethod final : public OitMethod {
+ public:
+  GlslMethod(Stage& stage, const GlslOptions& options)
+      : stage_(stage),
+        method_(read_glsl_method(options.file)),
+        specs_(method_.specs()),
+        parameters_(options.file, specs_, options_of(options.parameters)) {
+    for (GlslTexture& texture : method_.textures) {
+      if (!texture.layers_are.empty()) texture.layers = parameters_.integer(texture.layers_are);
+      textures_.push_back(stage.target(texture.name, texture.format->format, texture.layers));
+    }
+    for (const GlslPass& pass : method_.passes) passes_.push_back(ready(pass));
+  }
+
+  void draw(Frame& frame) override {
+    frame.step("clear", [&] { clear(); });
+    for (const ReadyPass& pass : passes_) frame.step(pass.step, [&] { draw(pass, frame); });
+  }
+
+  std::vector<std::string> explain() const override {
+    return {fmt::format("method: {}, {} textures, {} passes",
+                        method_.title.empty() ? "without a title" : method_.title,
+                        method_.textures.size(), method_.passes.size())};
+  }
+
+ private:
+  ReadyPass ready(const GlslPass& pass) const {
+    const Interface interface(method_, pass, textures_);
+    ReadyPass made;
+    made.step = pass.step;
+    made.resources = interface.resources();
+    made.stores = !pass.images.empty();
+    if (!pass.into.empty())
+      made.target = target_of(pass);
+    else if (!pass.screen)
+      made.target.emplace(stage_.gl(), stage_.width(), stage_.height());
+    made.blends.fill(Blend::replace);
+    for (std::size_t i = 0; i < pass.into.size(); ++i) made.blends[i] = pass.into[i].second;
+    compile(pass, interface.complete(pass), made);
+    return made;
+  }
+
+  Framebuffer target_of(const GlslPass& pass) const {
+    std::vector<Framebuffer::Attachment> attachments;
+    for (const auto& [index, blend] : pass.into) attachments.push_back({textures_[index]});
+    return {stage_.gl(), attachments};
+  }
+
+  void compile(const GlslPass& pass, const std::string& text, ReadyPass& made) const {
+    try {
+      if (pass.screen)
+        set_parameters(made.program.emplace<Program>(stage_.screen_program(text)));
+      else
+        set_parameters(made.program.emplace<GeometryProgram>(stage_.geometry_program(text)));
+    } catch (const WorkError& error) {
+      throw InputError(fmt::format("{}: {}", pass.file.string(), error.what()));
+    }
+  }
+
+  template <class AnyProgram>
+  void set_parameters(const AnyProgram& program) const {
+    for (const GlslParameter& parameter : method_.parameters)
+      if (parameter.whole)
+        program.set_if_used(parameter.name, parameters_.integer(parameter.name));
+      else
+        program.set_if_used(parameter.name, float(parameters_.real(parameter.name)));
+  }
+
+  void clear() const {
+    for (std::size_t i = 0; i < textures_.size(); ++i)
+      if (method_.textures[i].format->whole)
+        textures_[i].clear(std::uint32_t(method_.textures[i].clear));
+      else
+        textures_[i].clear_floats(float(method_.textures[i].clear));
+  }
+
+  void draw(const ReadyPass& ready, Frame& frame) const {
+    Pass pass(ready.target ? *ready.target : frame.picture(), {Blend::replace}, ready.resources);
+    pass.blends = ready.blends;
+    if (const auto* program = std::get_if<GeometryProgram>(&ready.program))
+      stage_.draw_geometry(pass, *program);
+    else
+      stage_.draw_screen(pass, std::get<Program>(ready.program));
+    if (ready.stores) stage_.gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
+  }
+
+  Stage& stage_;
+  WrittenMethod method_;
+  std::vector<ParameterSpec> specs_;
+  Parameters parameters_;
+  std::vector<Texture> textures_;
+  std::vector<ReadyPass> passes_;
+};
+
+std::unique_ptr<scene::Renderer> make(const scene::Scene& scene, const Parameters& parameters,
+                                      const scene::RenderContext& context) {
+  if (!parameters.is_set("file"))
+    throw InputError("glsl: file is not given; accepted: glsl:file=METHOD.json");
+  return make_oit<GlslMethod, glsl_options>(scene, parameters, context);
+}
+
+}  // namespace
+
+const OptionTable<GlslOptions>& glsl_options() {
+  static const OptionTable<GlslOptions> table{
+      file("file", &GlslOptions::file, "of format pellucid-glsl-method: textures and passes"),
+      text("parameters", &GlslOptions::parameters,
+           "of the file's own: NAME=VALUE, with spaces between")};
+  return table;
+}
+
+const scene::MethodRow& glsl_method() {
+  static const scene::MethodRow row{.name = "glsl",
+                                    .title = "Shaders of a file",
+                                    .citation = "the file's",
+                                    .equations = "the file's",
+                                    .checked_against = "nothing: it is what its file says",
+                                    .parameters = glsl_options().specs(),
+                                    .promises = {.order_spread = 1},
+                                    .bytes_per_pixel = "of the file's textures",
+                                    .make = make};
+  return row;
+}
+
+}  // namespace pellucid::oit
