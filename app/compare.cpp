@@ -120,16 +120,28 @@ void keep_asked(nlohmann::json& json, const std::vector<std::string>& names, boo
     json.erase("max_error_pixel");
 }
 
-void print_comparison(const compare::Comparison& comparison, const std::vector<std::string>& names,
-                      bool as_json) {
+/// Metrics are of colours: pictures of other opacities may be equal in all of them.
+double max_alpha_error(const CompareInputs& inputs) {
+  double largest = 0;
+  for (std::size_t i = 0; i < inputs.test.pixels.size(); ++i)
+    largest =
+        std::max(largest, std::abs(double(inputs.reference.pixels[i].a) - inputs.test.pixels[i].a));
+  return largest;
+}
+
+void print_comparison(const compare::Comparison& comparison, double alpha_error,
+                      const std::vector<std::string>& names, bool as_json) {
   if (as_json) {
     nlohmann::json json = compare::to_json(comparison);
+    if (names.empty()) json["max_alpha_error"] = alpha_error;
     keep_asked(json["displayed"], names, true);
     keep_asked(json, names, false);
     return fmt::print("{}\n", json_text(json, 1));
   }
   print_metrics("float values", comparison.linear, false, names);
   print_metrics("8-bit values, as a screen shows them", comparison.displayed, true, names);
+  if (alpha_error > 0 && names.empty())
+    fmt::print("opacity, which no number above counts\n  {:22} {:.6g}\n", "Max error", alpha_error);
 }
 
 /// Of a signed error the magnitude counts. NaN is within no threshold.
@@ -216,7 +228,7 @@ void run(const CompareArguments& arguments, const GlobalOptions& globals) {
     compare::write_image(arguments.diff, compare::error_map(inputs.reference, inputs.test));
   if (!arguments.flip_map.empty())
     compare::write_image(arguments.flip_map, flip_image(pair.flip(), arguments.flip_map));
-  print_comparison(comparison, names, globals.json);
+  print_comparison(comparison, max_alpha_error(inputs), names, globals.json);
   check_thresholds(arguments, comparison.linear, inputs);
 }
 

@@ -180,4 +180,9 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 }  // namespace pellucid

@@ -46,4 +46,7 @@ void require_file(const std::filesystem::path& path);
 /// does, and when the file is larger than this machine's memory.
 std::string read_text(const std::filesystem::path& path);
 
+/// Returns the text without the byte order mark of UTF-8 that some editors put before it.
+std::string_view without_mark(std::string_view text);
+
 }  // namespace pellucid

@@ -197,7 +197,8 @@ std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions&
 std::vector<FileFormatRow> vtk_formats() {
   std::vector<FileFormatRow> rows;
   for (const readers::VtkFormat& format : readers::vtk_formats())
-    rows.push_back({format.ending, format.title, read_vtk_field, format.traps});
+    if (!format.without_arrays)
+      rows.push_back({format.ending, format.title, read_vtk_field, format.traps});
   return rows;
 }
 

@@ -3,7 +3,9 @@
 // separates them is found there: ; tab , or blanks. A byte order mark before it is passed over, and
 // quotes around names and values. Positions are the columns x y z, in any case and with a unit, "X
 // [m]", or what other programs call them; colours are found as in PLY, and every other column is an
-// attribute. Where values are separated by ";" a decimal comma is read as a point.
+// attribute; one whose first value is no number is text, and left out. Where values are separated
+// by
+// ";" a decimal comma is read as a point.
 
 #include <fmt/format.h>
 
@@ -21,8 +23,6 @@
 
 namespace pellucid::geometry {
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// What positions are called, the first found counts: as such; by ParaView; by Fluent.
 constexpr std::array<std::string_view, 3> axis_names[] = {
@@ -92,10 +92,9 @@ double unit_of(const std::vector<double>& channel) {
 class CsvReader {
  public:
   explicit CsvReader(const std::filesystem::path& path)
-      : file_(path.string()), content_(read_text(path)), rest_(content_) {}
+      : file_(path.string()), content_(read_text(path)), rest_(without_mark(content_)) {}
 
   PointSet read() {
-    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
     read_header();
     while (!rest_.empty()) read_line();
     PointSet points;
@@ -104,6 +103,9 @@ class CsvReader {
       for (std::size_t i = 0; i < points.positions.size(); ++i)
         points.positions[i][axis] = columns_[axes_[std::size_t(axis)]][i];
     take_attributes(attributes(), points);
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      if (is_text_[k])
+        points.remarks.push_back(fmt::format("column '{}' is text and is left out", names_[k]));
     return points;
   }
 
@@ -156,6 +158,7 @@ class CsvReader {
       if (!found && rest_.empty()) fail("the file has no line that names the columns x, y, z");
     }
     columns_.resize(names_.size());
+    is_text_.assign(names_.size(), false);
   }
 
   static std::string_view trimmed_line(std::string_view line) {
@@ -177,30 +180,36 @@ class CsvReader {
     for (std::size_t k = 0; k < names_.size(); ++k) {
       const std::string_view word = trimmed(cut(line, separator_));
       double value = 0;
-      if (!parse(word, value))
+      if (is_text_[k]) continue;
+      if (parse(word, value))
+        columns_[k].push_back(value);
+      else if (positions_ == 0 && !is_axis(k) && !word.empty())
+        is_text_[k] = true;
+      else
         fail(fmt::format("column '{}': '{}': expected a number", names_[k], word));
-      columns_[k].push_back(value);
     }
     if (!trimmed(line).empty()) fail(fmt::format("more than the {} columns named", names_.size()));
+    ++positions_;
   }
 
   VertexAttributes attributes() {
     std::vector<std::string> others;
     for (std::size_t k = 0; k < names_.size(); ++k)
-      if (!is_axis(k)) others.push_back(names_[k]);
+      if (!is_axis(k) && !is_text_[k]) others.push_back(names_[k]);
     const auto channels = color_channels(others);
     const auto unit_among = [&](bool alpha) {
       double unit = 1;
       for (std::size_t k = 0; k < names_.size(); ++k)
-        if (const auto channel = channels.find(names_[k]);
-            !is_axis(k) && channel != channels.end() && (channel->second == "alpha") == alpha)
+        if (const auto channel = channels.find(names_[k]); !is_axis(k) && !is_text_[k] &&
+                                                           channel != channels.end() &&
+                                                           (channel->second == "alpha") == alpha)
           unit = std::max(unit, unit_of(columns_[k]));
       return unit;
     };
     const double of_rgb = unit_among(false), of_alpha = unit_among(true);
     VertexAttributes attributes;
     for (std::size_t k = 0; k < names_.size(); ++k) {
-      if (is_axis(k)) continue;
+      if (is_axis(k) || is_text_[k]) continue;
       const auto channel = channels.find(names_[k]);
       if (channel != channels.end())
         for (double& value : columns_[k]) value /= channel->second == "alpha" ? of_alpha : of_rgb;
@@ -217,6 +226,8 @@ class CsvReader {
   char separator_ = ',';
   std::vector<std::string> names_;
   std::vector<std::vector<double>> columns_;
+  std::vector<bool> is_text_;  // columns whose first value is no number
+  std::size_t positions_ = 0;  // read so far
   std::array<std::size_t, 3> axes_{};
 };
 

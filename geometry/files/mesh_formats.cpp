@@ -15,6 +15,7 @@ FormatRow legacy_vtk_format();
 FormatRow binlines_format();
 FormatRow csv_format();
 FormatRow vdb_format();
+FormatRow stl_format();
 FormatRow off_format();
 FormatRow tck_format();
 FormatRow trk_format();
@@ -25,8 +26,8 @@ FormatRow glb_format();
 std::span<const FormatRow> mesh_formats() {
   static const FormatRow rows[] = {
       ply_format(),      obj_format(), vtp_format(), vtu_format(), legacy_vtk_format(),
-      binlines_format(), csv_format(), vdb_format(), off_format(), gltf_format(),
-      glb_format(),      tck_format(), trk_format(), hair_format()};
+      binlines_format(), csv_format(), vdb_format(), stl_format(), off_format(),
+      gltf_format(),     glb_format(), tck_format(), trk_format(), hair_format()};
   return rows;
 }
 

@@ -166,7 +166,8 @@ struct ObjReader {
 ObjReader read_file(const std::filesystem::path& path) {
   ObjReader reader;
   reader.file = path.string();
-  reader.read(read_text(path));
+  const std::string content = read_text(path);
+  reader.read(without_mark(content));
   if (!reader.has_color) reader.mesh.colors.clear();
   return reader;
 }

@@ -23,7 +23,7 @@ namespace {
 class Lines {
  public:
   explicit Lines(const std::filesystem::path& path)
-      : file_(path.string()), content_(read_text(path)), rest_(content_) {}
+      : file_(path.string()), content_(read_text(path)), rest_(without_mark(content_)) {}
 
   /// The words of the next line.
   const std::vector<std::string_view>& next() {

@@ -167,7 +167,7 @@ template <class Read>
 VertexAttributes read_elements(const std::filesystem::path& path, Vertices& vertices,
                                const Read& read) {
   const std::string content = read_text(path);
-  ply::Reader reader(path.string(), content);
+  ply::Reader reader(path.string(), without_mark(content));
   VertexAttributes attributes;
   for (const ply::Element& element : reader.read_header().elements) {
     check_count(reader, element);

@@ -210,5 +210,12 @@ FormatRow vtu_format() {
   return row;
 }
 FormatRow legacy_vtk_format() { return read_by_vtk(".vtk", "legacy VTK"); }
+FormatRow stl_format() {
+  const readers::VtkFormat& format = *readers::vtk_format(".stl");
+  return {.ending = format.ending,
+          .title = format.title,
+          .traps = format.traps,
+          .read_mesh = read_vtk<TriangleMesh, mesh_of>};
+}
 
 }  // namespace pellucid::geometry

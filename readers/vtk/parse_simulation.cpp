@@ -9,6 +9,7 @@
 #include <vtkNIFTIImageReader.h>
 #include <vtkNetCDFCFReader.h>
 #include <vtkOpenFOAMReader.h>
+#include <vtkSTLReader.h>
 #include <vtkTecplotReader.h>
 
 #include <fstream>
@@ -120,6 +121,7 @@ constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".cdf", make_netcdf},
                                  {".nii", make<vtkNIFTIImageReader>},
                                  {".nii.gz", make<vtkNIFTIImageReader>},
+                                 {".stl", make<vtkSTLReader>},
                                  {".mrc", make<vtkMRCReader>},
                                  {".rec", make<vtkMRCReader>}};
 

@@ -77,6 +77,13 @@ constexpr VtkFormat table[] = {
      {},
      "the file's matrix is not applied: origin and spacing alone"},
     {".nii.gz", "NIfTI image, compressed", simulation, Beside::nothing, {}, "as .nii"},
+    {".stl",
+     "stereolithography, text or binary",
+     simulation,
+     Beside::nothing,
+     {},
+     "corners at one place become one vertex; colours in a facet's spare bytes are left out",
+     true},
     {".mrc", "MRC image", simulation, Beside::nothing, {}, "one scalar"},
     {".rec", "MRC image", simulation, Beside::nothing, {}, "as .mrc"},
 };

@@ -23,6 +23,7 @@ struct VtkFormat {
   Beside beside = Beside::nothing;
   std::string_view second = {};  // ".q"
   std::string_view traps = {};   // what to know of it, for the documents
+  bool without_arrays = false;   // a shape alone: no field
 };
 
 /// Returns the table.

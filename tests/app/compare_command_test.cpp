@@ -51,6 +51,23 @@ TEST_F(UnitCompareCommand, PrintsNumbersOverEveryRegionThatIsKnown) {
   EXPECT_FALSE(numbers("").contains("rmse_covered"));
 }
 
+/// White before white: colours are equal, and metrics are of colours.
+TEST_F(UnitCompareCommand, PicturesOfOtherOpacitiesAreNotEqualInSilence) {
+  for (const char* opacity : {"0.25", "0.75"}) {
+    write_text(scene(), std::string(R"({"format": "pellucid-scene", "version": 1,
+        "resolution": [32, 32], "background": [1, 1, 1], "objects": [{"mesh": "sheet.ply",
+        "color": [1, 1, 1], "opacity": )") +
+                            opacity + "}]}");
+    ASSERT_EQ(run(render("raytrace", std::string(opacity) + ".exr")).exit_code, 0);
+  }
+  const std::string pair = "compare " + file("0.25.exr") + " " + file("0.75.exr") + " ";
+  const nlohmann::json json = nlohmann::json::parse(run(pair + "--json").out);
+  EXPECT_EQ(json.at("rmse"), 0);
+  EXPECT_EQ(json.at("max_alpha_error"), 0.5);
+  EXPECT_THAT(run(pair).out, HasSubstr("opacity, which no number above counts"));
+  EXPECT_EQ(numbers("").count("max_alpha_error"), 1u);
+}
+
 TEST_F(UnitCompareCommand, TakesPartsOfThePictures) {
   const nlohmann::json all = numbers("--metric rmse,max_error");
   const nlohmann::json cut = numbers("--metric rmse --crop 0,0,48,96");

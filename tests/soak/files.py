@@ -2,9 +2,14 @@
 """Small files of every format that the program reads, and what may happen to them."""
 
 import json
+import shutil
 import struct
 import subprocess
+import sys
 from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS / "formats"))
 
 
 def scene_of(objects):
@@ -58,8 +63,35 @@ def meta_image():
 OBJ = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nl 1 2 3\n"
 
 
+def collections():
+    """Files that name others."""
+    pieces = ('<PPointData Vectors="v"><PDataArray type="Float32" Name="v" NumberOfComponents="3"/></PPointData>'
+              '<PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints><Piece Source="field.vtu"/>')
+    vtk = '<VTKFile type="{0}" version="1.0" byte_order="LittleEndian"><{0}>{1}</{0}></VTKFile>\n'.format
+    times = '<DataSet timestep="0" file="field.vti"/><DataSet timestep="1" file="field.vti"/>'
+    series = {"file-series-version": "1.0",
+              "files": [{"name": "field.vti", "time": 0}, {"name": "field.vti", "time": 2}]}
+    return {"fields.pvd": vtk("Collection", times).encode(),
+            "fields.vtm": vtk("vtkMultiBlockDataSet", '<DataSet index="0" file="field.vtu"/>').encode(),
+            "fields.pvtu": vtk("PUnstructuredGrid", pieces).encode(),
+            "fields.series": json.dumps(series).encode()}
+
+
+METHOD = {"format": "pellucid-glsl-method", "version": 1,
+          "parameters": {"k": {"default": 2, "min": 1, "max": 4, "whole": True}},
+          "textures": {"sum": {"format": "rgba32f"}, "bins": {"format": "r32ui", "layers": "k"}},
+          "passes": [{"geometry": "method.glsl", "into": {"sum": "add"}, "images": ["bins"]},
+                     {"screen": "screen.glsl", "reads": ["sum"]}]}
+SHADER = b"void main() {\n  Fragment f = fragment();\n  sum = vec4(f.color, float(k)) * f.alpha;\n}\n"
+
+# What is read by the name of another file, and what a field's name is followed by.
+PART_OF = {"field.geo": "field.case", "field.U": "field.case", "field.q": "field.xyz", "method.glsl": "method.json"}
+OPTIONS = {".nc": ":array=u,v,w", ".tec": ":array=U,V,W", ".xyz": ":array=Velocity"}
+
+
 class Seeds:
-    """A file of every format and the command that reads it, made once by the program itself."""
+    """A file of every format and the command that reads it, made once by the program itself, by VTK's and SciPy's
+    writers where they are installed, or taken from the fuzzing corpus."""
 
     def __init__(self, program, folder):
         self.folder = Path(folder)
@@ -78,9 +110,32 @@ class Seeds:
                 "scene.json": scene_of([{"mesh": "mesh.ply", "opacity": 0.4},
                                         {"lines": "lines.ply", "radius": 0.05}]).encode()}.items():
             (self.folder / name).write_bytes(content)
+        for name, content in {**collections(), "method.json": json.dumps(METHOD).encode(), "method.glsl": SHADER,
+                              "screen.glsl": b"void main() { picture = texelFetch(sum, ivec2(0), 0); }\n"}.items():
+            (self.folder / name).write_bytes(content)
+        for name, target in {"mesh.off": "off/colors_and_normals", "mesh.glb": "gltf/triangle",
+                             "lines.tck": "tck/little_endian", "lines.trk": "trk/values", "lines.hair": "hair/full"}.items():
+            shutil.copy(TESTS.parent / "fuzz" / "corpus" / target, self.folder / name)
+        self.write_by_others()
         for name in ("a.exr", "a.png"):
             self.make(program, "render", "scene.json", "-m", "raytrace", "-o", name)
         self.names = sorted(p.name for p in self.folder.iterdir())
+
+    def write_by_others(self):
+        try:
+            import written_files as others
+        except ImportError as missing:
+            print(f"without files of other writers: {missing}")
+            return
+        apart = self.folder.parent / "others"
+        apart.mkdir()
+        for write in [*others.STEADY, others.write_nifti]:
+            write(apart)
+        for name in ("g.case", "g.geo", "g.U"):
+            text = (apart / name).read_text().replace("g.geo", "field.geo").replace("g.U", "field.U")
+            (self.folder / name.replace("g.", "field.")).write_text(text)
+        for name in ("e.ex2", "n.nc", "t.tec", "p.xyz", "p.q", "i.nii.gz"):
+            shutil.copy(apart / name, self.folder / ("field" + name[1:]))
 
     def make(self, program, *arguments):
         subprocess.run([program, *arguments, "--quiet"], cwd=self.folder, capture_output=True)

@@ -55,7 +55,8 @@ void check_name(const JsonNode& node, const std::string& name) {
 
 template <class Rows>
 const auto& row_of(const JsonNode& node, std::string_view kind, const Rows& rows) {
-  return at_place(node, [&]() -> const auto& { return find_row(kind, node.string(), rows); });
+  return at_place(
+      node, [&]() -> const auto& { return find_row(kind, node.string(), rows); });
 }
 
 std::string optional_text(const JsonNode& node, std::string_view key) {
@@ -135,9 +136,10 @@ class Reader {
     }
     const GlslParameter& parameter = row_of(node, "parameter", method_.parameters);
     if (!parameter.whole || parameter.min < 1 || parameter.max > most_layers)
-      node.fail(fmt::format("the parameter '{}'; accepted: one that is whole, of \"min\" 1 and "
-                            "\"max\" {} at most",
-                            parameter.name, most_layers));
+      node.fail(
+          fmt::format("the parameter '{}'; accepted: one that is whole, of \"min\" 1 and "
+                      "\"max\" {} at most",
+                      parameter.name, most_layers));
     texture.layers_are = parameter.name;
     texture.layers = 1;  // an array; how many a call tells
   }
@@ -208,7 +210,9 @@ class Reader {
 
   void check_last() const {
     const auto& passes = method_.passes;
-    const auto draws_picture = [](const GlslPass& pass) { return pass.screen && pass.into.empty(); };
+    const auto draws_picture = [](const GlslPass& pass) {
+      return pass.screen && pass.into.empty();
+    };
     if (passes.empty() || !draws_picture(passes.back()))
       root_["passes"].fail("the last one has to draw the picture: a \"screen\" without \"into\"");
   }
@@ -225,14 +229,14 @@ class Reader {
 std::vector<ParameterSpec> WrittenMethod::specs() const {
   std::vector<ParameterSpec> specs;
   for (const GlslParameter& parameter : parameters)
-    specs.push_back({.name = parameter.name,
-                     .kind = parameter.whole ? ParameterSpec::Kind::integer
-                                             : ParameterSpec::Kind::real,
-                     .default_value = parameter.default_value,
-                     .min = parameter.min,
-                     .max = parameter.max,
-                     .unit = parameter.unit,
-                     .help = parameter.help});
+    specs.push_back(
+        {.name = parameter.name,
+         .kind = parameter.whole ? ParameterSpec::Kind::integer : ParameterSpec::Kind::real,
+         .default_value = parameter.default_value,
+         .min = parameter.min,
+         .max = parameter.max,
+         .unit = parameter.unit,
+         .help = parameter.help});
   return specs;
 }
 

@@ -57,14 +57,15 @@ std::string numbered(const std::string& text) {
 /// What of a pass is bound, and how its shader finds it.
 class Interface {
  public:
-  Interface(const WrittenMethod& method, const GlslPass& pass, const std::vector<Texture>& textures) {
+  Interface(const WrittenMethod& method, const GlslPass& pass,
+            const std::vector<Texture>& textures) {
     text_ = pass.screen && !pass.into.empty() ? "" : pass.screen ? composite : fragment;
     for (const GlslParameter& parameter : method.parameters)
       text_ += fmt::format("uniform {} {};\n", parameter.whole ? "int" : "float", parameter.name);
     for (std::size_t i = 0; i < pass.into.size(); ++i) {
       const GlslTexture& target = method.textures[pass.into[i].first];
-      text_ += fmt::format("layout(location = {}) out {} {};\n", i, target.format->type,
-                           target.name);
+      text_ +=
+          fmt::format("layout(location = {}) out {} {};\n", i, target.format->type, target.name);
     }
     int unit = bindings::own_texture;
     for (const std::size_t index : pass.reads) {

@@ -37,12 +37,22 @@ TEST_F(UnitCsvHeads, CsvHasColoursInBytesOrShares) {
   EXPECT_EQ(mixed.colors[0], Rgba(1, 0, 0, 0.5f));
 }
 
+TEST_F(UnitCsvHeads, ColumnsOfTextAreLeftOutAndNamed) {
+  const PointSet points =
+      read_points(file("a.csv", "x,y,z,\"name, in full\",s\n0,0,0,\"a, b\",4\n1,0,0,7,5\n"));
+  EXPECT_EQ(points.scalars.size(), 1u);
+  EXPECT_EQ(points.scalars.at("s"), (std::vector<double>{4, 5}));
+  EXPECT_THAT(points.remarks,
+              ::testing::ElementsAre("column 'name, in full' is text and is left out"));
+}
+
 TEST_F(UnitCsvHeads, CsvSaysWhichColumnOrLineIsWrong) {
   for (const auto& [content, said] :
        {std::pair("x,y,s\n0,0,1\n", "no columns x, y, z among x, y, s"),
         std::pair("x,y,z,s\n0,0,0,1\n1,0,0,\n", ":3: column 's': '': expected a number"),
         std::pair("x,y,z\n0,0,0\n1,0,0,5\n", ":3: more than the 3 columns"),
-        std::pair("x,y,z,name\n0,0,0,a\n", ":2: column 'name': 'a'"),
+        std::pair("x,y,z,s\n0,0,0,1\n1,0,0,b\n", ":3: column 's': 'b'"),
+        std::pair("x,y,z\n0,0,a\n", ":2: column 'z': 'a'"),
         std::pair("# x\n# y\n", "no line that names the columns"),
         std::pair("x,y,z\n1,5;2;3\n", "'5;2;3'")})
     EXPECT_THAT(refusal([&] { read_points(file("a.csv", content)); }), HasSubstr(said));

@@ -174,7 +174,7 @@ TEST_F(UnitPly, NoTrianglesIsAnError) {
 }
 
 TEST(UnitMeshEnding, UnknownOnesAreRefusedWithTheKnown) {
-  EXPECT_THAT(refusal("mesh.stl"), HasSubstr("accepted: .ply, .obj, .vtp, .vtu, .vtk"));
+  EXPECT_THAT(refusal("mesh.fbx"), HasSubstr("accepted: .ply, .obj, .vtp, .vtu, .vtk"));
   EXPECT_THAT(refusal("missing.ply"), HasSubstr("missing.ply: cannot read"));
   EXPECT_THAT(refusal("missing.vtp"), HasSubstr("missing.vtp: cannot read"));
 }

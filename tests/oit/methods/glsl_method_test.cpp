@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Methods that a file describes: the examples against the methods that they are, and what is refused.
+// Methods that a file describes: the examples against the methods that they are, and what is
+// refused.
 #include "oit/methods/written/glsl_method.h"
 
 #include <gmock/gmock.h>
@@ -27,10 +28,11 @@ scene::Scene layers_of_all_sizes(int n) {
 TEST(AgreementGlslMethod, ExamplesAreTheMethodsThatTheyAre) {
   for (const int n : {1, 3, 12, 60}) {
     const scene::Scene scene = layers_of_all_sizes(n);
-    EXPECT_LE(largest_difference(
-                  render(glsl_method(), scene, {{"file", examples + "weighted-blended.json"}}).image,
-                  render(method("weighted-blended"), scene, {{"weight", "7"}}).image),
-              1e-5)
+    EXPECT_LE(
+        largest_difference(
+            render(glsl_method(), scene, {{"file", examples + "weighted-blended.json"}}).image,
+            render(method("weighted-blended"), scene, {{"weight", "7"}}).image),
+        1e-5)
         << n;
     for (const char* bins : {"1", "5", "64"})
       EXPECT_LE(largest_difference(render(glsl_method(), scene,
@@ -59,7 +61,8 @@ class UnitGlslFile : public ::testing::Test {
  protected:
   std::string refusal(const std::string& json, const std::string& parameters = {}) {
     write_text(folder_ / "draw.glsl", draw_);
-    write_text(folder_ / "show.glsl", "void main() {\n  picture = texelFetch(sum, ivec2(0), 0);\n}\n");
+    write_text(folder_ / "show.glsl",
+               "void main() {\n  picture = texelFetch(sum, ivec2(0), 0);\n}\n");
     write_text(folder_ / "m.json", json);
     RawOptions options{{"file", (folder_ / "m.json").string()}};
     if (!parameters.empty()) options.emplace("parameters", parameters);
@@ -99,7 +102,8 @@ TEST_F(UnitGlslFile, ParametersAreCheckedAsAllAre) {
 }
 
 TEST_F(UnitGlslFile, CompilersWordsCarryTheFilesLines) {
-  draw_ = "#include \"oit/optical_depth/optical_depth.glsl\"\n\nvoid main() {\n  sum = vec5(1);\n}\n";
+  draw_ =
+      "#include \"oit/optical_depth/optical_depth.glsl\"\n\nvoid main() {\n  sum = vec5(1);\n}\n";
   EXPECT_THAT(refusal(whole), AllOf(HasSubstr("draw.glsl"), HasSubstr(":4("), HasSubstr("vec5")));
   draw_ = "#include \"oit/nothing.glsl\"\nvoid main() {}\n";
   EXPECT_THAT(refusal(whole), AllOf(HasSubstr("draw.glsl"), HasSubstr("oit/nothing.glsl")));
@@ -109,15 +113,19 @@ TEST_F(UnitGlslFile, WhatCannotBeDrawnIsRefusedWithItsPlace) {
   EXPECT_THAT(with("\"rgba32f\"", "\"rgba32\""), HasSubstr("textures.sum.format: unknown format"));
   EXPECT_THAT(with("\"add\"", "\"addd\""), HasSubstr("passes[0].into.sum: unknown blend"));
   EXPECT_THAT(with("{\"sum\": \"add\"}", "{\"ids\": \"add\"}"), HasSubstr("accepted: replace"));
-  EXPECT_THAT(with("\"reads\": [\"sum\"]", "\"reads\": [\"som\"]"), HasSubstr("unknown texture 'som'"));
-  EXPECT_THAT(with("\"reads\": [\"sum\"]", "\"reads\": [\"sum\", \"sum\"]"), HasSubstr("used twice"));
-  EXPECT_THAT(with("\"screen\": \"show.glsl\", ", "\"screen\": \"show.glsl\", \"into\": {\"ids\": \"replace\"}, "),
+  EXPECT_THAT(with("\"reads\": [\"sum\"]", "\"reads\": [\"som\"]"),
+              HasSubstr("unknown texture 'som'"));
+  EXPECT_THAT(with("\"reads\": [\"sum\"]", "\"reads\": [\"sum\", \"sum\"]"),
+              HasSubstr("used twice"));
+  EXPECT_THAT(with("\"screen\": \"show.glsl\", ",
+                   "\"screen\": \"show.glsl\", \"into\": {\"ids\": \"replace\"}, "),
               HasSubstr("passes: the last one has to draw the picture"));
   EXPECT_THAT(with(", \"into\": {\"sum\": \"add\"}", ""), HasSubstr("leaves nothing behind"));
   EXPECT_THAT(with("\"k\":", "\"k k\":"), HasSubstr("the name 'k k'"));
   EXPECT_THAT(with("\"k\":", "\"sum\":"), HasSubstr("a parameter has this name"));
   EXPECT_THAT(with("\"draw.glsl\"", "\"drew.glsl\""), HasSubstr("drew.glsl"));
-  EXPECT_THAT(with("\"r32ui\"", "\"r32ui\", \"layers\": \"k\""), HasSubstr("accepted: one that is whole"));
+  EXPECT_THAT(with("\"r32ui\"", "\"r32ui\", \"layers\": \"k\""),
+              HasSubstr("accepted: one that is whole"));
 }
 
 }  // namespace
