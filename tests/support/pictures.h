@@ -2,13 +2,24 @@
 #pragma once
 // Pictures by any row of the method table, and what they are compared with.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/renderer.h"
 
 namespace pellucid::testing {
+
+/// A method's name as a part of a test's.
+inline std::string method_test_name(const ::testing::TestParamInfo<std::string_view>& method) {
+  std::string name(method.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 inline scene::Rendering render(const scene::MethodRow& row, const scene::Scene& scene,
                                const RawOptions& options = {}, bool layers = false) {

@@ -19,11 +19,11 @@ namespace {
 
 using namespace testing;
 
-scene::Rendering draw(const scene::Scene& scene, const scene::MethodRow& row) {
+scene::Rendering draw_counted(const scene::Scene& scene, const scene::MethodRow& row) {
   return render(row, scene, {}, true);
 }
 
-scene::Rendering truth(const scene::Scene& scene) { return draw(scene, methods().front()); }
+scene::Rendering truth(const scene::Scene& scene) { return draw_counted(scene, methods().front()); }
 
 /// Root mean square over a picture of what OpenGL's shift of corners by 1/256 pixel does to colours
 /// that vary from corner to corner. Measured 3e-6 on the hardest scene here; ten times that.
@@ -63,12 +63,6 @@ std::vector<std::string_view> names_of_methods(bool only_exact) {
   return names;
 }
 
-std::string test_name(const ::testing::TestParamInfo<std::string_view>& method) {
-  std::string name(method.param);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 class PropertyMethodAgainstTruth : public ::testing::TestWithParam<std::string_view> {
  protected:
   const scene::MethodRow& row() const { return find_row("method", GetParam(), methods()); }
@@ -92,7 +86,7 @@ TEST_P(PropertyMethodAgainstTruth, OneLayerIsTheTruth) {
   mesh.normals.clear();
   scene::ensure_normals(mesh);
   scene.objects = {{"", mesh}};
-  const Agreement found = agreement(truth(scene), draw(scene, row()));
+  const Agreement found = agreement(truth(scene), draw_counted(scene, row()));
   EXPECT_LE(found.largest, shift_of_colors);
   // The outline is some 250 pixels long, and OpenGL snaps it to 1/256 pixel.
   EXPECT_LE(found.other_coverage, 4u);
@@ -102,7 +96,7 @@ TEST_P(PropertyExactMethod, AgreesOnAHardScene) {
   scene::Scene scene;
   scene.width = scene.height = 200;
   scene.objects = {{"", random_triangles(400, 11)}, {"", sphere(3, Rgba(0.2, 0.5, 1, 0.3f))}};
-  const Agreement found = agreement(truth(scene), draw(scene, row()));
+  const Agreement found = agreement(truth(scene), draw_counted(scene, row()));
   EXPECT_LE(found.rmse, shift_of_colors);
   // Random triangles have some 400 · 100 pixels of outline; one in 256 is snapped past a centre.
   EXPECT_LE(found.other_coverage, 400u);
@@ -139,7 +133,7 @@ TEST_P(PropertyMethodAgainstTruth, OneLayerOfLinesAndPointsIsTheTruth) {
     scene.lighting = lighting;
     const scene::Rendering reference = truth(scene);
     EXPECT_EQ(reference.stats.max_layers, 1u);
-    const Agreement found = agreement(reference, draw(scene, row()));
+    const Agreement found = agreement(reference, draw_counted(scene, row()));
     // √(1 - c²) turns the roundings of c, 1e-6 of snapped corners, into their root at a rim.
     EXPECT_LE(found.largest, lighting == scene::Lighting::none ? shift_of_colors : 1e-2);
     EXPECT_LE(found.rmse, shift_of_colors);
@@ -178,26 +172,26 @@ scene::Scene mixed_scene(bool with_opaque) {
 
 TEST_P(PropertyExactMethod, AgreesOnMixedShapes) {
   const scene::Scene scene = mixed_scene(false);
-  const Agreement found = agreement(truth(scene), draw(scene, row()));
+  const Agreement found = agreement(truth(scene), draw_counted(scene, row()));
   EXPECT_LE(found.rmse, shift_of_colors);
   EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
 }
 
 TEST_P(PropertyExactMethod, WhatIsOpaqueHidesAsItDoesInTruth) {
   const scene::Scene scene = mixed_scene(true);
-  const Agreement found = agreement(truth(scene), draw(scene, row()));
+  const Agreement found = agreement(truth(scene), draw_counted(scene, row()));
   EXPECT_LE(found.rmse, shift_of_colors);
   EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyMethodAgainstTruth,
-                         ::testing::ValuesIn(names_of_methods(false)), test_name);
+                         ::testing::ValuesIn(names_of_methods(false)), method_test_name);
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyExactMethod, ::testing::ValuesIn(names_of_methods(true)),
-                         test_name);
+                         method_test_name);
 
 TEST(SlowAgreement, LinkedListsEqualTheRayTracerOnTheAbcFlow) {
   const scene::Scene scene = scene::load_scene(PELLUCID_SOURCE_DIR "/scenes/abc.json");
-  const scene::Rendering test = draw(scene, find_row("method", "linked-list", methods()));
+  const scene::Rendering test = draw_counted(scene, find_row("method", "linked-list", methods()));
   const Agreement found = agreement(truth(scene), test);
   EXPECT_GE(test.stats.max_layers, 5u) << "the surface no longer folds over itself";
   EXPECT_LE(found.rmse, shift_of_colors);

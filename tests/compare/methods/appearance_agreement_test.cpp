@@ -193,14 +193,8 @@ std::vector<std::string_view> names_of_methods() {
   return names;
 }
 
-std::string test_name(const ::testing::TestParamInfo<std::string_view>& method) {
-  std::string name(method.param);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyAppearanceOfMethod,
-                         ::testing::ValuesIn(names_of_methods()), test_name);
+                         ::testing::ValuesIn(names_of_methods()), method_test_name);
 
 }  // namespace
 }  // namespace pellucid::compare

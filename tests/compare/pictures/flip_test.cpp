@@ -23,8 +23,6 @@ double mean(const Raster<float>& map) {
   return std::accumulate(map.pixels.begin(), map.pixels.end(), 0.0) / double(map.pixels.size());
 }
 
-Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
-
 Image of_color(float r, float g, float b) { return Image(8, 8, Rgba(r, g, b, 1)); }
 
 // Roots are within the rounding of float (6e-8) and of the few operations of the last step.

@@ -32,7 +32,7 @@ scene::Scene any_scene(std::uint32_t seed) {
   return scene;
 }
 
-Image picture(const scene::Scene& scene, std::string_view method) {
+Image drawn(const scene::Scene& scene, std::string_view method) {
   return render(find_row("method", method, methods()), scene).image;
 }
 
@@ -85,8 +85,8 @@ class PropertyGivenFaults : public ::testing::TestWithParam<const char*> {
     return given_faults(reference_, test, scene_.background);
   }
   scene::Scene scene_ = any_scene(7);
-  Image reference_ = picture(scene_, "raytrace");
-  Image right_ = picture(scene_, GetParam());
+  Image reference_ = drawn(scene_, "raytrace");
+  Image right_ = drawn(scene_, GetParam());
 };
 
 TEST_P(PropertyGivenFaults, NothingIsWrongWithARightPicture) {
@@ -128,10 +128,10 @@ TEST_P(PropertyGivenFaults, ShiftsAreNamedByTheirSizeAndDirection) {
   scene::Scene moved = scene_;
   moved.camera.eye.x -= 0.5 * pixel;
   moved.camera.target.x -= 0.5 * pixel;
-  EXPECT_THAT(faults(picture(moved, GetParam())), ElementsAre(HasSubstr("to the right:")));
+  EXPECT_THAT(faults(drawn(moved, GetParam())), ElementsAre(HasSubstr("to the right:")));
   moved.camera.eye.y -= 1.5 * pixel;
   moved.camera.target.y -= 1.5 * pixel;
-  const Image image = picture(moved, GetParam());
+  const Image image = drawn(moved, GetParam());
   EXPECT_THAT(faults(image), ElementsAre(HasSubstr("to the right and")));
   const Shift shift = coverage_shift(reference_, image, scene_.background);
   EXPECT_NEAR(shift.x, 0.5, 4 * shift.uncertainty);
@@ -145,10 +145,10 @@ INSTANTIATE_TEST_SUITE_P(Methods, PropertyGivenFaults,
 TEST(PropertyGivenFaultsOfMethods, NoMethodLooksWrong) {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     const scene::Scene scene = any_scene(seed);
-    const Image reference = picture(scene, "raytrace");
+    const Image reference = drawn(scene, "raytrace");
     for (const char* method : {"weighted-sum", "weighted-average", "weighted-blended", "fourier",
                                "binning", "moment", "stochastic"})
-      EXPECT_THAT(given_faults(reference, picture(scene, method), scene.background), IsEmpty())
+      EXPECT_THAT(given_faults(reference, drawn(scene, method), scene.background), IsEmpty())
           << method << ", " << seed;
   }
 }

@@ -27,6 +27,8 @@ inline Image picture(int width, int height, const Formula& formula) {
   return image;
 }
 
+inline Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
+
 // The formulas of scripts/make-metric-expectations.py.
 
 inline double hashed(std::int64_t x, std::int64_t y, std::int64_t c, std::int64_t seed) {

@@ -18,8 +18,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using namespace pellucid::compare::testing;
 
-Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
-
 Metrics measured(const Image& a, const Image& b) { return metrics_of(PicturePair(a, b)); }
 
 std::string error_of(const Image& a, const Image& b) {

@@ -17,8 +17,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using namespace pellucid::compare::testing;
 
-Image grey(int width, int height, float value) { return Image(width, height, Rgba(value)); }
-
 Metrics measured(const Image& x, const Image& y, const PairRegions& regions) {
   return metrics_of(PicturePair(x, y, regions));
 }

@@ -141,7 +141,7 @@ TEST(UnitInterleave, WithoutTimingCellsAreTimedOneAfterAnother) {
   EXPECT_EQ(row_of(outcome, "one", "wild").calibrations.size(), 2u);  // before and after
 }
 
-std::string error_of(const std::string& more) { return study_error("[]", more); }
+std::string timing_error(const std::string& more) { return study_error("[]", more); }
 
 TEST(UnitTiming, AStudyAsksForItByKeys) {
   const StudyFolder folder;
@@ -159,11 +159,13 @@ TEST(UnitTiming, AStudyAsksForItByKeys) {
 }
 
 TEST(UnitTiming, BoundsThatCannotBeMetAreRefused) {
-  EXPECT_THAT(error_of(R"("timing": {"relativ": 1})"), HasSubstr("timing: unknown key 'relativ'"));
-  EXPECT_THAT(error_of(R"("timing": {"relative": 0})"), HasSubstr("timing.relative: 0; accepted"));
-  EXPECT_THAT(error_of(R"("timing": {"min": 4})"),
+  EXPECT_THAT(timing_error(R"("timing": {"relativ": 1})"),
+              HasSubstr("timing: unknown key 'relativ'"));
+  EXPECT_THAT(timing_error(R"("timing": {"relative": 0})"),
+              HasSubstr("timing.relative: 0; accepted"));
+  EXPECT_THAT(timing_error(R"("timing": {"min": 4})"),
               HasSubstr("timing.min: 4; accepted: an integer, 5"));
-  EXPECT_THAT(error_of(R"("timing": {"min": 9, "max": 8})"),
+  EXPECT_THAT(timing_error(R"("timing": {"min": 9, "max": 8})"),
               HasSubstr("timing.max: 8; accepted: an integer, 9"));
 }
 

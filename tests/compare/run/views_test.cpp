@@ -183,16 +183,18 @@ TEST(UnitViews, TimingIsOfEachView) {
   EXPECT_NEAR(row.seconds.interval->low, 0.5 + 0.25 + 0.15, float_grey);
 }
 
-std::string error_of(const std::string& views) { return study_error("[]", R"("views": )" + views); }
+std::string views_error(const std::string& views) {
+  return study_error("[]", R"("views": )" + views);
+}
 
 TEST(UnitViews, WhatIsNoViewIsRefused) {
-  EXPECT_THAT(error_of("1"), HasSubstr("views: 1; accepted: an integer, 2"));
-  EXPECT_THAT(error_of(R"("way")"), HasSubstr("views: \"way\"; accepted: path"));
-  EXPECT_THAT(error_of("[]"), HasSubstr("0 cameras; accepted: 1 to 1000"));
-  EXPECT_THAT(error_of("true"), HasSubstr("views: accepted: a number of views"));
-  EXPECT_THAT(error_of(R"([{"eye": [0, 0, 1], "tarjet": [0, 0, 0]}])"),
+  EXPECT_THAT(views_error("1"), HasSubstr("views: 1; accepted: an integer, 2"));
+  EXPECT_THAT(views_error(R"("way")"), HasSubstr("views: \"way\"; accepted: path"));
+  EXPECT_THAT(views_error("[]"), HasSubstr("0 cameras; accepted: 1 to 1000"));
+  EXPECT_THAT(views_error("true"), HasSubstr("views: accepted: a number of views"));
+  EXPECT_THAT(views_error(R"([{"eye": [0, 0, 1], "tarjet": [0, 0, 0]}])"),
               HasSubstr("views[0]: unknown key 'tarjet'"));
-  EXPECT_THAT(error_of(R"([{"eye": [0, 0, 1], "target": [0, 0, 1]}])"), HasSubstr("views[0]: "));
+  EXPECT_THAT(views_error(R"([{"eye": [0, 0, 1], "target": [0, 0, 1]}])"), HasSubstr("views[0]: "));
 }
 
 }  // namespace

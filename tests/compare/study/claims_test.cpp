@@ -223,7 +223,7 @@ TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
   EXPECT_EQ(checks[0].of, "two");
 }
 
-std::string error_of(const std::string& claims) {
+std::string claims_error(const std::string& claims) {
   return study_error(R"(["shifted:by=0.5", "broken"])", R"("claims": [)" + claims + "]");
 }
 
@@ -248,51 +248,53 @@ TEST(UnitClaims, MonotonyIsAnOrderByAParameter) {
 
 TEST(UnitClaims, MonotonyNeedsANumberInWhichCallsDiffer) {
   const std::string start = R"({"claim": "x", "by": "rmse", "of": )";
-  EXPECT_THAT(error_of(start + R"(["shifted:by=0.5", "broken"], "improves_with": "by"})"),
+  EXPECT_THAT(claims_error(start + R"(["shifted:by=0.5", "broken"], "improves_with": "by"})"),
               HasSubstr("claims[0].improves_with: 'by': 'broken' has no such number"));
-  EXPECT_THAT(error_of(start + R"("shifted:by=0.5", "improves_with": "how"})"),
+  EXPECT_THAT(claims_error(start + R"("shifted:by=0.5", "improves_with": "how"})"),
               HasSubstr("'how': 'shifted:by=0.5' has no such number"));
-  EXPECT_THAT(error_of(start + R"("shifted:by=0.5", "improves_with": "by"})"),
+  EXPECT_THAT(claims_error(start + R"("shifted:by=0.5", "improves_with": "by"})"),
               HasSubstr("claims[0].of: accepted: at least two calls"));
-  EXPECT_THAT(error_of(start + R"("broken", "improves_with": "by", "worsens_with": "by"})"),
+  EXPECT_THAT(claims_error(start + R"("broken", "improves_with": "by", "worsens_with": "by"})"),
               HasSubstr("accepted: one of the two"));
 }
 
 TEST(UnitClaims, ASameNumberIsATimeOrHasAWidth) {
   const std::string calls = R"("same": ["broken", "truth"])";
-  EXPECT_EQ(error_of(R"({"claim": "x", "by": "seconds", )" + calls + "}"), "no error");
-  EXPECT_EQ(error_of(R"({"claim": "x", "by": "rmse", "within": 0.1, )" + calls + "}"), "no error");
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", )" + calls + "}"),
+  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "seconds", )" + calls + "}"), "no error");
+  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "within": 0.1, )" + calls + "}"),
+            "no error");
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", )" + calls + "}"),
               HasSubstr("claims[0].same: 'RMSE' has no interval; accepted: beside 'within'"));
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "seconds", "same": ["broken"]})"),
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "seconds", "same": ["broken"]})"),
               HasSubstr("at least two calls"));
 }
 
 TEST(UnitClaims, AStudyNamesCallsThatItHas) {
-  EXPECT_EQ(error_of(R"({"claim": "x", "by": "rmse", "order": ["truth", ["broken"]]})"),
+  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth", ["broken"]]})"),
             "no error");
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "order": ["truth", "shifted"]})"),
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth", "shifted"]})"),
               AllOf(HasSubstr("claims[0].order[1]: unknown call 'shifted'"),
                     HasSubstr("known: truth, broken, shifted:by=0.5")));
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "fragments", "order": ["truth", "broken"]})"),
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "fragments", "order": ["truth", "broken"]})"),
               HasSubstr("claims[0].by: 'fragments': no way is better"));
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rsme", "order": ["truth", "broken"]})"),
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rsme", "order": ["truth", "broken"]})"),
               HasSubstr("unknown number 'rsme'; known: rmse"));
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "order": ["truth"]})"),
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth"]})"),
               HasSubstr("at least two calls"));
 }
 
 TEST(UnitClaims, ABoundIsOnTheWorseSide) {
-  EXPECT_EQ(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_most": 0.1})"),
+  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_most": 0.1})"),
             "no error");
   EXPECT_THAT(
-      error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_least": 0.1})"),
+      claims_error(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_least": 0.1})"),
       HasSubstr("claims[0].at_least: 'RMSE' is better when it is lower; accepted: at_most"));
-  EXPECT_THAT(error_of(R"({"claim": "x", "measure": "m", "better": "higher", "of": ["broken"],
+  EXPECT_THAT(claims_error(R"({"claim": "x", "measure": "m", "better": "higher", "of": ["broken"],
                            "at_most": 1})"),
               HasSubstr("accepted: at_least"));
-  EXPECT_THAT(error_of(R"({"claim": "x", "by": "rmse", "of": ["broken"], "scene_order": ["s"]})"),
-              HasSubstr("claims[0].scene_order[0]: unknown scene 's'"));
+  EXPECT_THAT(
+      claims_error(R"({"claim": "x", "by": "rmse", "of": ["broken"], "scene_order": ["s"]})"),
+      HasSubstr("claims[0].scene_order[0]: unknown scene 's'"));
 }
 
 TEST(UnitClaims, KeysThatWouldSayNothingAreRefused) {
@@ -303,10 +305,10 @@ TEST(UnitClaims, KeysThatWouldSayNothingAreRefused) {
         {R"("of": "broken", "at_most": 1, "factor": 2})", "factor"},
         {R"("of": "broken", "scene_order": ["one", "two"], "at_most": 1})", "at_most"},
         {R"("of": "broken", "at_most": 1, "measure": "m"})", "measure"}})
-    EXPECT_THAT(error_of(start + rest), AllOf(HasSubstr(std::string("claims[0].") + key),
-                                              HasSubstr("accepted: one of the two")))
+    EXPECT_THAT(claims_error(start + rest), AllOf(HasSubstr(std::string("claims[0].") + key),
+                                                  HasSubstr("accepted: one of the two")))
         << rest;
-  EXPECT_THAT(error_of(start + R"("of": [], "at_most": 1})"), HasSubstr("at least one call"));
+  EXPECT_THAT(claims_error(start + R"("of": [], "at_most": 1})"), HasSubstr("at least one call"));
 }
 
 TEST(UnitClaims, WhatNoRowSaysIsSaid) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Costs step by step beside the source's: made-up rows with known bottlenecks and ratios.
+// Costs step by step beside the source's: made-up cost_rows with known bottlenecks and ratios.
 
 #include "compare/study/costs.h"
 
@@ -19,8 +19,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Optional;
 
-ResultRow row(const std::string& scene, const std::string& method, bool reference,
-              const std::vector<std::pair<std::string, double>>& steps) {
+ResultRow cost_row(const std::string& scene, const std::string& method, bool reference,
+                   const std::vector<std::pair<std::string, double>>& steps) {
   ResultRow row;
   row.scene = scene;
   row.method = method;
@@ -33,10 +33,10 @@ ResultRow row(const std::string& scene, const std::string& method, bool referenc
   return row;
 }
 
-const std::vector<ResultRow> rows{
-    row("one", "truth", true, {{"build", 0.5}, {"sort", 1.5}}),
-    row("one", "series", false, {{"project", 0.125}, {"weight", 0.25}, {"project", 0.25}}),
-    row("two", "series", false, {{"weight", 0.5}})};
+const std::vector<ResultRow> cost_rows{
+    cost_row("one", "truth", true, {{"build", 0.5}, {"sort", 1.5}}),
+    cost_row("one", "series", false, {{"project", 0.125}, {"weight", 0.25}, {"project", 0.25}}),
+    cost_row("two", "series", false, {{"weight", 0.5}})};
 
 Study study_with(PublishedCosts published) {
   Study study;
@@ -51,7 +51,7 @@ const PublishedCosts published{
     "a GPU", {"1", "2"}, {{"one", "truth", 60, 5e6, {}}, {"one", "series", 20, {}, {15, 5}}}};
 
 TEST(UnitCosts, StepsOfOneNameAddUpAndTheLongestIsTheBottleneck) {
-  const auto tables = cost_tables(study_with(published), rows);
+  const auto tables = cost_tables(study_with(published), cost_rows);
   ASSERT_EQ(tables.size(), 3u);  // truth, series, the source
   const CostTable& series = tables[1];
   EXPECT_THAT(series.steps, ElementsAre("project", "weight"));
@@ -66,7 +66,7 @@ TEST(UnitCosts, StepsOfOneNameAddUpAndTheLongestIsTheBottleneck) {
 }
 
 TEST(UnitCosts, RatiosAreTheReferencesTimeOverTheMethods) {
-  const auto ratios = cost_ratios(study_with(published), rows);
+  const auto ratios = cost_ratios(study_with(published), cost_rows);
   ASSERT_EQ(ratios.size(), 1u);  // two has no reference
   EXPECT_EQ(ratios[0].here, 3.2);
   EXPECT_THAT(ratios[0].published, Optional(3.0));
@@ -74,34 +74,34 @@ TEST(UnitCosts, RatiosAreTheReferencesTimeOverTheMethods) {
 
 TEST(UnitCosts, TablesMarkTheBottleneck) {
   const Study study = study_with(published);
-  EXPECT_THAT(markdown_table(study, rows),
+  EXPECT_THAT(markdown_table(study, cost_rows),
               HasSubstr("| one | series | 2.0 | 625 | **375** | 250 |"));
-  EXPECT_THAT(latex_table(study, rows),
+  EXPECT_THAT(latex_table(study, cost_rows),
               HasSubstr("one & series & 2.0 & 625 & \\textbf{375} & 250 \\\\"));
-  EXPECT_THAT(csv_costs(study, rows),
+  EXPECT_THAT(csv_costs(study, cost_rows),
               HasSubstr("\"As published, on a GPU\",one,\"series\",1,15\n"));
   Study without = study;
   without.published.reset();
-  EXPECT_THAT(markdown_costs(without, rows), IsEmpty());
-  EXPECT_THAT(latex_costs(without, rows), IsEmpty());
+  EXPECT_THAT(markdown_costs(without, cost_rows), IsEmpty());
+  EXPECT_THAT(latex_costs(without, cost_rows), IsEmpty());
 }
 
-std::string error_of(const std::string& costs) {
+std::string costs_error(const std::string& costs) {
   return study_error(
       R"(["broken"])",
-      R"("published": {"machine": "a GPU", "steps": ["1", "2"], "rows": [)" + costs + "]}");
+      R"("published": {"machine": "a GPU", "steps": ["1", "2"], "cost_rows": [)" + costs + "]}");
 }
 
 TEST(UnitCosts, AStudyGivesCostsOfItsOwnScenesAndCalls) {
-  EXPECT_EQ(error_of(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [2, 3]})"),
+  EXPECT_EQ(costs_error(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [2, 3]})"),
             "no error");
-  EXPECT_THAT(error_of(R"({"scene": "three", "method": "broken", "ms": 5})"),
-              HasSubstr("published.rows[0].scene: unknown scene 'three'"));
-  EXPECT_THAT(error_of(R"({"scene": "one", "method": "shifted", "ms": 5})"),
+  EXPECT_THAT(costs_error(R"({"scene": "three", "method": "broken", "ms": 5})"),
+              HasSubstr("published.cost_rows[0].scene: unknown scene 'three'"));
+  EXPECT_THAT(costs_error(R"({"scene": "one", "method": "shifted", "ms": 5})"),
               HasSubstr("unknown call 'shifted'"));
-  EXPECT_THAT(error_of(R"({"scene": "one", "method": "broken", "ms": 0})"),
-              HasSubstr("published.rows[0].ms"));
-  EXPECT_THAT(error_of(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [5]})"),
+  EXPECT_THAT(costs_error(R"({"scene": "one", "method": "broken", "ms": 0})"),
+              HasSubstr("published.cost_rows[0].ms"));
+  EXPECT_THAT(costs_error(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [5]})"),
               HasSubstr("one for each of the 2 steps"));
 }
 

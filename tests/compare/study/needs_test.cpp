@@ -21,7 +21,7 @@ using namespace pellucid::compare::testing;
 
 constexpr const char* needs = R"("needs": {"two": ["one.json", "wind.vtu"]})";
 
-std::string error_of(const std::string& more) { return study_error(R"(["shifted"])", more); }
+std::string needs_error(const std::string& more) { return study_error(R"(["shifted"])", more); }
 
 TEST(UnitNeeds, ASceneIsLeftOutUntilItsDataAreThere) {
   const StudyFolder folder;
@@ -48,10 +48,10 @@ TEST(UnitNeeds, WhatOtherKeysSayOfTheSceneStaysRight) {
 }
 
 TEST(UnitNeeds, OtherScenesAndTypesAreRefused) {
-  EXPECT_THAT(error_of(R"("needs": {"tow": "x.vtu"})"),
+  EXPECT_THAT(needs_error(R"("needs": {"tow": "x.vtu"})"),
               AllOf(HasSubstr("needs: unknown scene 'tow'"), HasSubstr("two")));
-  EXPECT_THAT(error_of(R"("needs": {"two": 3})"), HasSubstr("needs.two"));
-  EXPECT_THAT(error_of(R"("needs": {"one": "x.vtu", "two": "y.vtu"})"),
+  EXPECT_THAT(needs_error(R"("needs": {"two": 3})"), HasSubstr("needs.two"));
+  EXPECT_THAT(needs_error(R"("needs": {"one": "x.vtu", "two": "y.vtu"})"),
               AllOf(HasSubstr("x.vtu is missing"), HasSubstr("one scene at least")));
 }
 

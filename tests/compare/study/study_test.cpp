@@ -29,7 +29,7 @@ Study load(const std::string& methods, const std::string& more = "") {
   return load_study(folder.study(methods, more), fake_methods());
 }
 
-std::string error_of(const std::string& methods, const std::string& more = "") {
+std::string methods_error(const std::string& methods, const std::string& more = "") {
   return study_error(methods, more);
 }
 
@@ -107,22 +107,25 @@ TEST(UnitStudy, SlugsAreSafeInFileNames) {
 }
 
 TEST(UnitStudy, WrongFilesNameFileKeyAndWhatIsAccepted) {
-  EXPECT_THAT(error_of(R"(["shiftd"])"),
+  EXPECT_THAT(methods_error(R"(["shiftd"])"),
               AllOf(HasSubstr("study.json: methods[0]"), HasSubstr("known: shifted")));
-  EXPECT_THAT(error_of(R"(["truth", {"method": "shifted", "bi": 1}])"),
+  EXPECT_THAT(methods_error(R"(["truth", {"method": "shifted", "bi": 1}])"),
               AllOf(HasSubstr("methods[1]"), HasSubstr("'bi'"), HasSubstr("known: by")));
-  EXPECT_THAT(error_of(R"([{"method": "shifted", "by": [0.5, 2]}])"),
+  EXPECT_THAT(methods_error(R"([{"method": "shifted", "by": [0.5, 2]}])"),
               AllOf(HasSubstr("by=2"), HasSubstr("0 … 1")));
-  EXPECT_THAT(error_of(R"([{"method": "shifted", "by": null}])"),
+  EXPECT_THAT(methods_error(R"([{"method": "shifted", "by": null}])"),
               AllOf(HasSubstr("methods[0].by"), HasSubstr("accepted: a number")));
-  EXPECT_THAT(error_of(R"([{"method": "shifted", "by": []}])"), HasSubstr("at least one value"));
-  EXPECT_THAT(error_of(R"([{"by": 1}])"), HasSubstr("the key 'method' is missing"));
-  EXPECT_THAT(error_of(R"([5])"), HasSubstr("methods[0]: accepted: \"NAME"));
-  EXPECT_THAT(error_of(R"("shifted")"), HasSubstr("methods: \"shifted\"; accepted: an array"));
-  EXPECT_THAT(error_of(R"([])", R"("repeat": 3)"), HasSubstr("'repeat'; known: repeats"));
-  EXPECT_THAT(error_of(R"([])", R"("repeats": 0)"), HasSubstr("repeats: 0; accepted: an integer"));
-  EXPECT_THAT(error_of(R"([])", R"("crops": {"won": [0, 0, 1, 1]})"), HasSubstr("known: one"));
-  EXPECT_THAT(error_of(R"([])", R"("crops": {"one": [0, 0, 0, 1]})"), HasSubstr("crops.one[2]"));
+  EXPECT_THAT(methods_error(R"([{"method": "shifted", "by": []}])"),
+              HasSubstr("at least one value"));
+  EXPECT_THAT(methods_error(R"([{"by": 1}])"), HasSubstr("the key 'method' is missing"));
+  EXPECT_THAT(methods_error(R"([5])"), HasSubstr("methods[0]: accepted: \"NAME"));
+  EXPECT_THAT(methods_error(R"("shifted")"), HasSubstr("methods: \"shifted\"; accepted: an array"));
+  EXPECT_THAT(methods_error(R"([])", R"("repeat": 3)"), HasSubstr("'repeat'; known: repeats"));
+  EXPECT_THAT(methods_error(R"([])", R"("repeats": 0)"),
+              HasSubstr("repeats: 0; accepted: an integer"));
+  EXPECT_THAT(methods_error(R"([])", R"("crops": {"won": [0, 0, 1, 1]})"), HasSubstr("known: one"));
+  EXPECT_THAT(methods_error(R"([])", R"("crops": {"one": [0, 0, 0, 1]})"),
+              HasSubstr("crops.one[2]"));
 }
 
 TEST(UnitStudy, ScenesAreCheckedBeforeAnyWork) {
@@ -194,10 +197,10 @@ TEST(UnitStudy, IntegratorsAreOfTheirOwnTableAndComeFirst) {
   EXPECT_THAT(texts(study), ElementsAre("fixed-front:rows=5", "hultquist:threshold=0.1",
                                         "hultquist:threshold=0.2", "shifted"));
   EXPECT_THAT(
-      error_of(R"([])", R"("integrators": ["shifted"])"),
+      methods_error(R"([])", R"("integrators": ["shifted"])"),
       AllOf(HasSubstr("integrators[0]: unknown integrator 'shifted'"), HasSubstr("hultquist")));
-  EXPECT_THAT(error_of(R"(["hultquist"])"), HasSubstr("unknown method 'hultquist'"));
-  EXPECT_THAT(error_of(R"([])", R"("integrators": [{"method": "hultquist"}])"),
+  EXPECT_THAT(methods_error(R"(["hultquist"])"), HasSubstr("unknown method 'hultquist'"));
+  EXPECT_THAT(methods_error(R"([])", R"("integrators": [{"method": "hultquist"}])"),
               HasSubstr("the key 'integrator' is missing"));
 }
 

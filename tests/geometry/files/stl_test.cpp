@@ -55,7 +55,8 @@ TEST_F(UnitStl, FacetsShareTheirCornersInBothForms) {
 
 TEST_F(UnitStl, WhatIsCutOffIsRefused) {
   const std::string whole = binary_stl();
-  for (const std::size_t size : {std::size_t(0), std::size_t(50), std::size_t(84), whole.size() - 60})
+  for (const std::size_t size :
+       {std::size_t(0), std::size_t(50), std::size_t(84), whole.size() - 60})
     EXPECT_THAT(refusal([&] { read_mesh(file("a.stl", whole.substr(0, size))); }),
                 HasSubstr("a.stl"))
         << size;
