@@ -21,7 +21,7 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-Vec3 wave(const Vec3& x) { return {std::sin(x.y), x.z * x.x, std::cos(x.x)}; }
+Vec3 curved(const Vec3& x) { return {std::sin(x.y), x.z * x.x, std::cos(x.x)}; }
 
 /// The complaint, or empty when the file made a field whose samples are as they should be.
 std::string complaint_of(const std::string& text) {
@@ -56,7 +56,7 @@ std::string complaint_about(const TemporaryFolder& folder, std::string_view name
 class PropertyBadFiles : public ::testing::TestWithParam<GridKind> {
  protected:
   PropertyBadFiles()
-      : bytes_(read_bytes(write_grid(folder_, GetParam(), wave))),
+      : bytes_(read_bytes(write_grid(folder_, GetParam(), curved))),
         name_("bad" + std::string(GetParam().ending)) {}
 
   TemporaryFolder folder_;
@@ -94,7 +94,7 @@ TEST_P(PropertyBadFiles, MutatedFilesAreRefusedOrUsable) {
 }
 
 TEST_P(PropertyBadFiles, ArraysAreChosenByName) {
-  const std::string path = write_grid(folder_, GetParam(), wave).string();
+  const std::string path = write_grid(folder_, GetParam(), curved).string();
   const std::string name = "velocity";
   EXPECT_EQ(complaint_of(path + ":array=" + name), "");
   EXPECT_THAT(complaint_of(path + ":array=vorticity"),
@@ -126,7 +126,7 @@ TEST_F(UnitBadFiles, MissingFilesAndFolders) {
 
 TEST_F(UnitBadFiles, PathsMayHoldColons) {
   write_bytes(folder_ / "at 12:30:00.vtk",
-              read_bytes(write_grid(folder_, grid_kind("legacy_image"), wave)));
+              read_bytes(write_grid(folder_, grid_kind("legacy_image"), curved)));
   EXPECT_EQ(complaint_of((folder_ / "at 12:30:00.vtk:array=velocity").string()), "");
 }
 
@@ -151,7 +151,7 @@ TEST_F(UnitBadFiles, LinesOfSamplesAreRefused) {
 
 TEST_F(UnitBadFiles, C1NeedsFourSamples) {
   const auto path = folder_ / "small.vti";
-  write_cube(path, 3, wave);
+  write_cube(path, 3, curved);
   EXPECT_THAT(complaint_of(path.string() + ":sampler=c1"), HasSubstr("needs 4"));
   EXPECT_EQ(complaint_of(path.string()), "");
 }

@@ -19,7 +19,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const Axes axes{evenly(0, 0.5, 6), evenly(-1, 0.25, 7), evenly(2, 1, 5)};
-Vec3 straight(const Vec3& x) { return {1 + x.x - 2 * x.z, x.y + x.z, 3 * x.x - x.y}; }
 const std::vector<Vec3> centres = crossings(middles(axes));
 
 class UnitCellData : public ::testing::Test {

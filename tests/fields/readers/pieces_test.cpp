@@ -16,8 +16,6 @@ namespace {
 using namespace xml_grids;
 using ::testing::HasSubstr;
 
-Vec3 straight(const Vec3& x) { return {1 + x.x - 2 * x.z, x.y + x.z, 3 * x.x - x.y}; }
-
 /// Two halves of a box: x from 0 to 1 and from 1 to 3.
 const Axes left{evenly(0, 0.5, 3), evenly(0, 0.5, 4), evenly(0, 1, 3)};
 const Axes right{evenly(1, 0.5, 5), evenly(0, 0.5, 4), evenly(0, 1, 3)};

@@ -15,8 +15,6 @@ namespace {
 using namespace xml_grids;
 using ::testing::HasSubstr;
 
-Vec3 straight(const Vec3& x) { return {1 + x.x - 2 * x.z, x.y + x.z, 3 * x.x - x.y}; }
-
 class UnitPlanar : public ::testing::Test {
  protected:
   std::unique_ptr<VectorField> read(std::string_view name, const std::string& text,

@@ -36,6 +36,9 @@ inline Axes middles(const Axes& axes) {
   return middles;
 }
 
+/// A flow that linear interpolation keeps as it is.
+inline Vec3 straight(const Vec3& x) { return {1 + x.x - 2 * x.z, x.y + x.z, 3 * x.x - x.y}; }
+
 inline std::vector<Vec3> crossings(const Axes& axes) {
   std::vector<Vec3> points;
   for (const double z : axes[2])

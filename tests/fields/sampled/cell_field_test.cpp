@@ -40,7 +40,7 @@ void expect_velocity(const VectorField& field, const Velocity& velocity,
   }
 }
 
-const Velocity affine = [](const Vec3& x) {
+const Velocity sheared = [](const Vec3& x) {
   return Vec3(1 + x.x - 2 * x.z, x.y + x.z, 3 * x.x - x.y);
 };
 const Velocity parabola = [](const Vec3& x) {
@@ -50,8 +50,8 @@ const Velocity parabola = [](const Vec3& x) {
 TEST(UnitCells, Pyramid) {
   const TemporaryFolder folder;
   const auto field =
-      one_cell(folder, 14, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1.5}}, affine);
-  expect_velocity(*field, affine, {{1, 1, 0.2}, {0.7, 1.2, 0.5}, {1, 1, 1.2}});
+      one_cell(folder, 14, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1.5}}, sheared);
+  expect_velocity(*field, sheared, {{1, 1, 0.2}, {0.7, 1.2, 0.5}, {1, 1, 1.2}});
   EXPECT_EQ(status_at(*field, {0.1, 0.1, 1}), SampleStatus::outside);
 }
 
@@ -60,8 +60,8 @@ TEST(UnitCells, Voxel) {
   const auto field = one_cell(
       folder, 11,
       {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 0, 3}, {2, 0, 3}, {0, 1, 3}, {2, 1, 3}},
-      affine);
-  expect_velocity(*field, affine, {{0.3, 0.4, 0.5}, {1.9, 0.9, 2.9}});
+      sheared);
+  expect_velocity(*field, sheared, {{0.3, 0.4, 0.5}, {1.9, 0.9, 2.9}});
   EXPECT_EQ(status_at(*field, {2.1, 0.5, 1}), SampleStatus::outside);
 }
 
@@ -82,8 +82,8 @@ TEST(UnitCells, HexagonalPrism) {
   for (const double z : {0.0, 1.0})
     for (int i = 0; i < 6; ++i)
       points.emplace_back(std::cos(1.0471975511965976 * i), std::sin(1.0471975511965976 * i), z);
-  const auto field = one_cell(folder, 16, points, affine);
-  EXPECT_NEAR_VEC(velocity_of(*field, {0, 0, 0.5}), affine({0, 0, 0.5}), 1e-6);
+  const auto field = one_cell(folder, 16, points, sheared);
+  EXPECT_NEAR_VEC(velocity_of(*field, {0, 0, 0.5}), sheared({0, 0, 0.5}), 1e-6);
 }
 
 /// Four unit cubes in a row along x, the third of which is marked, under uniform flow.
