@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/study/print_rows.h"
+#include "app/study/study_cells.h"
 #include "compare/methods/methods.h"
 #include "compare/report/tables.h"
-#include "compare/results/provenance.h"
 #include "compare/run/run_study.h"
 #include "compare/study/study.h"
-#include "core/error.h"
 
 namespace pellucid::app {
 namespace {
@@ -25,6 +22,8 @@ struct StudyArguments {
   bool resume = false;
   std::string only;
   std::string report = "auto";
+  bool plan = false, collect = false;
+  std::string cell;
 };
 
 const std::map<std::string, compare::ReportForm::Kind> report_kinds = {
@@ -36,46 +35,8 @@ compare::ReportForm report_form(const StudyArguments& arguments, const GlobalOpt
   return {.kind = report_kinds.at(arguments.report), .command = globals.command_line};
 }
 
-std::string milliseconds_and_memory(const compare::ResultRow& row) {
-  if (!row.given.empty())
-    return row.steps.empty() ? "given" : fmt::format("{:9.1f} ms, given", row.seconds.median * 1e3);
-  return fmt::format("{:9.1f} ms {:9.1f} MB", row.seconds.median * 1e3,
-                     double(row.total_bytes()) / 1e6);
-}
-
-/// On a terminal the line of the progress stands where the row goes.
-void clear_progress_line() {
-  if (::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0) fmt::print("\r\x1b[K");
-}
-
-void print_row(const compare::ResultRow& row) {
-  clear_progress_line();
-  const std::string name = row.parameters.empty()
-                               ? fmt::format("{}/{}", row.scene, row.method)
-                               : fmt::format("{}/{}:{}", row.scene, row.method, row.parameters);
-  if (!row.error.empty()) return fmt::print("{:40} failed: {}\n", name, row.error);
-  for (const std::string& fault : row.given_faults)
-    fmt::print("{:40} the picture {}\n", name, fault);
-  const compare::Metrics& m = row.metrics.linear;
-  const std::optional<double> ssim = m.of("ssim");
-  fmt::print("{:40} RMSE {:9.3e}  SSIM {}  {}\n", name, m.of("rmse").value_or(NAN),
-             ssim ? fmt::format("{:.4f}", *ssim) : "none  ", milliseconds_and_memory(row));
-  std::fflush(stdout);
-}
-
-void check_failures(const compare::StudyOutcome& outcome, const std::filesystem::path& folder) {
-  const auto failed = [](const compare::ResultRow& row) { return !row.error.empty(); };
-  const auto count = std::count_if(outcome.rows.begin(), outcome.rows.end(), failed);
-  if (count == 0) return;
-  const auto first = std::find_if(outcome.rows.begin(), outcome.rows.end(), failed);
-  throw WorkError(fmt::format("{} of {} cells failed, the first: {}/{}: {} (all: {})", count,
-                              outcome.rows.size(), first->scene, first->method, first->error,
-                              (folder / "results.csv").string()));
-}
-
-void run(const StudyArguments& arguments, const GlobalOptions& globals) {
-  const compare::Study study =
-      compare::load_study(compare::find_study(arguments.name_or_file), compare::callable_methods());
+compare::StudyOptions study_options(const StudyArguments& arguments, const GlobalOptions& globals,
+                                    const compare::Study& study) {
   compare::StudyOptions options;
   options.folder = arguments.folder;
   if (options.folder.empty()) options.folder = std::filesystem::path("results") / study.name;
@@ -85,17 +46,50 @@ void run(const StudyArguments& arguments, const GlobalOptions& globals) {
   options.context.gl = globals.gl;
   options.progress = console_progress(globals);
   if (!globals.json && !globals.quiet) options.on_row = print_row;
-  for (const compare::LeftOutScene& scene : study.left_out)
-    std::cerr << "pellucid: " << scene.text() << '\n';
+  return options;
+}
+
+void run_all(const compare::Study& study, const compare::StudyOptions& options,
+             const GlobalOptions& globals) {
   const compare::StudyOutcome outcome = compare::run_study(study, options);
   if (globals.json)
     fmt::print("{}", compare::results_json(study, outcome.rows));
   else if (!globals.quiet)
     fmt::print("{} cells computed, {} kept; report: {}\n", outcome.computed, outcome.kept,
                (options.folder / "report.html").string());
-  for (const std::string& warning : compare::provenance_warnings(outcome.rows))
-    std::cerr << "pellucid: " << warning << '\n';
-  check_failures(outcome, options.folder);
+  print_warnings(outcome.rows);
+  check_complete(outcome.rows, {}, options.folder);
+}
+
+void run(const StudyArguments& arguments, const GlobalOptions& globals) {
+  const compare::Study study =
+      compare::load_study(compare::find_study(arguments.name_or_file), compare::callable_methods());
+  const compare::StudyOptions options = study_options(arguments, globals, study);
+  for (const compare::LeftOutScene& scene : study.left_out)
+    std::cerr << "pellucid: " << scene.text() << '\n';
+  if (arguments.plan) return print_plan(study, options);
+  if (!arguments.cell.empty()) return run_cell(study, arguments.cell, options, globals);
+  if (arguments.collect) return collect(study, options, globals);
+  run_all(study, options, globals);
+}
+
+/// The same study cell by cell: one of the three, and no choice of cells by a pattern beside it.
+void add_cell_options(CLI::App& command, StudyArguments& arguments, CLI::Option& resume,
+                      CLI::Option& only) {
+  CLI::Option* plan = command.add_flag(
+      "--plan", arguments.plan,
+      "Print a line of JSON for each cell: its name, the cells that it needs, an estimate of "
+      "seconds and bytes; compute nothing");
+  CLI::Option* cell = command.add_option(
+      "--cell", arguments.cell,
+      "Compute this one cell, SCENE/METHOD:PARAMETERS, and write its own files alone: any number "
+      "at once, on any machines that share the folder");
+  CLI::Option* collect = command.add_flag(
+      "--collect", arguments.collect,
+      "Write tables and report of the cells that are there, and say which are missing");
+  plan->excludes(cell)->excludes(collect)->excludes(&only)->excludes(&resume);
+  cell->excludes(collect)->excludes(&only);
+  collect->excludes(&only)->excludes(&resume);
 }
 
 }  // namespace
@@ -108,19 +102,25 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
       ->required();
   command->add_option("-o,--output", arguments->folder,
                       "Folder for the results; by default results/NAME");
-  command->add_flag("--resume", arguments->resume, "Keep the cells that are finished");
-  command->add_option("--only", arguments->only,
-                      "Run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this "
-                      "pattern, such as 'abc/*'; the others' rows are kept");
+  CLI::Option* resume =
+      command->add_flag("--resume", arguments->resume, "Keep the cells that are finished");
+  CLI::Option* only =
+      command->add_option("--only", arguments->only,
+                          "Run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this "
+                          "pattern, such as 'abc/*'; the others' rows are kept");
   command
       ->add_option("--report", arguments->report,
                    "The report as one file, or as a folder whose page loads pictures when they are "
                    "looked at; auto: one file up to 60 MB")
       ->check(CLI::IsMember(report_kinds))
       ->capture_default_str();
+  add_cell_options(*command, *arguments, *resume, *only);
   command->footer(
       "Example: pellucid study quickstart -o first --resume --report folder\n"
-      "Exit code: 0 done; 1 a cell failed; 2 wrong input.");
+      "Cell by cell, on any machines: pellucid study quickstart -o first --plan\n"
+      "  pellucid study quickstart -o first --cell abc/raytrace\n"
+      "  pellucid study quickstart -o first --collect\n"
+      "Exit code: 0 done; 1 a cell failed or is missing; 2 wrong input.");
   add_global_options(*command, globals);
   add_gl_option(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

@@ -109,6 +109,10 @@ CellFiles CellFiles::from(std::size_t view) const {
 
 fs::path CellFiles::row() const { return folder_ / "cells" / scene_ / (slug_ + ".json"); }
 
+fs::path CellFiles::lock() const {
+  return folder_ / "cells" / scene_ / fmt::format(".{}.lock", slug_);
+}
+
 void CellFiles::make_folders() const {
   for (const fs::path& path : {picture().parent_path(), row().parent_path()}) {
     std::error_code code;
@@ -148,13 +152,13 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
   return hash.hex();
 }
 
-std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
-                                       ContentHashes& hashes) {
+std::optional<ResultRow> read_row(const CellFiles& files, const std::string& fingerprint,
+                                  ContentHashes& hashes) {
   if (!fs::exists(files.row())) return std::nullopt;
   try {
     ResultRow row = row_from_json(read_json(files.row()));
-    if (row.fingerprint == fingerprint && row.error.empty() && is_complete(files, row) &&
-        are_unchanged(row.files_read, hashes))
+    const bool has_its_files = !row.error.empty() || is_complete(files, row);
+    if (row.fingerprint == fingerprint && has_its_files && are_unchanged(row.files_read, hashes))
       return row;
   } catch (const json::exception&) {
     // Another version's row: the cell is computed again,
@@ -162,6 +166,12 @@ std::optional<ResultRow> read_finished(const CellFiles& files, const std::string
     // as when a kill or a full disk has left less than a row.
   }
   return std::nullopt;
+}
+
+std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
+                                       ContentHashes& hashes) {
+  std::optional<ResultRow> row = read_row(files, fingerprint, hashes);
+  return row && row->error.empty() ? std::move(row) : std::nullopt;
 }
 
 void write_row(const CellFiles& files, const ResultRow& row) {

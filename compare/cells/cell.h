@@ -54,6 +54,8 @@ class CellFiles {
   CellFiles from(std::size_t view) const;
   /// Returns the path of the row, which is written last: where it is, all the others are.
   std::filesystem::path row() const;
+  /// Returns the path of a FileLock for who computes the cell alone.
+  std::filesystem::path lock() const;
 
   /// Makes the folders of all these files. Throws InputError when they cannot be made.
   void make_folders() const;
@@ -75,9 +77,13 @@ ResultRow identity_row(const Cell& cell);
 std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
                              const TimingRule& timing, const scene::RenderContext& context);
 
-/// Reads the row of a cell that was finished without an error, by whichever run, for the same
-/// fingerprint and from files whose content is as it was; nothing when there is none or one of its
-/// pictures is gone.
+/// Reads the row of a cell, finished or failed, by whichever run, for the same fingerprint and from
+/// files whose content is as it was; nothing when there is none or a finished one has lost one of
+/// its pictures.
+std::optional<ResultRow> read_row(const CellFiles& files, const std::string& fingerprint,
+                                  ContentHashes& hashes);
+
+/// Reads the row of a cell as read_row() does, but of one that was finished without an error.
 std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
                                        ContentHashes& hashes);
 

@@ -2,18 +2,18 @@
 #include "compare/results/time_warnings.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 
+#include "core/options/name_list.h"
+
 namespace pellucid::compare {
 namespace {
 
 constexpr std::size_t fewest_for_drift = 6;
-constexpr std::size_t most_named = 3;
 
 /// The seconds of each loop by when it was: rows that were measured in turn share theirs.
 std::vector<double> loops_by_time(std::span<const ResultRow> rows) {
@@ -29,14 +29,6 @@ std::vector<double> loops_by_time(std::span<const ResultRow> rows) {
 double best_of(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   return seconds[seconds.size() / 10];
-}
-
-/// "a, b, c and 4 more"
-std::string some_of(const std::vector<std::string>& names) {
-  const std::size_t shown = std::min(names.size(), most_named);
-  const std::string text =
-      fmt::format("{}", fmt::join(names.begin(), names.begin() + long(shown), ", "));
-  return names.size() == shown ? text : fmt::format("{} and {} more", text, names.size() - shown);
 }
 
 std::vector<std::string> names_where(std::span<const ResultRow> rows,

@@ -72,12 +72,17 @@ bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers
 
 }  // namespace
 
+Job make_job(const Study& study, const Cell& cell, const StudyOptions& options) {
+  return {cell, CellFiles(options.folder, cell),
+          cell_fingerprint(cell, study.reference, timing_of(study), options.context)};
+}
+
 std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
   std::vector<Job> jobs;
-  for (const Cell& cell : expand_cells(study))
-    jobs.push_back({cell, CellFiles(options.folder, cell),
-                    cell_fingerprint(cell, study.reference, timing_of(study), options.context),
-                    is_selected(cell, options.only)});
+  for (const Cell& cell : expand_cells(study)) {
+    jobs.push_back(make_job(study, cell, options));
+    jobs.back().selected = is_selected(cell, options.only);
+  }
   if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
     throw InputError(
         fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
@@ -130,6 +135,13 @@ ResultRow finished_row(const Job& job, const ViewRows& rows, SceneAtHand& at_han
   row.fingerprint = job.fingerprint;
   row.files_read = at_hand.files_read();
   return row;
+}
+
+void finish_job(Job& job, ResultRow row, const StudyOptions& options) {
+  row.machine["build"] = options.build;
+  row.machine["gl"] = options.context.gl;
+  write_row(job.files, row);
+  job.row = std::move(row);
 }
 
 }  // namespace pellucid::compare

@@ -6,6 +6,7 @@ A comment before a fenced block says what the block is:
 
     <!-- file: studies/bands.json -->   it is written to this path
     <!-- run -->                        sh runs its lines; `run: exit 2` expects that exit code
+    <!-- run where: sinfo -h -->        sh runs its lines where that command succeeds; elsewhere they are left out, with a line
     <!-- output -->                     the last run printed each of its lines; … stands for any text
     <!-- with: studies/first.json -->   its keys, in place of that study's own, make a study that runs
 
@@ -71,6 +72,7 @@ class Runner:
     def __init__(self, folder):
         self.folder = Path(folder)
         self.printed = ""
+        self.left_out = False  # the last run
 
     def take(self, mark, language, text):
         kind, _, argument = (mark or "").partition(": ")
@@ -78,10 +80,13 @@ class Runner:
             self.write(argument, text)
         elif kind == "run":
             self.run(text, int(argument.removeprefix("exit ") or 0))
+        elif kind == "run where":
+            self.run_where(argument, text)
         elif kind == "with":
             self.run_study_with(argument, text)
         elif kind == "output":
-            self.find_in_output(text)
+            if not self.left_out:
+                self.find_in_output(text)
         elif mark:
             raise Failure(f"unknown mark '{mark}'")
         if language == "json" and kind != "with":
@@ -92,8 +97,14 @@ class Runner:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(at_low_cost(text)) if name.endswith(".json") else text)
 
+    def run_where(self, condition, text):
+        if subprocess.run(["sh", "-c", condition], cwd=self.folder, capture_output=True).returncode == 0:
+            return self.run(text)
+        self.left_out = True
+        print(f"not run, since '{condition}' fails here: {commands_of(text)[0]} …")
+
     def run(self, text, expected=0):
-        self.printed = ""
+        self.printed, self.left_out = "", False
         for command in commands_of(text):
             done = subprocess.run(["sh", "-c", command], cwd=self.folder, capture_output=True, text=True)
             self.printed += done.stdout + done.stderr

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each kind of wrong example, in a document of a few lines, is found by run_examples.py."""
 
+import contextlib
+import io
 import os
 import tempfile
 import unittest
@@ -87,6 +89,12 @@ class WrongExamples(unittest.TestCase):
 
     def test_unknown_mark(self):
         self.finds("<!-- run -->", "<!-- rnu -->", "unknown mark 'rnu'")
+
+    def test_what_cannot_run_here_is_left_out_with_what_it_prints(self):
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            self.assertIsNone(failure("<!-- run -->\n```sh\ngrep", "<!-- run where: false -->\n```sh\nexit 1; grep"))
+        self.assertIn("not run, since 'false' fails here: exit 1; grep", said.getvalue())
+        self.finds("<!-- run -->\n```sh\ngrep", "<!-- run where: true -->\n```sh\nexit 1; grep", "exit code 1, not 0")
 
     def test_keys_of_no_study(self):
         self.finds("with: studies/first.json", "with: studies/second.json", "second.json")

@@ -14,14 +14,6 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using namespace pellucid::compare::testing;
 
-/// What has to be equal however a study was run: everything but times.
-nlohmann::json without_times(const ResultRow& row) {
-  nlohmann::json json = to_json(row);
-  if (json.contains("seconds"))
-    for (const char* measured : {"setup", "calibrations"}) json["seconds"].erase(measured);
-  return json;
-}
-
 TEST(UnitResume, NoFinishedCellIsComputedTwice) {
   const StudyFolder folder;
   const StudyOutcome first = run(folder, two_methods);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,6 +22,14 @@ inline StudyOutcome run(const StudyFolder& folder, const std::string& methods, b
   options.resume = resume;
   options.only = only;
   return run_study(study, options);
+}
+
+/// What has to be equal however a study was run: everything but times.
+inline nlohmann::json without_times(const ResultRow& row) {
+  nlohmann::json json = to_json(row);
+  if (json.contains("seconds"))
+    for (const char* measured : {"setup", "calibrations"}) json["seconds"].erase(measured);
+  return json;
 }
 
 inline const ResultRow& row_of(const StudyOutcome& outcome, std::string_view scene,

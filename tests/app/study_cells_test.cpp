@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study cell by cell, each in a process of its own.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "tests/app/command_line.h"
+
+namespace pellucid::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Line = std::vector<std::string>;
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::stringstream stream(text);
+  for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
+  return parts;
+}
+
+/// Times, and what is made of them.
+bool is_time(const std::string& column) {
+  return column.find("seconds") != column.npos || column.starts_with("ms") ||
+         column.ends_with("_ms");
+}
+
+/// The fields of a table without quotes but those of times.
+std::vector<Line> table_without_times(const fs::path& csv) {
+  std::vector<Line> lines;
+  const std::vector<std::string> texts = split(read_text(csv), '\n');
+  const Line names = split(texts.front(), ',');
+  for (const std::string& text : texts) {
+    const Line fields = split(text, ',');
+    Line& line = lines.emplace_back();
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (!is_time(names.at(i))) line.push_back(fields[i]);
+  }
+  return lines;
+}
+
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
+  return files;
+}
+
+/// A reference, a sweep, two views and a command that copies a picture.
+class UnitStudyCells : public UnitCommandLine {
+ protected:
+  void SetUp() override {
+    UnitCommandLine::SetUp();
+    ASSERT_EQ(run(render("weighted-sum", "theirs.exr")).exit_code, 0);
+    write_text(folder_ / "study.json", R"({"format": "pellucid-study", "version": 1,
+      "scenes": ["scene.json"], "reference": "raytrace", "repeats": 1, "views": 2,
+      "methods": [{"method": "fourier", "bands": [1, 2]},
+                  {"external": "theirs", "command": ["cp", ")" +
+                                           (folder_ / "theirs.exr").string() +
+                                           R"(", "{output}"]}]})");
+  }
+
+  std::string study(const std::string& more, const std::string& to = "cells") const {
+    return fmt::format("study {} -o {} {}", (folder_ / "study.json").string(),
+                       (folder_ / to).string(), more);
+  }
+  /// Runs commands of a shell all at once, and returns their exit codes as text.
+  std::string at_once(const std::vector<std::string>& commands) const {
+    std::string line;
+    for (std::size_t i = 0; i < commands.size(); ++i)
+      line += fmt::format("({} {} >/dev/null 2>>{}; echo $? >{}.{}) & ", PELLUCID_PROGRAM,
+                          commands[i], (folder_ / "said").string(), (folder_ / "code").string(), i);
+    std::system((line + "wait").c_str());
+    std::string codes;
+    for (std::size_t i = 0; i < commands.size(); ++i)
+      codes += read_text(folder_ / fmt::format("code.{}", i)).substr(0, 1);
+    return codes;
+  }
+};
+
+TEST_F(UnitStudyCells, AnyNumberAtOnceGiveTheTableAndThePicturesOfOneRun) {
+  ASSERT_EQ(run(study("--quiet", "whole")).exit_code, 0);
+  std::vector<std::string> cells;
+  for (const std::string& line : split(run(study("--plan")).out, '\n'))
+    cells.push_back(nlohmann::json::parse(line)["cell"]);
+  ASSERT_EQ(cells.size(), 4u);
+  const auto command = [&](std::size_t i) { return study("--cell '" + cells[i] + "'"); };
+  ASSERT_EQ(run(command(0)).exit_code, 0);
+  EXPECT_EQ(at_once({command(3), command(3), command(2), command(1), command(0)}), "00000")
+      << read_text(folder_ / "said");
+  EXPECT_EQ(at_once({study("--collect"), study("--collect")}), "00");
+  EXPECT_EQ(table_without_times(folder_ / "cells/results.csv"),
+            table_without_times(folder_ / "whole/results.csv"));
+  EXPECT_EQ(files_below(folder_ / "cells/images"), files_below(folder_ / "whole/images"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "cells"), {}),
+            std::distance(fs::directory_iterator(folder_ / "whole"), {}));
+}
+
+TEST_F(UnitStudyCells, WhatIsMissingOrFailedIsOneLineAndExitCodeOne) {
+  EXPECT_THAT(refusal(study("--collect"), 1), HasSubstr("none of the 4 cells"));
+  EXPECT_THAT(refusal(study("--cell scene/theirs"), 1), HasSubstr("needs scene/raytrace"));
+  EXPECT_THAT(refusal(study("--cell scene/their")),
+              HasSubstr("unknown cell 'scene/their'; known: scene/theirs, "));
+  ASSERT_EQ(run(study("--cell scene/raytrace")).exit_code, 0);
+  fs::rename(folder_ / "theirs.exr", folder_ / "gone.exr");
+  const Outcome failed = run(study("--cell scene/theirs"));
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.err, HasSubstr("scene/theirs: "));
+  const Outcome collected = run(study("--collect --json"));
+  EXPECT_EQ(collected.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(collected.out)["rows"].size(), 2u);
+  EXPECT_THAT(collected.err,
+              HasSubstr("pellucid: 2 of 4 cells are missing: scene/fourier:bands=1, "
+                        "scene/fourier:bands=2; 1 of 4 cells failed, the first: scene/theirs: "));
+}
+
+TEST_F(UnitStudyCells, OneWayAtATime) {
+  EXPECT_THAT(refusal(study("--plan --collect")), HasSubstr("--plan"));
+  EXPECT_THAT(refusal(study("--cell scene/raytrace --only x")), HasSubstr("--only"));
+  EXPECT_THAT(refusal(study("--collect --resume")), HasSubstr("--resume"));
+}
+
+}  // namespace
+}  // namespace pellucid::app
