@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <limits>
 
 #include "compare/measures/study_measures.h"
 #include "compare/pictures/error_map.h"
-#include "groundtruth/sums/picture_sums.h"
 
 namespace pellucid::compare {
 namespace {
@@ -12,27 +10,14 @@ namespace {
 /// Twenty to each of eleven bins of depth, so that the bins' boundaries are among their ends.
 constexpr int classes = 220;
 
-/// The depth d of each pixel's nearest layer; not a number where there is none.
-Raster<double> nearest_depths(const scene::Scene& scene) {
-  const groundtruth::RayProbe probe(scene);
-  Raster<double> depths(scene.width, scene.height, std::numeric_limits<double>::quiet_NaN());
-  for (int y = 0; y < scene.height; ++y) {
-    const std::vector<groundtruth::RaySums> rays = groundtruth::row_sums(scene, probe, y);
-    for (int x = 0; x < scene.width; ++x)
-      if (const auto& layers = rays[std::size_t(x)].layers; !layers.empty())
-        depths.at(x, y) = layers.front().d;
-  }
-  return depths;
-}
-
-void measure(const scene::Scene& scene, const Image& reference, CellMeasurement& cell) {
-  const Raster<double> depths = nearest_depths(scene);
+void measure(const MeasuredScene& of, CellMeasurement& cell) {
+  const Raster<double>& depths = of.rays().nearest_depth;
   std::vector<double> sums(classes), counts(classes);
   for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
     if (std::isnan(depths.pixels[i])) continue;
     const std::size_t k =
         std::min(std::size_t(depths.pixels[i] * classes), std::size_t(classes - 1));
-    sums[k] += pixel_error(reference.pixels[i], cell.image.pixels[i]);
+    sums[k] += pixel_error(of.reference.pixels[i], cell.image.pixels[i]);
     ++counts[k];
   }
   RowCurve curve{"depth error",

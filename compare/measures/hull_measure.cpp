@@ -32,7 +32,8 @@ Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& 
   return distances;
 }
 
-void measure(const scene::Scene& scene, const Image&, CellMeasurement& cell) {
+void measure(const MeasuredScene& of, CellMeasurement& cell) {
+  const scene::Scene& scene = of.scene;
   const Raster<double> distances = hull_distances(scene, cell);
   const auto& values = distances.pixels;
   const auto outside =

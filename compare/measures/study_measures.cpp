@@ -4,7 +4,8 @@
 namespace pellucid::compare {
 
 std::span<const StudyMeasure> study_measures() {
-  static const StudyMeasure table[] = {hull_measure(), depth_error_measure()};
+  static const StudyMeasure table[] = {hull_measure(), depth_error_measure(),
+                                       importance_error_measure()};
   return table;
 }
 

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 
+#include "compare/measures/ray_facts.h"
 #include "compare/results/cell_measurement.h"
 
 namespace pellucid::compare {
+
+/// A MeasuredScene is what a picture is measured by: the scene from its view, the reference of the
+/// picture's size, and what the scene's rays tell, which are asked once for all pictures.
+struct MeasuredScene {
+  const scene::Scene& scene;
+  const Image& reference;
+  std::function<const RayFacts&()> rays;
+};
 
 /// A StudyMeasure is what a study may ask for of each of its pictures beyond the metrics:
 /// "measures" in its file.
 struct StudyMeasure {
   std::string_view name;
   std::string_view title;
-  /// Adds to the row's measures, pictures and curves. `reference` has the picture's size.
-  void (*measure)(const scene::Scene& scene, const Image& reference, CellMeasurement& cell);
+  /// Adds to the row's measures, pictures and curves.
+  void (*measure)(const MeasuredScene& of, CellMeasurement& cell);
 };
 
 /// Returns the measure of how far the picture's colours are from the convex hull of the colours
@@ -23,6 +33,11 @@ const StudyMeasure& hull_measure();
 
 /// Returns the measure of the mean error over the depth d of a pixel's nearest layer.
 const StudyMeasure& depth_error_measure();
+
+/// Returns the measures rmse_important, over pixels whose ray crosses a layer of an importance of
+/// 0.5 or more, and rmse_context, over those that cross lesser ones alone; each where there are
+/// any.
+const StudyMeasure& importance_error_measure();
 
 /// Returns the table of these measures.
 std::span<const StudyMeasure> study_measures();

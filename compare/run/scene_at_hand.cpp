@@ -52,6 +52,7 @@ void SceneAtHand::look_from(std::size_t view) {
   seen_.reset();
   reference_ = {};
   layers_ = {};
+  rays_.reset();
 }
 
 const scene::Scene& SceneAtHand::scene() {
@@ -74,6 +75,11 @@ const Image& SceneAtHand::reference() {
 const CountImage& SceneAtHand::reference_layers() {
   if (layers_.pixels.empty()) layers_ = read_counts(files().layers());
   return layers_;
+}
+
+const RayFacts& SceneAtHand::ray_facts() {
+  if (!rays_) rays_ = compare::ray_facts(scene());
+  return *rays_;
 }
 
 bool SceneAtHand::has_reference_layers() const { return fs::exists(files().layers()); }

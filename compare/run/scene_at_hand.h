@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compare/cells/cell.h"
+#include "compare/measures/ray_facts.h"
 
 namespace pellucid::compare {
 
@@ -33,6 +34,8 @@ class SceneAtHand {
   const Image& reference();
   const CountImage& reference_layers();
   bool has_reference_layers() const;
+  /// Returns what the scene's rays tell from this view; asked once.
+  const RayFacts& ray_facts();
 
   /// Counts what the reference was made of for the cells that are compared with it.
   void reads_also(std::map<std::string, std::string> files) {
@@ -58,6 +61,7 @@ class SceneAtHand {
   std::optional<CellFiles> reference_files_;
   Image reference_;
   CountImage layers_;
+  std::optional<RayFacts> rays_;
 };
 
 }  // namespace pellucid::compare

@@ -123,9 +123,10 @@ void finish_view(const Job& job, CellMeasurement measured, SceneAtHand& at_hand,
     add_layer_difference(at_hand.reference_layers(), measured);
   if (job.cell.budget && at_hand.view() == 0)
     add_budget(job.cell, study.reference, at_hand.scene(), at_hand.context(), measured);
+  const MeasuredScene of{at_hand.scene(), at_hand.reference(),
+                         [&]() -> const RayFacts& { return at_hand.ray_facts(); }};
   for (const std::string& name : job.cell.measures)
-    find_row("measure", name, study_measures())
-        .measure(at_hand.scene(), at_hand.reference(), measured);
+    find_row("measure", name, study_measures()).measure(of, measured);
   write_further(files, measured);
   rows.add(std::move(measured.row), at_hand.reference(), measured.image);
 }

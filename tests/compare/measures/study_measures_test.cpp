@@ -27,6 +27,12 @@ CellMeasurement picture_of(const scene::Scene& scene, const Rgba& color) {
   return cell;
 }
 
+/// Rays are asked whenever a measure wants them.
+MeasuredScene seen(const scene::Scene& scene, const Image& reference) {
+  static RayFacts facts;
+  return {scene, reference, [&scene]() -> const RayFacts& { return facts = ray_facts(scene); }};
+}
+
 /// A red and a green layer over blue.
 scene::Scene red_green_blue() {
   scene::Scene scene =
@@ -40,7 +46,7 @@ TEST(UnitHullMeasure, CountsThePixelsThatLeaveTheHull) {
   CellMeasurement cell = picture_of(scene, Rgba(0.2, 0.3, 0.5, 1));
   // Along the normal of the plane r + g + b = 1, on which the hull lies.
   cell.image.at(2, 1) = Rgba(0.2 + 0.1, 0.3 + 0.1, 0.5 + 0.1, 1);
-  hull_measure().measure(scene, {}, cell);
+  hull_measure().measure(seen(scene, {}), cell);
   EXPECT_EQ(cell.row.measures[0].value, 1);
   // Three channels of a picture in float, 3e-8 each, and the projection's 1e-7.
   EXPECT_NEAR(cell.row.measures[1].value, 0.1 * std::sqrt(3.0), 2e-7);
@@ -53,7 +59,7 @@ TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
   CellMeasurement cell = picture_of(scene, Rgba(2, 2, 2, 1));
   cell.layers = CountImage(4, 3, 2);
   cell.layers.at(0, 0) = 1;
-  hull_measure().measure(scene, {}, cell);
+  hull_measure().measure(seen(scene, {}), cell);
   EXPECT_EQ(cell.row.measures[0].value, 11);
 }
 
@@ -66,7 +72,7 @@ TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
   const Image reference(4, 2, Rgba(0.5));
   CellMeasurement cell = picture_of(scene, Rgba(0.5));
   cell.image.at(0, 0) = Rgba(0.9f, 0.5f, 0.6f, 0.5f);
-  depth_error_measure().measure(scene, reference, cell);
+  depth_error_measure().measure(seen(scene, reference), cell);
   const RowCurve& curve = cell.row.curves.at(0);
   ASSERT_EQ(curve.x.size(), 2u);
   EXPECT_NEAR(curve.x[0], 0, 1.0 / 220);
@@ -74,6 +80,26 @@ TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
   // A difference of floats below 1, 6e-8, over four pixels.
   EXPECT_NEAR(curve.y[0], 0.4 / 4, 6e-8);
   EXPECT_EQ(curve.y[1], 0);
+}
+
+// Important on the left half, context on the right one, nothing at the bottom.
+TEST(UnitImportanceError, IsApartOfImportantPixelsAndOfContext) {
+  scene::Scene scene = orthographic_scene(4, 2);
+  scene.objects.push_back({"left", rectangle(-3, 0, 0, 2, 1, Rgba(1, 0, 0, 0.5))});
+  scene.objects.push_back({"right", rectangle(0, 3, 0, 2, 0, Rgba(1, 0, 0, 0.5))});
+  scene.objects[0].mesh().importance.assign(scene.objects[0].mesh().positions.size(), 0.75f);
+  scene.objects[1].mesh().importance.assign(scene.objects[1].mesh().positions.size(), 0.25f);
+  const Image reference(4, 2, Rgba(0.5));
+  CellMeasurement cell = picture_of(scene, Rgba(0.5));
+  cell.image.at(0, 0) = Rgba(0.5f, 0.75f, 0.5f, 1);
+  cell.image.at(3, 0) = Rgba(1, 1, 1, 1);
+  cell.image.at(0, 1) = Rgba(0);
+  importance_error_measure().measure(seen(scene, reference), cell);
+  ASSERT_EQ(cell.row.measures.size(), 2u);
+  EXPECT_EQ(cell.row.measures[0].name, "rmse_important");
+  EXPECT_DOUBLE_EQ(cell.row.measures[0].value, 0.25 / std::sqrt(6.0));
+  EXPECT_EQ(cell.row.measures[1].name, "rmse_context");
+  EXPECT_DOUBLE_EQ(cell.row.measures[1].value, 0.5 / std::sqrt(2.0));
 }
 
 Cell probing_cell(std::string_view method, const RawOptions& options, bool reference) {
