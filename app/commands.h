@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "core/progress.h"
 #include "scene/files/view_request.h"
@@ -22,6 +23,7 @@ struct GlobalOptions {
 /// WorkError; main() prints them and picks the exit code.
 void add_study_command(CLI::App& app, GlobalOptions& globals);
 void add_render_command(CLI::App& app, GlobalOptions& globals);
+void add_merge_command(CLI::App& app, GlobalOptions& globals);
 void add_frames_command(CLI::App& app, GlobalOptions& globals);
 void add_compare_command(CLI::App& app, GlobalOptions& globals);
 void add_pack_command(CLI::App& app, GlobalOptions& globals);
@@ -46,6 +48,10 @@ void add_opacities_option(CLI::App& command, std::string& opacities);
 /// Adds --camera, --view, --resolution and --samples to a subcommand that renders a scene; they go
 /// before what the scene's file says.
 void add_view_options(CLI::App& command, scene::ViewRequest& view);
+
+/// Accepts paths with one of these endings: a wrong name of an output is met before the work that
+/// would be in vain.
+CLI::Validator ending_among(const std::vector<std::string>& endings);
 
 /// Accepts numbers but NaN and infinity, which would switch a bound off.
 CLI::Validator finite_number();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -65,6 +68,16 @@ void add_global_options(CLI::App& command, GlobalOptions& globals) {
   command.add_option("--threads", globals.threads, "Threads; 0: as many as the machine has")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+}
+
+CLI::Validator ending_among(const std::vector<std::string>& endings) {
+  return CLI::Validator(
+      [endings](const std::string& path) {
+        const std::string ending = std::filesystem::path(path).extension().string();
+        if (std::ranges::find(endings, ending) != endings.end()) return std::string();
+        return fmt::format("{}: ending '{}'; accepted: {}", path, ending, fmt::join(endings, ", "));
+      },
+      fmt::format("{}", fmt::join(endings, "|")));
 }
 
 CLI::Validator finite_number() {

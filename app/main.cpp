@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   globals.command_line = fmt::format("{}", fmt::join(argv, argv + argc, " "));
   add_study_command(app, globals);
   add_render_command(app, globals);
+  add_merge_command(app, globals);
   add_frames_command(app, globals);
   add_compare_command(app, globals);
   add_pack_command(app, globals);

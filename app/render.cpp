@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/deep.h"
+#include "app/part_number.h"
 #include "app/probe.h"
+#include "compare/deep/scene_fingerprint.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
@@ -25,22 +26,11 @@ namespace pellucid::app {
 namespace {
 
 struct RenderOptions {
-  std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep;
+  std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep, part;
   std::vector<int> probe;  // x, y, x, y, …
   scene::ViewRequest view;
   bool explain = false;
 };
-
-/// A wrong name of an output is met before the work that would be in vain.
-CLI::Validator ending_among(const std::vector<std::string>& endings) {
-  return CLI::Validator(
-      [endings](const std::string& path) {
-        const std::string ending = std::filesystem::path(path).extension().string();
-        if (std::ranges::find(endings, ending) != endings.end()) return std::string();
-        return fmt::format("{}: ending '{}'; accepted: {}", path, ending, fmt::join(endings, ", "));
-      },
-      fmt::format("{}", fmt::join(endings, "|")));
-}
 
 /// From where the scene was seen, as a scene file has it.
 nlohmann::json view_json(const scene::Scene& scene) {
@@ -65,39 +55,29 @@ void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
                       const Progress& progress) {
   if (!options.probe.empty())
     write_text(options.probe_output, json_text(probe_json(scene, options.probe), 2) + '\n');
-  if (options.sums.empty() && options.deep.empty()) return;
-  if (!options.deep.empty() && !scene.samples.is_center())
-    throw InputError(fmt::format("--deep: the scene takes {}; accepted: samples 1",
-                                 scene::describe(scene.samples)));
+  if (options.sums.empty()) return;
   const groundtruth::RayProbe probe(scene);
-  if (!options.sums.empty())
-    compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));
-  if (!options.deep.empty())
-    compare::write_deep(options.deep, scene.width, scene.height, [&](int y) {
-      report(progress, double(y) / scene.height, "deep picture");
-      return groundtruth::row_sums(scene, probe, y);
-    });
+  compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));
 }
 
-void render(const RenderOptions& options, const GlobalOptions& globals) {
-  const ProtectedInputs inputs;
-  const NameAndOptions named = parse_name_and_options(options.method);
-  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
-  const Parameters parameters(row.name, row.parameters, named.options);
-  const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
-  const Progress progress = console_progress(globals);
-  scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
-  if (opacities) {
-    report(progress, 0.3, "optimizing opacities");
-    compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
-  }
-  write_exact_sums(options, scene, progress);
-  const auto renderer = row.make(scene, parameters, {.gl = globals.gl});
-  report(progress, 0.5, fmt::format("rendering {}", row.name));
+/// Throws unless the method is one whose crossings a deep picture holds.
+void check_part_method(const scene::MethodRow& row, const NameAndOptions& named) {
+  if (row.name != "raytrace" || !named.options.empty())
+    throw InputError(fmt::format(
+        "--part: the method is '{}'; accepted: raytrace, as it is without parameters", row.name));
+}
+
+/// The picture by the method, and what it took.
+void write_picture(const RenderOptions& options, const GlobalOptions& globals,
+                   const compare::MethodCall& call,
+                   const std::optional<compare::MethodCall>& opacities, const scene::Scene& scene,
+                   const Progress& progress) {
+  const auto renderer = call.row->make(scene, call.parameters, {.gl = globals.gl});
+  report(progress, 0.5, fmt::format("rendering {}", call.row->name));
   // A first frame compiles shaders and touches memory for the first time; the second is timed.
   renderer->render({});
   const scene::Rendering rendering = renderer->render({.layers = true, .progress = progress});
-  report(progress, 1, fmt::format("rendered {}", row.name));
+  report(progress, 1, fmt::format("rendered {}", call.row->name));
   if (options.explain) {
     std::cout << fmt::format("camera: {} ({})\n", scene::camera_text(scene.camera),
                              scene.provenance.at("camera"));
@@ -107,14 +87,43 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   }
   compare::write_image(options.output, rendering.image);
   if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
-  nlohmann::json json =
-      compare::render_json({&row, parameters}, opacities, rendering.stats, *renderer);
+  nlohmann::json json = compare::render_json(call, opacities, rendering.stats, *renderer);
   json["view"] = view_json(scene);
   if (!options.stats.empty()) write_text(options.stats, json_text(json, 2) + '\n');
   if (globals.json)
     std::cout << json_text(json, 2) << '\n';
   else
     print_summary(options, scene, rendering.stats);
+}
+
+void render(const RenderOptions& options, const GlobalOptions& globals) {
+  if (options.output.empty() && options.deep.empty()) throw CLI::RequiredError("-o,--output");
+  const ProtectedInputs inputs;
+  const FilesRead read;
+  const NameAndOptions named = parse_name_and_options(options.method);
+  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
+  const Parameters parameters(row.name, row.parameters, named.options);
+  if (!options.part.empty()) check_part_method(row, named);
+  const scene::PartNumber part =
+      options.part.empty() ? scene::PartNumber() : part_number_of(options.part);
+  const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
+  const Progress progress = console_progress(globals);
+  scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
+  if (opacities) {
+    report(progress, 0.3, "optimizing opacities");
+    compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
+  }
+  const auto fingerprint = [&] {
+    return compare::scene_fingerprint(read.paths(), options.opacities);
+  };
+  if (!options.part.empty())
+    return write_part({options.deep, options.output, fingerprint()}, std::move(scene), part,
+                      progress, globals);
+  write_exact_sums(options, scene, progress);
+  if (!options.deep.empty())
+    write_deep({options.deep, {}, fingerprint()}, scene, progress, globals, options.output.empty());
+  if (options.output.empty()) return;
+  write_picture(options, globals, {&row, parameters}, opacities, scene, progress);
 }
 
 }  // namespace
@@ -125,12 +134,16 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("SCENE", options->scene, "Scene file")->required();
   command->add_option("-m,--method", options->method, "NAME[:key=value,...]; see 'list methods'")
       ->required();
-  command->add_option("-o,--output", options->output, "Picture: .exr (32-bit float) or .png")
-      ->check(ending_among({".exr", ".png"}))
-      ->required();
-  command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
-  command->add_option("--layers", options->layers, "Write the number of crossings per pixel")
-      ->check(ending_among({".exr", ".png"}));
+  CLI::Option* output = command
+                            ->add_option("-o,--output", options->output,
+                                         "Picture: .exr (32-bit float) or .png; only with "
+                                         "--deep may it be left out")
+                            ->check(ending_among({".exr", ".png"}));
+  CLI::Option* stats =
+      command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
+  CLI::Option* layers =
+      command->add_option("--layers", options->layers, "Write the number of crossings per pixel")
+          ->check(ending_among({".exr", ".png"}));
   CLI::Option* probe = command->add_option(
       "--probe", options->probe, "Pixel X,Y whose crossings are wanted; may be given again");
   probe->delimiter(',')->type_size(2);
@@ -139,19 +152,35 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
                           "Write the exact crossings and sums along the probes' rays as JSON");
   probe->needs(probe_output);
   probe_output->needs(probe);
-  command
-      ->add_option("--sums", options->sums,
-                   "Write the exact sums of every pixel as channels of an .exr: layers, coverage, "
-                   "transmittance, G, tau, nearest and farthest depth")
-      ->check(ending_among({".exr"}));
-  command->add_option("--deep", options->deep, "Write every crossing of every pixel as a deep .exr")
-      ->check(ending_among({".exr"}));
+  CLI::Option* sums =
+      command
+          ->add_option(
+              "--sums", options->sums,
+              "Write the exact sums of every pixel as channels of an .exr: layers, coverage, "
+              "transmittance, G, tau, nearest and farthest depth")
+          ->check(ending_among({".exr"}));
+  CLI::Option* deep = command
+                          ->add_option("--deep", options->deep,
+                                       "Write every crossing of every pixel: a deep .exr, or .npz "
+                                       "for NumPy")
+                          ->check(ending_among({".exr", ".npz"}));
+  CLI::Option* part = command->add_option(
+      "--part", options->part,
+      "I/N: with --deep, draw only the I-th of N parts of the primitives, for 'merge'");
   add_view_options(*command, options->view);
   add_opacities_option(*command, options->opacities);
-  command->add_flag("--explain", options->explain, "Print what was modelled and left out, and why");
+  CLI::Option* explain = command->add_flag("--explain", options->explain,
+                                           "Print what was modelled and left out, and why");
+  part->needs(deep);
+  for (CLI::Option* of_method : {stats, layers, explain}) {
+    of_method->needs(output);
+    part->excludes(of_method);
+  }
+  for (CLI::Option* exact : {probe, sums}) part->excludes(exact);
   command->footer(
       "Examples:\n  pellucid render scene.json -m raytrace -o picture.exr\n"
-      "  pellucid render scene.json -m fourier:bands=5 -o a.png --view +x --resolution 640x480");
+      "  pellucid render scene.json -m fourier:bands=5 -o a.png --view +x --resolution 640x480\n"
+      "  pellucid render scene.json -m raytrace --deep part-1.exr --part 1/8");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([options, &globals] { render(*options, globals); });

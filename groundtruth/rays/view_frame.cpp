@@ -5,10 +5,10 @@
 
 namespace pellucid::groundtruth {
 
-ViewFrame::ViewFrame(const scene::Scene& scene)
+ViewFrame::ViewFrame(const scene::Scene& scene, const Box3& bounds)
     : camera_(scene::camera_frame(scene.camera)),
       projection_(scene.camera.projection),
-      scale_(scene::unit_scale(scene.bounds())),
+      scale_(scene::unit_scale(bounds)),
       pixel_(2 * scene::half_height(scene.camera) / scene.height),
       center_x_(0.5 * scene.width),
       center_y_(0.5 * scene.height) {

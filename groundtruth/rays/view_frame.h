@@ -18,7 +18,10 @@ struct PictureRay {
 /// share it.
 class ViewFrame {
  public:
-  explicit ViewFrame(const scene::Scene& scene);
+  explicit ViewFrame(const scene::Scene& scene) : ViewFrame(scene, scene.bounds()) {}
+  /// Takes the box, in world units, of all that is drawn: more than the scene's own where the scene
+  /// is a part.
+  ViewFrame(const scene::Scene& scene, const Box3& bounds);
 
   /// Maps a position in the world to view coordinates.
   Vec3 from_world(const Vec3& x) const;

@@ -13,6 +13,7 @@
 #include "groundtruth/rays/crossing.h"
 #include "groundtruth/rays/packet_predicate.h"
 #include "groundtruth/rays/view_frame.h"
+#include "scene/parts/scene_part.h"
 #include "scene/scene.h"
 
 namespace pellucid::groundtruth {
@@ -86,6 +87,7 @@ struct GeometryContext {
   std::optional<MarchOptions> march = {};  // isosurfaces are marched; else crossed exactly
   double stop_below = 0;  // a march ends where less than this share shows through its surface
   std::vector<scene::Isosurface::Ball> stops = {};  // where marches end: see MarchOptions::dilate
+  scene::PartNumber part = {};  // which cells of isosurfaces; other shapes are cut already
 };
 
 /// Throws InputError when Crossing cannot count so many `what`: 2^32 or more.

@@ -10,6 +10,10 @@ ExactIsosurface::ExactIsosurface(const scene::Isosurface& surface, std::uint32_t
     : IsosurfaceGeometry(surface, index, context),
       cells_(fields::surface_cells(*surface.field, surface.value)) {
   check_count(cells_.size(), "cells of an isosurface");
+  const scene::Share share = scene::share_of(cells_.size(), index, context.part);
+  first_ = std::uint32_t(share.begin);
+  cells_.erase(cells_.begin() + std::ptrdiff_t(share.end), cells_.end());
+  cells_.erase(cells_.begin(), cells_.begin() + std::ptrdiff_t(share.begin));
 }
 
 Box3 ExactIsosurface::box(std::uint32_t k) const {
@@ -22,7 +26,7 @@ void ExactIsosurface::cross(std::uint32_t k, const SceneRay& ray,
   thread_local std::vector<double> at;
   at.clear();
   append_level_crossings(field(), surface().value, cells_[k], world, at);
-  for (const double t : at) append(ray, world, t, k, crossings);
+  for (const double t : at) append(ray, world, t, first_ + k, crossings);
 }
 
 }  // namespace pellucid::groundtruth

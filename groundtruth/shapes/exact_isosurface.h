@@ -16,6 +16,8 @@ namespace pellucid::groundtruth {
 /// cells share: no crossing is missed or counted twice at the faces of cells and levels. A value of
 /// 0 counts as inside, so that a plateau at the surface's value is bounded but not filled. Where a
 /// reconstruction jumps across the value, the ray crosses on the face.
+///
+/// Of a part of a scene it holds some of the cells, numbered as in the whole surface.
 class ExactIsosurface final : public IsosurfaceGeometry {
  public:
   ExactIsosurface(const scene::Isosurface& surface, std::uint32_t index,
@@ -28,6 +30,7 @@ class ExactIsosurface final : public IsosurfaceGeometry {
 
  private:
   std::vector<fields::LatticeCell> cells_;
+  std::uint32_t first_ = 0;  // the first cell's number
 };
 
 }  // namespace pellucid::groundtruth

@@ -34,6 +34,12 @@ double RaySums::optical_depth(double d) const {
 RayProbe::RayProbe(const scene::Scene& scene, Precision precision)
     : scene_(scene), depths_(scene::depth_range(scene)), finder_(scene, precision) {}
 
+RayProbe::RayProbe(const ScenePart& part)
+    : scene_(part.scene),
+      depths_(part.whole.depths),
+      finder_(part.scene, part.whole, Precision::exact),
+      first_primitives_(part.whole.first_primitives) {}
+
 RaySums RayProbe::at(double x, double y) const {
   const PictureRay ray = finder_.frame().ray(x, y);
   std::vector<Crossing> crossings;
@@ -69,9 +75,10 @@ RaySums RayProbe::sums(const PictureRay& ray, std::span<const Crossing> crossing
     const double g = finder_.importance(crossing);
     importance_sum += g * g;
     optical_depth -= std::log1p(-fragment.opacity);
-    sums.layers.push_back({depth, depths_.normalized(depth), crossing.object, crossing.primitive,
-                           fragment.color, fragment.opacity, g, composite.transmittance,
-                           importance_sum, optical_depth});
+    const std::uint32_t first = first_primitives_.empty() ? 0 : first_primitives_[crossing.object];
+    sums.layers.push_back({depth, depths_.normalized(depth), crossing.object,
+                           first + crossing.primitive, fragment.color, fragment.opacity, g,
+                           composite.transmittance, importance_sum, optical_depth});
     composite.add(fragment.color, fragment.opacity);
   }
   sums.color = composite.over(scene_.background);

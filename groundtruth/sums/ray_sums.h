@@ -44,6 +44,10 @@ class RayProbe {
   /// Builds the hierarchy. The scene has to outlive it. Throws InputError when nothing of it is in
   /// front of the camera, and as CrossingFinder does.
   explicit RayProbe(const scene::Scene& scene, Precision precision = Precision::exact);
+  /// Builds the hierarchy of a part of a scene, which has to outlive it. Each of the part's
+  /// crossings is, to the last bit, what it is in the whole: its place, its look and its numbers.
+  /// Sums are the part's own.
+  explicit RayProbe(const ScenePart& part);
 
   /// Returns the sums along the ray through a point: x runs right, y down, in pixels from the
   /// picture's top left corner; a pixel's centre is at +0.5.
@@ -60,6 +64,7 @@ class RayProbe {
   const scene::Scene& scene_;
   scene::DepthRange depths_;
   CrossingFinder finder_;
+  std::vector<std::uint32_t> first_primitives_;  // in the whole, by object; empty: 0
 };
 
 }  // namespace pellucid::groundtruth

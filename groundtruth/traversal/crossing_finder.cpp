@@ -95,22 +95,23 @@ BoxHierarchy::Callbacks callbacks(Precision precision) {
   return {decide, decide_and_close, precision == Precision::fast ? take : nullptr};
 }
 
-std::vector<scene::Isosurface::Ball> dilated_spheres(const scene::Scene& scene, double by) {
+/// The opaque spheres, larger by MarchOptions::dilate, where marches end.
+std::vector<scene::Isosurface::Ball> march_stops(const scene::Scene& scene,
+                                                 const std::optional<MarchOptions>& march) {
   std::vector<scene::Isosurface::Ball> balls;
+  if (!march || !march->dilate) return balls;
   for (const scene::SceneObject& object : scene.objects) {
     const auto* points = std::get_if<scene::PointObject>(&object.shape);
     if (!points || !object.opaque || points->profile != scene::PointObject::Profile::sphere)
       continue;
-    for (const Vec3& center : points->set.positions) balls.push_back({center, points->radius + by});
+    for (const Vec3& center : points->set.positions)
+      balls.push_back({center, points->radius + *march->dilate});
   }
   return balls;
 }
 
-std::vector<BoxHierarchy::Object> make_objects(const scene::Scene& scene, const ViewFrame& frame,
-                                               const std::optional<MarchOptions>& march,
-                                               double stop_below) {
-  GeometryContext context{frame, scene.camera, scene.lighting, march, stop_below};
-  if (march && march->dilate) context.stops = dilated_spheres(scene, *march->dilate);
+std::vector<BoxHierarchy::Object> make_objects(const scene::Scene& scene,
+                                               const GeometryContext& context) {
   std::vector<BoxHierarchy::Object> objects;
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
     objects.push_back({make_geometry(scene.objects[i], i, context), scene.objects[i].opaque});
@@ -129,10 +130,19 @@ struct CrossingFinder::State {
 
   State(const scene::Scene& scene, Precision precision_, const std::optional<MarchOptions>& march,
         double stop_below)
-      : frame(scene),
+      : State(scene, scene.bounds(), precision_, march, stop_below, {}) {}
+  State(const scene::Scene& part, const WholeScene& whole, Precision precision_)
+      : State(part, whole.bounds, precision_, {}, 0, whole.part) {
+    largest = whole.largest;
+  }
+
+  State(const scene::Scene& scene, const Box3& bounds, Precision precision_,
+        const std::optional<MarchOptions>& march, double stop_below, const scene::PartNumber& part)
+      : frame(scene, bounds),
         precision(precision_),
-        hierarchy(make_objects(scene, frame, march, stop_below),
-                  frame.from_world(scene.bounds().center()), callbacks(precision_)) {
+        hierarchy(make_objects(scene, {frame, scene.camera, scene.lighting, march, stop_below,
+                                       march_stops(scene, march), part}),
+                  frame.from_world(bounds.center()), callbacks(precision_)) {
     for (const BoxHierarchy::Object& object : hierarchy.objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();
@@ -164,6 +174,10 @@ void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
 CrossingFinder::CrossingFinder(const scene::Scene& scene, Precision precision,
                                const std::optional<MarchOptions>& march, double stop_below)
     : state_(std::make_unique<State>(scene, precision, march, stop_below)) {}
+
+CrossingFinder::CrossingFinder(const scene::Scene& part, const WholeScene& whole,
+                               Precision precision)
+    : state_(std::make_unique<State>(part, whole, precision)) {}
 
 CrossingFinder::~CrossingFinder() = default;
 
@@ -205,8 +219,11 @@ void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
   std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
   order_crossings(crossings);
   // To the last bit: each box's test is the same.
+  const auto repeated = [this](const Crossing& p, const Crossing& q) {
+    return p == q && hierarchy.objects()[p.object].geometry->repeats();
+  };
   if (any_repeats)
-    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+    crossings.erase(std::unique(crossings.begin(), crossings.end(), repeated), crossings.end());
   if (!any_opaque) return;
   const auto opaque = [this](const Crossing& c) { return hierarchy.objects()[c.object].opaque; };
   const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);

@@ -10,6 +10,7 @@
 #include "groundtruth/levels/level_march.h"
 #include "groundtruth/rays/crossing.h"
 #include "groundtruth/rays/exact_sign.h"
+#include "groundtruth/traversal/scene_part.h"
 #include "scene/scene.h"
 
 namespace pellucid::groundtruth {
@@ -25,6 +26,9 @@ class CrossingFinder {
   /// InputError for more primitives than a Crossing counts, WorkError when Embree fails.
   CrossingFinder(const scene::Scene& scene, Precision precision,
                  const std::optional<MarchOptions>& march = {}, double stop_below = 0);
+  /// Builds the hierarchy of a part of a scene, which has to outlive it: what it finds is what it
+  /// would find of the whole with the part's primitives. Their numbers are the part's.
+  CrossingFinder(const scene::Scene& part, const WholeScene& whole, Precision precision);
   ~CrossingFinder();
 
   const ViewFrame& frame() const;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact sums in OpenEXR files: closed forms of stacks, and deep samples that composite to the
-// picture.
+// Exact sums in OpenEXR files: closed forms of stacks.
 
 #include "compare/pictures/sums_file.h"
 
-#include <OpenEXR/ImfDeepFrameBuffer.h>
-#include <OpenEXR/ImfDeepScanLineInputFile.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -14,9 +11,7 @@
 #include <span>
 
 #include "core/error.h"
-#include "groundtruth/methods/raytrace.h"
 #include "readers/pictures/picture_file.h"
-#include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,10 +19,6 @@ namespace pellucid::compare {
 namespace {
 
 using namespace testing;
-
-Image raytraced(const scene::Scene& scene) {
-  return render(groundtruth::raytrace_method(), scene).image;
-}
 
 /// A half of the picture is behind eight layers of α = 1/4, the other is empty.
 scene::Scene half_a_stack(int samples) {
@@ -95,79 +86,10 @@ TEST_F(UnitSumsFile, HoldsAChannelForEachSum) {
   EXPECT_EQ(values["transmittance"][3], 1);
 }
 
-/// A DeepFile is one channel of a deep picture: the samples of each pixel, 32 bits each.
-class DeepFile {
- public:
-  explicit DeepFile(const std::filesystem::path& path) : file_(path.c_str()) {}
-
-  template <class T>
-  std::vector<std::vector<T>> channel(const char* name) {
-    constexpr Imf::PixelType type = std::is_integral_v<T> ? Imf::UINT : Imf::FLOAT;
-    const Imath::Box2i box = file_.header().dataWindow();
-    const int width = box.max.x + 1, height = box.max.y + 1;
-    std::vector<unsigned> counts(std::size_t(width) * height);
-    std::vector<T*> pointers(counts.size());
-    Imf::DeepFrameBuffer frame;
-    frame.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data()),
-                                            sizeof(unsigned), sizeof(unsigned) * width));
-    frame.insert(name, Imf::DeepSlice(type, reinterpret_cast<char*>(pointers.data()), sizeof(T*),
-                                      sizeof(T*) * width, sizeof(T)));
-    file_.setFrameBuffer(frame);
-    file_.readPixelSampleCounts(0, height - 1);
-    std::vector<std::vector<T>> samples;
-    for (const unsigned count : counts) samples.emplace_back(count);
-    for (std::size_t i = 0; i < samples.size(); ++i) pointers[i] = samples[i].data();
-    file_.readPixels(0, height - 1);
-    return samples;
-  }
-
- private:
-  Imf::DeepScanLineInputFile file_;
-};
-
-TEST_F(UnitSumsFile, DeepSamplesCompositeToThePicture) {
-  scene::Scene scene;
-  scene.width = 17;
-  scene.height = 9;
-  scene.objects = {{"", random_triangles(300, 3)}};
-  const groundtruth::RayProbe probe(scene);
-  const auto path = folder_ / "deep.exr";
-  write_deep(path, scene.width, scene.height,
-             [&](int y) { return groundtruth::row_sums(scene, probe, y); });
-  DeepFile file(path);
-  const auto red = file.channel<float>("R"), alpha = file.channel<float>("A"),
-             depth = file.channel<float>("Z");
-  const auto primitive = file.channel<std::uint32_t>("primitive");
-  const Image picture = raytraced(scene);
-  int samples = 0;
-  for (std::size_t pixel = 0; pixel < picture.pixels.size(); ++pixel) {
-    const auto x = int(pixel) % scene.width, y = int(pixel) / scene.width;
-    const groundtruth::RaySums ray = probe.at(x + 0.5, y + 0.5);
-    ASSERT_EQ(red[pixel].size(), ray.layers.size());
-    double color = 0, shows = 1;
-    for (std::size_t k = 0; k < ray.layers.size(); ++k, ++samples) {
-      EXPECT_EQ(depth[pixel][k], float(ray.layers[k].depth));
-      EXPECT_EQ(primitive[pixel][k], ray.layers[k].primitive);
-      color += shows * red[pixel][k];
-      shows *= 1 - alpha[pixel][k];
-    }
-    color += shows * scene.background.r;
-    // Each layer's α C and α are rounded to float, and so is the picture.
-    const double tolerance = 1e-7 * (2 * double(ray.layers.size()) + 1);
-    EXPECT_NEAR(color, picture.pixels[pixel].r, tolerance);
-  }
-  EXPECT_GT(samples, 300);
-}
-
 TEST_F(UnitSumsFile, RefusesAnotherEndingAndLeavesNothing) {
   const Raster<groundtruth::PixelSums> sums(2, 2);
   EXPECT_THROW(write_sums(folder_ / "sums.png", sums), InputError);
   EXPECT_THROW(write_sums(folder_ / "missing" / "sums.exr", sums), InputError);
-  const auto interrupted = [](int y) -> std::vector<groundtruth::RaySums> {
-    if (y == 1) throw WorkError("interrupted");
-    return std::vector<groundtruth::RaySums>(2);
-  };
-  EXPECT_THROW(write_deep(folder_ / "deep.exr", 2, 2, interrupted), WorkError);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/deep.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "compare/deep/deep_outputs.h"
+#include "compare/deep/trace_deep.h"
+#include "core/error.h"
+#include "core/files/json_text.h"
+
+namespace pellucid::app {
+namespace {
+
+void check_samples(const scene::Scene& scene) {
+  if (!scene.samples.is_center())
+    throw InputError(fmt::format("--deep: the scene takes {}; accepted: samples 1",
+                                 scene::describe(scene.samples)));
+}
+
+void print_crossings(const DeepRequest& request, const compare::DeepInfo& info,
+                     const compare::DeepOutputs& outputs, const GlobalOptions& globals) {
+  if (globals.json)
+    fmt::print("{}\n", json_text({{"deep", request.deep},
+                                  {"part", {info.part.part, info.part.count}},
+                                  {"fragments", outputs.crossings()},
+                                  {"max_layers", outputs.max_layers()}},
+                                 2));
+  else if (!globals.quiet)
+    fmt::print("{}: {} crossings, at most {} in a pixel\n", request.deep, outputs.crossings(),
+               outputs.max_layers());
+}
+
+void write(const DeepRequest& request, const compare::DeepInfo& info, const scene::Scene& scene,
+           const groundtruth::RayProbe& probe, const Progress& progress,
+           const GlobalOptions& globals, bool print) {
+  compare::DeepOutputs outputs(info, request.picture, request.deep);
+  compare::trace_deep(
+      scene, probe, [&](int y, const compare::DeepRow& row) { outputs.take(y, row); }, progress);
+  report(progress, 1, "deep picture");
+  outputs.commit();
+  if (print) print_crossings(request, info, outputs, globals);
+}
+
+}  // namespace
+
+void write_deep(const DeepRequest& request, const scene::Scene& scene, const Progress& progress,
+                const GlobalOptions& globals, bool print) {
+  check_samples(scene);
+  write(request, compare::deep_info(scene, {}, request.fingerprint), scene,
+        groundtruth::RayProbe(scene), progress, globals, print);
+}
+
+void write_part(const DeepRequest& request, scene::Scene scene, const scene::PartNumber& part,
+                const Progress& progress, const GlobalOptions& globals) {
+  check_samples(scene);
+  const groundtruth::ScenePart cut = groundtruth::take_part(std::move(scene), part);
+  write(request, compare::deep_info(cut.scene, part, request.fingerprint), cut.scene,
+        groundtruth::RayProbe(cut), progress, globals, true);
+}
+
+}  // namespace pellucid::app

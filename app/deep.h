@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/commands.h"
+#include "scene/parts/scene_part.h"
+
+namespace pellucid::app {
+
+/// A DeepRequest says which files are to be made of a scene's crossings.
+struct DeepRequest {
+  std::string deep;         // the deep picture, .exr or .npz
+  std::string picture;      // the composite of its crossings, .exr or .png; empty: none
+  std::string fingerprint;  // of the scene
+};
+
+/// Writes every crossing of the scene, and prints how many they are when asked to. Throws
+/// InputError for a scene of several samples per pixel and as DeepOutputs does.
+void write_deep(const DeepRequest& request, const scene::Scene& scene, const Progress& progress,
+                const GlobalOptions& globals, bool print);
+
+/// Writes every crossing of a part of the scene's primitives, and prints how many they are. Throws
+/// as write_deep() does, and where nothing of the whole scene is in front of the camera.
+void write_part(const DeepRequest& request, scene::Scene scene, const scene::PartNumber& part,
+                const Progress& progress, const GlobalOptions& globals);
+
+}  // namespace pellucid::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/deep/deep_info.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/files/json_node.h"
+#include "core/machine/build_info.h"
+#include "scene/files/camera_file.h"
+
+namespace pellucid::compare {
+namespace {
+
+constexpr int largest = std::numeric_limits<int>::max();
+
+scene::PartNumber part_of(const JsonNode& node) {
+  const auto numbers = node.elements();
+  if (numbers.size() != 2) node.fail("accepted: two integers");
+  scene::PartNumber part;
+  part.count = numbers[1].integer(1, scene::most_parts);
+  part.part = numbers[0].integer(1, part.count);
+  return part;
+}
+
+}  // namespace
+
+DeepInfo deep_info(const scene::Scene& scene, const scene::PartNumber& part,
+                   std::string fingerprint) {
+  DeepInfo info;
+  info.scene = scene.name;
+  info.fingerprint = std::move(fingerprint);
+  info.camera = scene::camera_text(scene.camera);
+  info.width = scene.width;
+  info.height = scene.height;
+  info.background = scene.background;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene.objects[i].opaque) info.opaque.push_back(int(i));
+  info.program = fmt::format("{} ({})", build_version, build_commit);
+  info.build = build_id();
+  info.part = part;
+  return info;
+}
+
+std::string text_of(const DeepInfo& info) {
+  const Vec3& b = info.background;
+  return json_text({{"format", "pellucid-deep"},
+                    {"version", 1},
+                    {"scene", info.scene},
+                    {"fingerprint", info.fingerprint},
+                    {"camera", info.camera},
+                    {"resolution", {info.width, info.height}},
+                    {"background", {b.r, b.g, b.b}},
+                    {"opaque", info.opaque},
+                    {"program", info.program},
+                    {"build", info.build},
+                    {"part", {info.part.part, info.part.count}}});
+}
+
+DeepInfo deep_info_of(const std::string& file, const std::string& text) {
+  const nlohmann::json json = parse_json(file, text);
+  const JsonNode root(file, json);
+  root.accept_keys({"format", "version", "scene", "fingerprint", "camera", "resolution",
+                    "background", "opaque", "program", "build", "part"});
+  root["format"].one_of({"pellucid-deep"});
+  root["version"].integer(1, 1);
+  DeepInfo info;
+  info.scene = root["scene"].string();
+  info.fingerprint = root["fingerprint"].string();
+  info.camera = root["camera"].string();
+  const auto sides = root["resolution"].elements();
+  if (sides.size() != 2) root["resolution"].fail("accepted: two integers, width and height");
+  info.width = sides[0].integer(1, largest);
+  info.height = sides[1].integer(1, largest);
+  info.background = root["background"].vec3();
+  for (const JsonNode& object : root["opaque"].elements())
+    info.opaque.push_back(object.integer(0, largest));
+  info.program = root["program"].string();
+  info.build = root["build"].string();
+  info.part = part_of(root["part"]);
+  return info;
+}
+
+}  // namespace pellucid::compare

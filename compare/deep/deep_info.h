@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/parts/scene_part.h"
+
+namespace pellucid::compare {
+
+/// A DeepInfo says what a deep picture is of: all that has to be the same of two parts of one
+/// picture, and which part it is.
+struct DeepInfo {
+  std::string scene;          // its name
+  std::string fingerprint;    // of the scene's file and all that it names
+  std::string camera;         // see scene::camera_text()
+  int width = 0, height = 0;  // pixels
+  Vec3 background{0};         // red, green, blue
+  std::vector<int> opaque;    // the objects that end a ray, by their index in Scene::objects
+  std::string program;        // that has written it: version and commit
+  std::string build;          // see build_id()
+  scene::PartNumber part;
+
+  bool operator==(const DeepInfo&) const = default;
+};
+
+/// Returns what is to be said of a part's picture, or of a whole scene's, which is part 1 of 1. The
+/// fingerprint is given.
+DeepInfo deep_info(const scene::Scene& scene, const scene::PartNumber& part,
+                   std::string fingerprint);
+
+/// Returns it as one line of JSON.
+std::string text_of(const DeepInfo& info);
+
+/// Returns what such a text says. Throws InputError that begins with `file` for any other.
+DeepInfo deep_info_of(const std::string& file, const std::string& text);
+
+}  // namespace pellucid::compare

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace pellucid::compare {
+
+/// Returns 16 hexadecimal digits that are the same for scenes that were read from files of the same
+/// contents, wherever these lie, and changed by the same further `option`.
+std::string scene_fingerprint(const std::set<std::filesystem::path>& files_read,
+                              std::string_view option);
+
+}  // namespace pellucid::compare

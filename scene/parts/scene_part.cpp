@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/parts/scene_part.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace pellucid::scene {
+namespace {
+
+/// The elements `share` of an array that has one for each vertex, or none.
+template <class T>
+void keep(std::vector<T>& values, const Share& share) {
+  if (values.empty()) return;
+  values = std::vector<T>(values.begin() + std::ptrdiff_t(share.begin),
+                          values.begin() + std::ptrdiff_t(share.end));
+}
+
+void keep(geometry::Vertices& vertices, const Share& share) {
+  keep(vertices.positions, share);
+  keep(vertices.normals, share);
+  keep(vertices.colors, share);
+  keep(vertices.importance, share);
+  vertices.scalars.clear();
+}
+
+/// The values at these places, in their order.
+template <class T>
+void gather(std::vector<T>& values, const std::vector<std::uint32_t>& places) {
+  if (values.empty()) return;
+  std::vector<T> some;
+  some.reserve(places.size());
+  for (const std::uint32_t place : places) some.push_back(values[place]);
+  values = std::move(some);
+}
+
+/// Renumbers the vertices in the order in which the triangles name them; returns which they were.
+std::vector<std::uint32_t> renumber(std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                    std::size_t vertex_count) {
+  constexpr std::uint32_t unnamed = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> named, number(vertex_count, unnamed);
+  for (auto& triangle : triangles)
+    for (std::uint32_t& vertex : triangle) {
+      if (number[vertex] == unnamed) {
+        number[vertex] = std::uint32_t(named.size());
+        named.push_back(vertex);
+      }
+      vertex = number[vertex];
+    }
+  return named;
+}
+
+struct Cutter {
+  std::size_t index;
+  const PartNumber& part;
+
+  std::uint32_t operator()(geometry::TriangleMesh& mesh) const {
+    const Share share = share_of(mesh.triangles.size(), index, part);
+    keep(mesh.triangles, share);
+    const std::vector<std::uint32_t> named = renumber(mesh.triangles, mesh.positions.size());
+    gather(mesh.positions, named);
+    gather(mesh.normals, named);
+    gather(mesh.colors, named);
+    gather(mesh.importance, named);
+    mesh.scalars.clear();
+    mesh.face_scalars.clear();
+    return std::uint32_t(share.begin);
+  }
+
+  std::uint32_t operator()(PointObject& points) const {
+    const Share share = share_of(points.set.positions.size(), index, part);
+    keep(points.set, share);
+    return std::uint32_t(share.begin);
+  }
+
+  std::uint32_t operator()(LineObject& lines) const {
+    geometry::LineSet& set = lines.set;
+    const Share share = share_of(set.line_count(), index, part);
+    geometry::LineSet before;
+    before.offsets.assign(set.offsets.begin(),
+                          set.offsets.begin() + std::ptrdiff_t(share.begin) + 1);
+    const std::uint64_t first = set.offsets[share.begin];
+    keep(set, Share{first, set.offsets[share.end]});
+    keep(set.offsets, Share{share.begin, share.end + 1});
+    for (std::uint64_t& offset : set.offsets) offset -= first;
+    const bool is_ribbon = lines.profile == LineObject::Profile::ribbon;
+    return std::uint32_t((is_ribbon ? 2 : 1) * before.segment_count());
+  }
+
+  std::uint32_t operator()(Isosurface&) const { return 0; }
+};
+
+}  // namespace
+
+Share share_of(std::uint64_t count, std::size_t object, const PartNumber& part) {
+  assert(1 <= part.part && part.part <= part.count && part.count <= most_parts);
+  const std::uint64_t n = std::uint64_t(part.count);
+  const std::uint64_t i = (std::uint64_t(part.part) - 1 + object) % n;
+  // count * i would not fit for a count beyond 2^48: whole rounds first.
+  const auto until = [&](std::uint64_t k) { return count / n * k + count % n * k / n; };
+  return {until(i), until(i + 1)};
+}
+
+std::uint32_t cut_object(SceneObject& object, std::size_t index, const PartNumber& part) {
+  return std::visit(Cutter{index, part}, object.shape);
+}
+
+}  // namespace pellucid::scene
