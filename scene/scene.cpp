@@ -60,6 +60,12 @@ bool has_importance(const Scene& scene) {
   });
 }
 
+void fail_at(const Scene& scene, const InputError& error) {
+  const std::string_view what = error.what();
+  if (scene.file.empty() || what.starts_with(scene.file)) throw error;
+  throw InputError(fmt::format("{}: {}", scene.file, what));
+}
+
 std::string describe_primitives(const Scene& scene) {
   PrimitiveCounts counts;
   for (const SceneObject& object : scene.objects) std::visit(std::ref(counts), object.shape);

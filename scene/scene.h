@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.h"
 #include "fields/field.h"
 #include "geometry/line_set.h"
 #include "geometry/point_set.h"
@@ -94,6 +95,7 @@ struct SceneObject {
 /// of a ribbon (two a segment, see ribbon.h); segment; point; cell of an isosurface.
 struct Scene {
   std::string name;
+  std::string file;  // that it was read from, for messages; empty: none
   int width = 1000;
   int height = 1000;
   PixelSampling samples;
@@ -111,6 +113,10 @@ struct Scene {
 
 /// Returns whether any transparent object has importance: without, no opacity is optimized.
 bool has_importance(const Scene& scene);
+
+/// Throws the InputError with the scene's file before it, where it has one and the error does not
+/// name it.
+[[noreturn]] void fail_at(const Scene& scene, const InputError& error);
 
 /// Returns what the objects consist of: "384000 triangles, 12 lines of 6000 segments".
 std::string describe_primitives(const Scene& scene);

@@ -118,11 +118,13 @@ void check_size(const Scene& scene) {
   const auto fits = [](const Vec3& x) {
     return glm::all(glm::lessThan(glm::abs(x), Vec3(geometry::coordinate_limit)));
   };
-  if (!fits(scene.camera.eye)) throw InputError("camera.eye: accepted: coordinates below 1e300");
+  if (!fits(scene.camera.eye))
+    fail_at(scene, InputError("camera.eye: accepted: coordinates below 1e300"));
   for (const SceneObject& object : scene.objects)
     if (const Box3 box = object.bounds(); !box.empty() && !(fits(box.min) && fits(box.max)))
-      throw InputError(fmt::format(
-          "{}: its coordinates, or a radius, reach 1e300 or beyond; accepted: less", object.name));
+      fail_at(scene, InputError(fmt::format(
+                         "{}: its coordinates, or a radius, reach 1e300 or beyond; accepted: less",
+                         object.name)));
 }
 
 /// The object's name, and what it was made from where that is known by its name.
@@ -158,10 +160,9 @@ DepthRange depth_range(const Scene& scene) {
   for (const SceneObject& object : scene.objects) std::visit(depths, object.shape);
   check_size(scene);
   if (!(depths.everywhere().max > 0))
-    throw InputError(
-        fmt::format("camera: nothing of {} is in front of it; accepted: an eye and a "
-                    "target that see the objects",
-                    names_of_objects(scene)));
+    fail_at(scene, InputError(fmt::format("camera: nothing of {} is in front of it; accepted: an "
+                                          "eye and a target that see the objects",
+                                          names_of_objects(scene))));
   DepthInterval bounds = depths.in_picture();
   if (!(bounds.max > 0)) bounds = depths.everywhere();
   // Geometry that reaches behind the eye is seen from the eye on.

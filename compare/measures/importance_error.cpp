@@ -44,9 +44,8 @@ void measure(const MeasuredScene& of, CellMeasurement& cell) {
 }  // namespace
 
 const StudyMeasure& importance_error_measure() {
-  static constexpr StudyMeasure row{"importance-error",
-                                    "Error of important pixels apart from that of context",
-                                    measure};
+  static constexpr StudyMeasure row{
+      "importance-error", "Error of important pixels apart from that of context", measure};
   return row;
 }
 

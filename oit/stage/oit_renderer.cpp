@@ -166,7 +166,11 @@ void Frame::finish(std::string_view name, const Stopwatch& watch) {
 std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,
                                                    const scene::RenderContext& context,
                                                    const MakeOitMethod& make_method) {
-  return std::make_unique<OitRenderer>(scene, context, make_method);
+  try {
+    return std::make_unique<OitRenderer>(scene, context, make_method);
+  } catch (const InputError& error) {
+    scene::fail_at(scene, error);
+  }
 }
 
 }  // namespace pellucid::oit

@@ -156,6 +156,7 @@ Scene load_scene(const fs::path& path, const Progress& progress, const ViewReque
   const SceneSource source{path.string(), path.parent_path()};
   Loader loader{source, progress, view, {}};
   loader.scene.name = path.stem().string();
+  loader.scene.file = path.string();
   loader.read(JsonNode(source.file, json));
   return std::move(loader.scene);
 }
@@ -194,6 +195,7 @@ void change_view(const nlohmann::json& text, Scene& scene) {
   view.energy = scene.energy;
   read_view(root, view);
   view.name = std::move(scene.name);
+  view.file = std::move(scene.file);
   view.objects = std::move(scene.objects);
   view.camera_path = std::move(scene.camera_path);
   view.provenance = std::move(scene.provenance);

@@ -128,6 +128,20 @@ TEST_F(UnitCommandLine, WrongScenesAreRefused) {
   EXPECT_THAT(refusal(render("raytrace")), HasSubstr("'format' is missing"));
 }
 
+/// What only the drawing finds out names the scene's file as what its reading finds does.
+TEST_F(UnitCommandLine, ScenesThatCannotBeDrawnAreRefusedByTheirFile) {
+  const std::string head = R"({"format": "pellucid-scene", "version": 1, "resolution": [16, 16], )";
+  for (
+      const char* rest :
+      {R"("camera": {"eye": [0, 0, -5], "target": [0, 0, -9], "fov": 40},
+           "objects": [{"mesh": "sheet.ply"}]})",
+       R"("objects": [{"points": "sheet.ply", "radius": 1e300}]})",
+       R"("objects": [{"isosurface": {"dataset": "sphere-levels", "scalar": "q", "value": 0.02}}]})"}) {
+    write_text(scene(), head + rest);
+    EXPECT_THAT(refusal(render("linked-list")), HasSubstr("scene.json: ")) << rest;
+  }
+}
+
 TEST_F(UnitCommandLine, OutputsThatCannotBeWrittenAreRefused) {
   EXPECT_THAT(refusal(render("raytrace", "none/a.png")), HasSubstr("cannot write"));
   EXPECT_THAT(refusal(render("raytrace", "a.bmp2")), HasSubstr("a.bmp2"));
