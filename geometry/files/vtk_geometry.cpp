@@ -23,6 +23,7 @@
 #include "geometry/polygons/triangulate.h"
 #include "readers/vtk/shown_cells.h"
 #include "readers/vtk/vtk_file.h"
+#include "readers/vtk/vtk_formats.h"
 #include "readers/vtk/vtk_messages.h"
 
 namespace pellucid::geometry {
