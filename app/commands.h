@@ -27,6 +27,7 @@ void add_merge_command(CLI::App& app, GlobalOptions& globals);
 void add_frames_command(CLI::App& app, GlobalOptions& globals);
 void add_compare_command(CLI::App& app, GlobalOptions& globals);
 void add_pack_command(CLI::App& app, GlobalOptions& globals);
+void add_figure_command(CLI::App& app, GlobalOptions& globals);
 void add_trace_command(CLI::App& app, GlobalOptions& globals);
 void add_tune_command(CLI::App& app, GlobalOptions& globals);
 void add_export_command(CLI::App& app, GlobalOptions& globals);

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "compare/pictures/image_file.h"
+#include "compare/report/crop.h"
 #include "core/error.h"
 
 namespace pellucid::app {
@@ -51,36 +50,13 @@ std::optional<CountImage> read_layers(const fs::path& named, const fs::path& pic
   return of_one_size(layers, reference) ? std::optional(std::move(layers)) : std::nullopt;
 }
 
-struct Rectangle {
-  int x, y, width, height;
-};
-
-template <class T>
-Raster<T> cut(const Raster<T>& raster, const Rectangle& to) {
-  Raster<T> part(to.width, to.height);
-  for (int y = 0; y < to.height; ++y)
-    std::copy_n(&raster.at(to.x, to.y + y), to.width, &part.at(0, y));
-  return part;
-}
-
-Rectangle rectangle(const std::vector<int>& crop, const Image& picture) {
-  const Rectangle to{crop[0], crop[1], crop[2], crop[3]};
-  const bool inside = to.x >= 0 && to.y >= 0 && to.width >= 1 && to.height >= 1 &&
-                      to.width <= picture.width - to.x && to.height <= picture.height - to.y;
-  if (!inside)
-    throw InputError(
-        fmt::format("--crop {},{},{},{}: not within the picture; accepted: X,Y,WIDTH,HEIGHT within "
-                    "{}×{} pixels",
-                    to.x, to.y, to.width, to.height, picture.width, picture.height));
-  return to;
-}
-
-void crop(CompareInputs& inputs, const Rectangle& to) {
-  inputs.reference = cut(inputs.reference, to);
-  inputs.test = cut(inputs.test, to);
-  if (inputs.mask) inputs.mask = cut(*inputs.mask, to);
-  if (inputs.layers) inputs.layers = cut(*inputs.layers, to);
-  if (inputs.test_layers) inputs.test_layers = cut(*inputs.test_layers, to);
+void crop(CompareInputs& inputs, const compare::Crop& to) {
+  compare::require_inside(to, inputs.reference.width, inputs.reference.height);
+  inputs.reference = compare::cut(inputs.reference, to);
+  inputs.test = compare::cut(inputs.test, to);
+  if (inputs.mask) inputs.mask = compare::cut(*inputs.mask, to);
+  if (inputs.layers) inputs.layers = compare::cut(*inputs.layers, to);
+  if (inputs.test_layers) inputs.test_layers = compare::cut(*inputs.test_layers, to);
   if (inputs.mask && compare::count(*inputs.mask) == 0)
     throw InputError("--crop and --mask: no pixel of the mask counts within the crop");
 }
@@ -102,7 +78,8 @@ CompareInputs read_inputs(const CompareFiles& files) {
   inputs.mask = read_mask(files.mask, inputs.reference);
   inputs.layers = read_layers(files.layers, files.reference, inputs.reference);
   inputs.test_layers = read_layers(files.test_layers, files.test, inputs.reference);
-  if (!files.crop.empty()) crop(inputs, rectangle(files.crop, inputs.reference));
+  if (!files.crop.empty())
+    crop(inputs, {files.crop[0], files.crop[1], files.crop[2], files.crop[3]});
   return inputs;
 }
 

@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   add_frames_command(app, globals);
   add_compare_command(app, globals);
   add_pack_command(app, globals);
+  add_figure_command(app, globals);
   add_trace_command(app, globals);
   add_tune_command(app, globals);
   add_export_command(app, globals);

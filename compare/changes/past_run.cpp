@@ -29,6 +29,7 @@ PastRun read_past_run(const fs::path& folder) {
   root["format"].one_of({"pellucid-results"});
   root["version"].integer(1, 1);
   PastRun run{folder, root["study"]["name"].string(), {}};
+  if (root["study"].has("title")) run.title = root["study"]["title"].string();
   try {
     for (const nlohmann::json& row : json.at("rows")) run.rows.push_back(row_from_json(row));
   } catch (const nlohmann::json::exception&) {

@@ -15,6 +15,7 @@ struct PastRun {
   std::filesystem::path folder;
   std::string study;            // its name
   std::vector<ResultRow> rows;  // of every cell, those that failed too
+  std::string title = "";       // the study's, for people
 };
 
 /// Returns whether the path is a folder, and so meant as the results of a run.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/report/crop.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/error.h"
 
 namespace pellucid::compare {
 namespace {
@@ -21,6 +25,16 @@ Raster<double> summed_area(const Raster<double>& values) {
 Crop fit_crop(const Crop& crop, int width, int height) {
   const int x = std::clamp(crop.x, 0, width - 1), y = std::clamp(crop.y, 0, height - 1);
   return {x, y, std::clamp(crop.width, 1, width - x), std::clamp(crop.height, 1, height - y)};
+}
+
+void require_inside(const Crop& to, int width, int height) {
+  const bool inside = to.x >= 0 && to.y >= 0 && to.width >= 1 && to.height >= 1 &&
+                      to.width <= width - to.x && to.height <= height - to.y;
+  if (!inside)
+    throw InputError(
+        fmt::format("--crop {},{},{},{}: not within the picture; accepted: X,Y,WIDTH,HEIGHT within "
+                    "{}×{} pixels",
+                    to.x, to.y, to.width, to.height, width, height));
 }
 
 Crop worst_crop(const Raster<double>& error) {

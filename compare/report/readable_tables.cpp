@@ -8,6 +8,7 @@
 
 #include "compare/report/budget_tables.h"
 #include "compare/report/tables.h"
+#include "compare/results/best_row.h"
 #include "compare/results/columns.h"
 #include "compare/results/measure_columns.h"
 #include "compare/results/provenance.h"
@@ -38,24 +39,6 @@ std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow
   return chosen;
 }
 
-/// The method with the best value of a column; null where no way is better, or no row has one.
-const ResultRow* best_of(const Column& column, std::span<const ResultRow> rows) {
-  const ResultRow* best = nullptr;
-  if (column.better == Better::neither) return best;
-  for (const ResultRow& row : rows) {
-    if (row.reference || !row.error.empty() || !column.value(row)) continue;
-    if (!best || is_better(column, *column.value(row), *column.value(*best))) best = &row;
-  }
-  return best;
-}
-
-/// Whether the row has the best value of a method, or one that is not told from it.
-bool is_among_best(const Column& column, const ResultRow& row, std::span<const ResultRow> rows) {
-  const ResultRow* best = best_of(column, rows);
-  if (!best || row.reference || !row.error.empty()) return false;
-  return column.value(row) == column.value(*best) || are_tied(column, row, *best);
-}
-
 /// Text of a file in a table or a heading: one line, no cell of its own, no HTML.
 std::string markdown_escaped(std::string_view text) {
   std::string escaped;
@@ -81,7 +64,7 @@ std::string markdown_line(const ResultRow& row) {
 std::string markdown_ties(std::span<const ResultRow> rows) {
   std::string text;
   for (const Column& column : table_columns()) {
-    const ResultRow* best = best_of(column, rows);
+    const ResultRow* best = best_row(column, rows);
     std::vector<std::string> tied;
     for (const ResultRow& row : rows)
       if (best && interval_of(column, *best) && &row != best && is_among_best(column, row, rows))

@@ -153,6 +153,40 @@ TEST_F(UnitInfo, PeopleAreToldTheSame) {
               HasSubstr("point array 'v': 3 × float, 0 … 10; -1 … 0; 0 … 7, 1 not finite\n"));
 }
 
+TEST_F(UnitInfo, CamerasOfASceneCanBePastedIntoIt) {
+  info("p.csv", "x,y,z\n0,0,0\n2,0,0\n0,1,0\n0,0,90\n");
+  const std::string scene = R"({"format": "pellucid-scene", "version": 1, "resolution": [40, 30],
+      "objects": [{"points": "p.csv", "radius": 0.5, "opacity": 0.5}])";
+  write_text(folder_ / "scene.json", scene + "}");
+  const Outcome outcome = run("info scene.json --cameras 3 -o views.png --json --quiet");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json["views"].size(), 3u);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "views.png"));
+  const Json camera = json["views"][0]["camera"];
+  write_text(folder_ / "again.json", scene + ", \"camera\": " + camera.dump() + "}");
+  EXPECT_EQ(Json::parse(run("info again.json --json --quiet").out)["camera"], camera);
+  EXPECT_THAT(run("info scene.json --cameras 2").out, HasSubstr("\"camera\": {"));
+}
+
+TEST_F(UnitInfo, CamerasOfNothingAreRefused) {
+  info("p.csv", "x,y,z\n0,0,0\n");
+  write_text(folder_ / "scene.json", R"({"format": "pellucid-scene", "version": 1,
+      "objects": [{"points": "p.csv", "radius": 0.5, "opacity": 0}]})");
+  for (const auto& [call, said] :
+       {std::pair("info scene.json --cameras 0", "--cameras"),
+        std::pair("info p.csv --cameras 3", "p.csv"),
+        std::pair("info scene.json -o a.png", "--cameras"),
+        std::pair("info scene.json --cameras 3 -o a.gif", "accepted: .pdf, .svg, .png"),
+        std::pair("info scene.json --cameras 3", "nothing of the scene is seen"),
+        std::pair("info none.json --cameras 3", "none.json")}) {
+    const Outcome outcome = run(std::string(call) + " --quiet");
+    EXPECT_EQ(outcome.exit_code, 2) << call;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(said));
+  }
+}
+
 TEST_F(UnitInfo, TheRestIsRefusedInOneLine) {
   write_text(folder_ / "a.txt", "text");
   write_text(folder_ / "study.json", R"({"format": "pellucid-study", "version": 1})");

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/figure/figure_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/results/best_row.h"
+#include "compare/results/columns.h"
+#include "core/options/names.h"
+
+namespace pellucid::compare {
+namespace {
+
+bool is_error(const Column& column) {
+  return std::ranges::any_of(metrics(), [&](const MetricRow& metric) {
+    return column.name.starts_with(metric.name);
+  });
+}
+
+/// 0.0213, 1.23·10⁻⁴: papers print few errors below a thousandth.
+std::vector<TextRun> scientific_runs(double value) {
+  if (value == 0) return {{"0"}};
+  if (std::abs(value) >= 1e-3) return {{fmt::format("{:#.3g}", value)}};
+  const std::string text = fmt::format("{:.2e}", value);
+  const std::size_t e = text.find('e');
+  return {{text.substr(0, e) + "·10"},
+          {.text = std::to_string(std::stoi(text.substr(e + 1))), .is_raised = true}};
+}
+
+std::vector<TextRun> value_runs(const Column& column, const std::optional<double>& value) {
+  if (!value) return {{"–"}};
+  if (column.style == NumberStyle::scientific) return scientific_runs(*value);
+  const std::string_view unit = unit_for_people(column.style);
+  return {{fmt::format("{}{}{}", number_for_people(column.style, *value), unit.empty() ? "" : " ",
+                       unit)}};
+}
+
+/// A cost's unit says what it is; all else has its name.
+std::vector<TextRun> number_runs(const Column& column, const ResultRow& row, bool is_bold) {
+  std::vector<TextRun> runs;
+  if (column.shown.role != TradeOff::cost) runs.push_back({column.title + " "});
+  for (TextRun& run : value_runs(column, column.value(row))) {
+    run.is_bold = is_bold;
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+/// One that is alone is not the best of anything.
+bool is_best_of_several(const Column& column, const ResultRow& row,
+                        std::span<const ResultRow> rows) {
+  return is_among_best(column, row, rows) && std::ranges::count(rows, false, &ResultRow::reference) > 1;
+}
+
+}  // namespace
+
+std::vector<FigureNumbers> figure_numbers(const FigureRows& scene,
+                                          const std::vector<std::string>& names) {
+  std::vector<FigureNumbers> numbers(scene.rows.size());
+  for (std::size_t i = 0; i < scene.rows.size(); ++i)
+    if (scene.rows[i].reference) numbers[i].errors.push_back({{"reference"}});
+  for (const std::string& name : names) {
+    const Column& column = find_row("column", name, columns());
+    for (std::size_t i = 0; i < scene.rows.size(); ++i) {
+      const ResultRow& row = scene.rows[i];
+      if (row.reference && is_error(column)) continue;
+      auto& list = is_error(column) ? numbers[i].errors : numbers[i].costs;
+      list.push_back(number_runs(column, row, is_best_of_several(column, row, scene.rows)));
+    }
+  }
+  return numbers;
+}
+
+}  // namespace pellucid::compare
