@@ -120,8 +120,8 @@ std::string names_of_widths() {
   return names;
 }
 
-/// An option that is given again for each further text, and takes one at a time: what follows may be
-/// a file's name.
+/// An option that is given again for each further text, and takes one at a time: what follows may
+/// be a file's name.
 CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
                       const std::string& help) {
   return command.add_option(name, texts, help)->allow_extra_args(false);

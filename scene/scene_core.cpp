@@ -84,7 +84,9 @@ Vec3 median(const Scene& scene) {
   Vec3 center(0);
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<Weighted> values;
-    for_each_vertex(scene, [&](const Vec3& x, double weight) { values.push_back({x[axis], weight}); });
+    for_each_vertex(scene, [&](const Vec3& x, double weight) {
+      values.push_back({x[axis], weight});
+    });
     if (!values.empty()) center[axis] = quantile(std::move(values), 0.5);
   }
   return center;

@@ -17,11 +17,11 @@ struct SceneOutliers {
   double distance = 0;    // of the farthest from the core's centre, world units
 };
 
-/// A SceneCore is the ball that holds most of what is drawn. A vertex counts by what is drawn around
-/// it, times its opacity: of meshes a third of its triangles' area, of lines half of its segments'
-/// length times the line's width, of points a disc. The centre is the median along each axis; the
-/// radius is a quarter more than that of 98 % of what counts, so that what trails off evenly is
-/// kept whole.
+/// A SceneCore is the ball that holds most of what is drawn. A vertex counts by what is drawn
+/// around it, times its opacity: of meshes a third of its triangles' area, of lines half of its
+/// segments' length times the line's width, of points a disc. The centre is the median along each
+/// axis; the radius is a quarter more than that of 98 % of what counts, so that what trails off
+/// evenly is kept whole.
 struct SceneCore {
   Vec3 center{0};     // world
   double radius = 0;  // world units

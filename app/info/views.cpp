@@ -38,25 +38,28 @@ Json to_json(const compare::RankedView& view) {
 }
 
 Json to_json(const scene::SceneCore& core, const std::vector<compare::RankedView>& views) {
-  Json json{{"core", {{"center", {core.center.x, core.center.y, core.center.z}},
-                      {"radius", core.radius}}},
+  Json json{{"core",
+             {{"center", {core.center.x, core.center.y, core.center.z}}, {"radius", core.radius}}},
             {"outliers", Json::array()},
             {"views", Json::array()}};
   for (const scene::SceneOutliers& o : core.outliers)
-    json["outliers"].push_back({{"object", o.object}, {"vertices", o.count}, {"distance", o.distance}});
+    json["outliers"].push_back(
+        {{"object", o.object}, {"vertices", o.count}, {"distance", o.distance}});
   for (const compare::RankedView& view : views) json["views"].push_back(to_json(view));
   return json;
 }
 
 void print(const scene::SceneCore& core, const std::vector<compare::RankedView>& views) {
   for (const scene::SceneOutliers& o : core.outliers)
-    fmt::print("left out of the fit: {} vertices of {}, up to {:.4g} from the middle (radius {:.4g})\n",
-               o.count, o.object, o.distance, core.radius);
+    fmt::print(
+        "left out of the fit: {} vertices of {}, up to {:.4g} from the middle (radius {:.4g})\n",
+        o.count, o.object, o.distance, core.radius);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const compare::ViewScore& score = views[i].score;
-    fmt::print("{}: worth {:.2f}, covered {:.0f} %, {:.1f} visible layers, {:.0f} % hidden{}\n", i + 1,
-               views[i].worth, 100 * score.covered, score.layers, 100 * score.hidden,
-               score.importance > 0 ? fmt::format(", importance seen {:.3f}", score.importance) : "");
+    fmt::print(
+        "{}: worth {:.2f}, covered {:.0f} %, {:.1f} visible layers, {:.0f} % hidden{}\n", i + 1,
+        views[i].worth, 100 * score.covered, score.layers, 100 * score.hidden,
+        score.importance > 0 ? fmt::format(", importance seen {:.3f}", score.importance) : "");
     fmt::print("   \"camera\": {}\n", json_text(scene::camera_json(views[i].camera)));
   }
 }
@@ -87,14 +90,16 @@ void tell_views(const std::filesystem::path& file, const ViewsOptions& options,
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(file, progress);
   const double scale = double(shown) / std::max(scene.width, scene.height);
-  const int width = std::max(1, int(scene.width * scale)), height = std::max(1, int(scene.height * scale));
+  const int width = std::max(1, int(scene.width * scale)),
+            height = std::max(1, int(scene.height * scale));
   const scene::SceneCore core = scene::scene_core(scene);
   const std::vector<compare::RankedView> views =
       compare::rank_views(scene, core, options.count, looked_through, progress);
   if (views.empty())
-    throw InputError(fmt::format("{}: nothing of the scene is seen from any side; accepted: objects "
-                                 "of some size and opacity",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: nothing of the scene is seen from any side; accepted: objects "
+                    "of some size and opacity",
+                    file.string()));
   if (!options.output.empty()) {
     const compare::FigureStyle style;
     const std::vector<Image> pictures = draw(scene, views, width, height, progress);

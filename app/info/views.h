@@ -13,8 +13,8 @@ struct ViewsOptions {
   std::filesystem::path output;
 };
 
-/// Prints the views of a scene that are worth most, with their cameras as scene files have them, and
-/// draws them on a contact sheet. Throws InputError for a scene of which nothing is seen.
+/// Prints the views of a scene that are worth most, with their cameras as scene files have them,
+/// and draws them on a contact sheet. Throws InputError for a scene of which nothing is seen.
 void tell_views(const std::filesystem::path& scene, const ViewsOptions& options,
                 const GlobalOptions& globals);
 

@@ -21,8 +21,8 @@ namespace {
 Image read_picture(const PastRun& run, const ResultRow& row) {
   const std::filesystem::path file = CellFiles(run.folder, row).picture();
   if (!std::filesystem::exists(file))
-    throw InputError(fmt::format(
-        "{}: is missing; accepted: a folder of results with its pictures", file.string()));
+    throw InputError(fmt::format("{}: is missing; accepted: a folder of results with its pictures",
+                                 file.string()));
   return read_image(file);
 }
 
@@ -32,10 +32,9 @@ std::vector<Image> read_pictures(const PastRun& run, const FigureRows& scene) {
     pictures.push_back(read_picture(run, row));
     const Image &first = pictures.front(), &last = pictures.back();
     if (last.width != first.width || last.height != first.height)
-      throw InputError(fmt::format(
-          "{}: {}×{} pixels; accepted: {}×{} as the scene's first picture",
-          CellFiles(run.folder, row).picture().string(), last.width, last.height, first.width,
-          first.height));
+      throw InputError(fmt::format("{}: {}×{} pixels; accepted: {}×{} as the scene's first picture",
+                                   CellFiles(run.folder, row).picture().string(), last.width,
+                                   last.height, first.width, first.height));
   }
   return pictures;
 }
@@ -43,9 +42,9 @@ std::vector<Image> read_pictures(const PastRun& run, const FigureRows& scene) {
 /// The reference, where something is held against it.
 Image read_reference(const PastRun& run, const FigureRows& scene, const Image& first) {
   if (!scene.reference)
-    throw InputError(fmt::format(
-        "{}: the reference of {} has no picture; accepted: no --error, --flip",
-        run.folder.string(), scene.scene));
+    throw InputError(
+        fmt::format("{}: the reference of {} has no picture; accepted: no --error, --flip",
+                    run.folder.string(), scene.scene));
   Image reference = read_picture(run, *scene.reference);
   if (reference.width != first.width || reference.height != first.height)
     throw InputError(fmt::format("{}: the reference of {} has {}×{} pixels, the others {}×{}",
@@ -122,7 +121,8 @@ void label_strips(const std::vector<FigureRows>& scenes, const FigureRequest& re
 
 void check_crops(const std::vector<FigureRows>& scenes, const FigureRequest& request) {
   for (const FigureCrop& crop : request.crops)
-    if (!crop.scene.empty() && std::ranges::find(scenes, crop.scene, &FigureRows::scene) == scenes.end())
+    if (!crop.scene.empty() &&
+        std::ranges::find(scenes, crop.scene, &FigureRows::scene) == scenes.end())
       throw InputError(
           fmt::format("--crop: '{}' is no scene of the figure; accepted: X,Y,WIDTH,HEIGHT or "
                       "SCENE=X,Y,WIDTH,HEIGHT",

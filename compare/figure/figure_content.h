@@ -14,7 +14,7 @@ namespace pellucid::compare {
 /// A FigureScale is what the colours of a line of maps mean.
 struct FigureScale {
   std::string title;
-  Image colors;                                                 // of one row, from left to right
+  Image colors;                                                // of one row, from left to right
   std::vector<std::pair<double, std::vector<TextRun>>> ticks;  // at shares of the way
 };
 

@@ -19,8 +19,9 @@ std::string latex_run(const TextRun& run) {
 std::string latex_text(const SheetText& text, double sheet_height) {
   std::string words;
   for (const TextRun& run : text.runs) words += latex_run(run);
-  std::string box = fmt::format("\\makebox(0,0)[b]{{\\fontsize{{{0:.2f}}}{{{1:.2f}}}\\selectfont\\smash{{{2}}}}}",
-                                text.size, 1.2 * text.size, words);
+  std::string box =
+      fmt::format("\\makebox(0,0)[b]{{\\fontsize{{{0:.2f}}}{{{1:.2f}}}\\selectfont\\smash{{{2}}}}}",
+                  text.size, 1.2 * text.size, words);
   if (text.is_turned) box = fmt::format("\\rotatebox{{90}}{{{}}}", box);
   return fmt::format("    \\put({:.2f},{:.2f}){{{}}}%\n", text.at.x, sheet_height - text.at.y, box);
 }
@@ -39,9 +40,9 @@ std::string latex_figure(const FigureSheet& sheet, const std::string& pictures,
       one_line(caption.command), pictures, environment, 100 * sheet.width, sheet.width,
       sheet.height);
   for (const SheetText& line : sheet.texts) text += latex_text(line, sheet.height);
-  return text + fmt::format(
-                    "  \\end{{picture}}\n  \\caption{{{}}}\n  \\label{{fig:{}}}\n\\end{{{}}}\n",
-                    latex_escaped(caption.text), caption.label, environment);
+  return text +
+         fmt::format("  \\end{{picture}}\n  \\caption{{{}}}\n  \\label{{fig:{}}}\n\\end{{{}}}\n",
+                     latex_escaped(caption.text), caption.label, environment);
 }
 
 }  // namespace pellucid::compare

@@ -18,7 +18,7 @@ constexpr double margin = 1;  // half of a frame at the edge would be cut off
 constexpr double column_gap = 3, inset_gap = 2, strip_gap = 7;
 constexpr double frame_width = 0.8, casing_width = 1.6, hairline = 0.25, zoom_line = 0.4;
 constexpr double bar_height = 4;
-constexpr double least_font = 4.5;  // smaller ones are not read
+constexpr double least_font = 4.5;                    // smaller ones are not read
 constexpr double line_height = 1.2, baseline = 0.95;  // of a line, in font sizes
 
 const Vec3 white(1), grey(0.7), black(0);
@@ -39,14 +39,14 @@ SheetLine frame(const SheetBox& b, double width, const Vec3& color) {
 /// Where a part of a picture lies that fills `box`.
 SheetBox place_of(const Crop& crop, const Image& picture, const SheetBox& box) {
   const double pixel = box.width / picture.width;
-  return {box.x + crop.x * pixel, box.y + crop.y * pixel, crop.width * pixel,
-          crop.height * pixel};
+  return {box.x + crop.x * pixel, box.y + crop.y * pixel, crop.width * pixel, crop.height * pixel};
 }
 
 /// The enlarged crops side by side, of one height, below `above`; no higher than that.
 std::vector<SheetBox> inset_boxes(const std::vector<Crop>& crops, const SheetBox& above) {
   const auto aspect = [](const Crop& crop) { return double(crop.width) / crop.height; };
-  const double aspects = std::transform_reduce(crops.begin(), crops.end(), 0.0, std::plus(), aspect);
+  const double aspects =
+      std::transform_reduce(crops.begin(), crops.end(), 0.0, std::plus(), aspect);
   const double gaps = inset_gap * double(crops.size() - 1);
   const double height = std::min((above.width - gaps) / aspects, above.height);
   double x = above.middle() - (aspects * height + gaps) / 2;
@@ -61,8 +61,7 @@ std::vector<SheetBox> inset_boxes(const std::vector<Crop>& crops, const SheetBox
 /// A FigureLayout puts a figure's parts on its sheet, from the top down.
 class FigureLayout {
  public:
-  FigureLayout(const FigureContent& content, double width, double font_size,
-               const TextRuler& ruler)
+  FigureLayout(const FigureContent& content, double width, double font_size, const TextRuler& ruler)
       : content_(content), font_(font_size), ruler_(ruler) {
     sheet_.width = width;
     const bool labelled = std::ranges::any_of(
@@ -147,8 +146,7 @@ class FigureLayout {
     for (std::size_t column = 0; column < all.size(); ++column) {
       double y = y_ + height - height_of(all[column]);
       for (const HeadingLine& line : all[column]) {
-        add_text({{line.text}}, line.size,
-                 {x_of(column) + column_ / 2, y + baseline * line.size});
+        add_text({{line.text}}, line.size, {x_of(column) + column_ / 2, y + baseline * line.size});
         y += line_height * line.size;
       }
     }
@@ -224,7 +222,8 @@ class FigureLayout {
     y_ = box_of(0, strip.pictures.front()).bottom();
     if (free) return add_scale(maps.scale, *free);
     if (!is_last) return;
-    const double height = bar_height + 2.6 * small_font(), width = std::min(0.6 * sheet_.width, 200.0);
+    const double height = bar_height + 2.6 * small_font(),
+                 width = std::min(0.6 * sheet_.width, 200.0);
     add_scale(maps.scale, {(sheet_.width - width) / 2, y_ + 2, width, height});
     y_ += height + 2;
   }
@@ -246,7 +245,8 @@ class FigureLayout {
              {bar.middle(), bar.y - 0.4 * font});
     for (const auto& [share, runs] : scale.ticks) {
       const double x = bar.x + share * bar.width;
-      sheet_.lines.push_back({{{x, bar.bottom()}, {x, bar.bottom() + 1.5}}, false, hairline, black});
+      sheet_.lines.push_back(
+          {{{x, bar.bottom()}, {x, bar.bottom() + 1.5}}, false, hairline, black});
       add_text(runs, font, {x, bar.bottom() + 1.5 + font});
     }
   }

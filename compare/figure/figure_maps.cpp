@@ -25,12 +25,14 @@ Image scale_image(const Color& color) {
 
 FigureScale error_scale() {
   const double decades = std::log10(ErrorScale::max / ErrorScale::min);
-  FigureScale scale{"largest RGB difference", scale_image([&](double share) {
+  FigureScale scale{"largest RGB difference",
+                    scale_image([&](double share) {
                       return ErrorScale::color(ErrorScale::min * std::pow(10, share * decades));
-                    }), {}};
+                    }),
+                    {}};
   for (int power = -int(decades); power < 0; ++power)
-    scale.ticks.push_back({1 + power / decades,
-                           {{"10"}, {.text = fmt::format("{}", power), .is_raised = true}}});
+    scale.ticks.push_back(
+        {1 + power / decades, {{"10"}, {.text = fmt::format("{}", power), .is_raised = true}}});
   scale.ticks.push_back({1, {{"1"}}});
   return scale;
 }

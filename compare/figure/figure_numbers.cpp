@@ -14,9 +14,8 @@ namespace pellucid::compare {
 namespace {
 
 bool is_error(const Column& column) {
-  return std::ranges::any_of(metrics(), [&](const MetricRow& metric) {
-    return column.name.starts_with(metric.name);
-  });
+  return std::ranges::any_of(
+      metrics(), [&](const MetricRow& metric) { return column.name.starts_with(metric.name); });
 }
 
 /// 0.0213, 1.23·10⁻⁴: papers print few errors below a thousandth.
@@ -51,7 +50,8 @@ std::vector<TextRun> number_runs(const Column& column, const ResultRow& row, boo
 /// One that is alone is not the best of anything.
 bool is_best_of_several(const Column& column, const ResultRow& row,
                         std::span<const ResultRow> rows) {
-  return is_among_best(column, row, rows) && std::ranges::count(rows, false, &ResultRow::reference) > 1;
+  return is_among_best(column, row, rows) &&
+         std::ranges::count(rows, false, &ResultRow::reference) > 1;
 }
 
 }  // namespace

@@ -40,16 +40,16 @@ struct FigureWidth {
 /// Returns the table of widths.
 std::span<const FigureWidth> figure_widths();
 
-/// Returns the row of that name; a number is that many millimetres, which go across columns from 110
-/// on. Throws InputError for other texts and for widths not within 20 … 1000.
+/// Returns the row of that name; a number is that many millimetres, which go across columns from
+/// 110 on. Throws InputError for other texts and for widths not within 20 … 1000.
 FigureWidth width_of_text(std::string_view text);
 
 /// A FigureStyle says how a figure is set.
 struct FigureStyle {
   FigureWidth width = figure_widths().front();
-  double font_size = 8;                           // of the labels, points; numbers are smaller
+  double font_size = 8;                               // of the labels, points; numbers are smaller
   std::string font = "Helvetica, Arial, sans-serif";  // families, the first that is there
-  int dots_per_inch = 300;                        // of a PNG
+  int dots_per_inch = 300;                            // of a PNG
 };
 
 }  // namespace pellucid::compare

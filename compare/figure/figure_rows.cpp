@@ -107,11 +107,9 @@ std::vector<std::string> methods_of_text(std::string_view text) {
 }
 
 std::vector<FigureRows> find_figure_rows(const PastRun& run, const FigureRequest& request) {
-  if (run.rows.empty())
-    throw InputError(fmt::format("{}: has no rows yet", run.folder.string()));
+  if (run.rows.empty()) throw InputError(fmt::format("{}: has no rows yet", run.folder.string()));
   const std::vector<std::string> scenes = scenes_of(run, request);
-  const std::vector<std::string> calls =
-      calls_of(rows_of_scene(run, scenes.front()), request);
+  const std::vector<std::string> calls = calls_of(rows_of_scene(run, scenes.front()), request);
   std::vector<FigureRows> found;
   for (const std::string& scene : scenes) {
     FigureRows rows{scene, reference_of(run, scene), {}};

@@ -22,9 +22,9 @@ struct FigureRows {
 /// goes on with the call before it.
 std::vector<std::string> methods_of_text(std::string_view text);
 
-/// Finds the rows of a figure. Each of `request.methods` is a call, a list of them, or the name of a
-/// method for all of its calls. Throws InputError for a scene or method that the run does not have
-/// (the nearest names first), and for a cell that is missing or failed.
+/// Finds the rows of a figure. Each of `request.methods` is a call, a list of them, or the name of
+/// a method for all of its calls. Throws InputError for a scene or method that the run does not
+/// have (the nearest names first), and for a cell that is missing or failed.
 std::vector<FigureRows> find_figure_rows(const PastRun& run, const FigureRequest& request);
 
 }  // namespace pellucid::compare

@@ -20,8 +20,8 @@ struct SheetBox {
   double middle() const { return x + width / 2; }
 };
 
-/// A SheetPicture fills its box with a picture's displayed values. Squares with hard edges stand for
-/// the pixels of an enlarged one; others are smoothed.
+/// A SheetPicture fills its box with a picture's displayed values. Squares with hard edges stand
+/// for the pixels of an enlarged one; others are smoothed.
 struct SheetPicture {
   SheetBox box;
   Image image;

@@ -31,8 +31,7 @@ using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
 using FontOptions = std::unique_ptr<cairo_font_options_t, Release<cairo_font_options_destroy>>;
 using Layout = std::unique_ptr<PangoLayout, Release<g_object_unref>>;
 using Attributes = std::unique_ptr<PangoAttrList, Release<pango_attr_list_unref>>;
-using FontDescription =
-    std::unique_ptr<PangoFontDescription, Release<pango_font_description_free>>;
+using FontDescription = std::unique_ptr<PangoFontDescription, Release<pango_font_description_free>>;
 
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
@@ -139,8 +138,7 @@ void draw(cairo_t* cairo, const SheetPicture& picture) {
                                         : CAIRO_FILTER_GOOD);
   // In dots, what is beyond the edge would be mixed into it; formats that keep the picture whole
   // would keep a larger one.
-  if (is_of_dots(cairo))
-    cairo_pattern_set_extend(pattern, CAIRO_EXTEND_PAD);
+  if (is_of_dots(cairo)) cairo_pattern_set_extend(pattern, CAIRO_EXTEND_PAD);
   cairo_rectangle(cairo, 0, 0, picture.image.width, picture.image.height);
   cairo_fill(cairo);
   cairo_restore(cairo);
@@ -202,8 +200,8 @@ std::string finished(const Surface& surface, const std::string& file) {
 }  // namespace
 
 TextRuler text_ruler(const std::string& font) {
-  const std::shared_ptr<cairo_surface_t> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
+  const std::shared_ptr<cairo_surface_t> surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1),
+                                                 cairo_surface_destroy);
   const std::shared_ptr<cairo_t> cairo(cairo_create(surface.get()), cairo_destroy);
   return [surface, cairo, font](const std::vector<TextRun>& runs, double size) {
     return width_of(layout_of(cairo.get(), runs, size, font).get());
@@ -254,10 +252,10 @@ Image picture_of(const FigureSheet& sheet, const std::string& font, int dots_per
   const unsigned char* bytes = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   for (int y = 0; y < height; ++y) {
-    const auto* row =
-        reinterpret_cast<const std::uint32_t*>(bytes + std::ptrdiff_t(y) * stride);
+    const auto* row = reinterpret_cast<const std::uint32_t*>(bytes + std::ptrdiff_t(y) * stride);
     for (int x = 0; x < width; ++x)
-      picture.at(x, y) = Rgba(glm::vec3(row[x] >> 16 & 255, row[x] >> 8 & 255, row[x] & 255) / 255.f, 1.f);
+      picture.at(x, y) =
+          Rgba(glm::vec3(row[x] >> 16 & 255, row[x] >> 8 & 255, row[x] & 255) / 255.f, 1.f);
   }
   return picture;
 }

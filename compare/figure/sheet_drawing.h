@@ -13,12 +13,12 @@ namespace pellucid::compare {
 TextRuler text_ruler(const std::string& font);
 
 /// Returns the sheet as PDF: pictures in their own pixels, frames and lines as paths, texts in the
-/// font's glyphs, which are embedded. `title` stands in the file's metadata. Throws InputError for a
-/// sheet that is too large for the format.
+/// font's glyphs, which are embedded. `title` stands in the file's metadata. Throws InputError for
+/// a sheet that is too large for the format.
 std::string pdf_of(const FigureSheet& sheet, const std::string& font, const std::string& title);
 
-/// Returns the sheet as SVG: likewise, but that texts are outlines, which look the same wherever the
-/// font is missing.
+/// Returns the sheet as SVG: likewise, but that texts are outlines, which look the same wherever
+/// the font is missing.
 std::string svg_of(const FigureSheet& sheet, const std::string& font);
 
 /// Returns the sheet as a picture of so many dots per inch, on white. Throws likewise.

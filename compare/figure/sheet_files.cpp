@@ -46,8 +46,8 @@ const SheetFormat& format_of(const fs::path& path, std::string_view further = ""
   const std::string ending = path.extension().string();
   const auto* format = std::ranges::find(formats, ending, &SheetFormat::ending);
   if (format == std::end(formats))
-    throw InputError(fmt::format("{}: ending '{}'; accepted: .pdf, .svg, .png{}{}", path.string(), ending,
-                                 further.empty() ? "" : ", ", further));
+    throw InputError(fmt::format("{}: ending '{}'; accepted: .pdf, .svg, .png{}{}", path.string(),
+                                 ending, further.empty() ? "" : ", ", further));
   return *format;
 }
 

@@ -10,8 +10,8 @@
 
 namespace pellucid::compare {
 
-/// Writes the sheet by the file's ending, .pdf, .svg or .png, whole or not at all; `title` stands in
-/// a PDF's metadata. Throws InputError for another ending, and as OutputFile does.
+/// Writes the sheet by the file's ending, .pdf, .svg or .png, whole or not at all; `title` stands
+/// in a PDF's metadata. Throws InputError for another ending, and as OutputFile does.
 void write_sheet(const std::filesystem::path& path, const FigureSheet& sheet,
                  const FigureStyle& style, const std::string& title);
 

@@ -23,11 +23,10 @@ namespace fs = std::filesystem;
 constexpr std::string_view latex_ending = ".tex";
 
 /// The pictures first: a text that names them is not there without them.
-std::vector<fs::path> write_latex(const fs::path& path, FigureSheet sheet,
-                                  const FigureStyle& style, const FigureCaption& caption) {
+std::vector<fs::path> write_latex(const fs::path& path, FigureSheet sheet, const FigureStyle& style,
+                                  const FigureCaption& caption) {
   const fs::path beside = fs::path(path).replace_extension("").string() + "-pictures.pdf";
-  const std::string text =
-      latex_figure(sheet, beside.filename().string(), style.width, caption);
+  const std::string text = latex_figure(sheet, beside.filename().string(), style.width, caption);
   sheet.texts.clear();
   write_sheet(beside, sheet, style, caption.text);
   write_text(path, text);
@@ -60,9 +59,9 @@ std::string caption_of(const PastRun& run, const FigureContent& content,
                           ? heading.title
                           : fmt::format("{} ({})", heading.title, heading.parameters));
   for (const FigureStrip& strip : content.strips) strips.push_back(strip.label);
-  std::string text = fmt::format("{}. From left to right: {}.",
-                                 run.title.empty() ? run.study : run.title,
-                                 fmt::join(columns, "; "));
+  std::string text =
+      fmt::format("{}. From left to right: {}.", run.title.empty() ? run.study : run.title,
+                  fmt::join(columns, "; "));
   if (strips.size() > 1) text += fmt::format(" From top to bottom: {}.", fmt::join(strips, "; "));
   if (!request.numbers.empty())
     text += fmt::format(" Errors are against {}; the best numbers are bold.", reference_name(run));

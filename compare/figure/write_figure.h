@@ -19,10 +19,10 @@ struct WrittenFigure {
   std::vector<std::vector<Crop>> crops;  // by scene
 };
 
-/// Writes a figure of a run's pictures by the ending of `path`: PDF, SVG, PNG, or LaTeX, beside which
-/// lies a PDF, NAME-pictures.pdf. `command` made it. Each file appears whole or not at all. Throws as
-/// read_figure(), lay_out() and OutputFile do, and InputError for another ending, or for a name that
-/// LaTeX does not include.
+/// Writes a figure of a run's pictures by the ending of `path`: PDF, SVG, PNG, or LaTeX, beside
+/// which lies a PDF, NAME-pictures.pdf. `command` made it. Each file appears whole or not at all.
+/// Throws as read_figure(), lay_out() and OutputFile do, and InputError for another ending, or for
+/// a name that LaTeX does not include.
 WrittenFigure write_figure(const std::filesystem::path& path, const PastRun& run,
                            const FigureRequest& request, const FigureStyle& style,
                            const std::string& command);

@@ -10,8 +10,8 @@
 namespace pellucid::compare {
 namespace {
 
-constexpr double least_angle = 30;   // degrees between two views
-constexpr double highest = 70;       // degrees of elevation
+constexpr double least_angle = 30;  // degrees between two views
+constexpr double highest = 70;      // degrees of elevation
 constexpr int least_candidates = 32;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -77,8 +77,8 @@ std::vector<SphereView> sphere_views(int count, const Vec3& up) {
   return views;
 }
 
-std::vector<RankedView> rank_views(scene::Scene& scene, const scene::SceneCore& core,
-                                   int count, int samples, const Progress& progress) {
+std::vector<RankedView> rank_views(scene::Scene& scene, const scene::SceneCore& core, int count,
+                                   int samples, const Progress& progress) {
   make_small(scene, samples);
   const Vec3 up = scene.camera.up;
   std::vector<RankedView> views;

@@ -12,7 +12,8 @@ namespace pellucid::compare {
 /// A RankedView is a camera worth having.
 struct RankedView {
   scene::Camera camera;
-  double azimuth = 0, elevation = 0;  // of the eye from the core's centre, degrees; see sphere_views()
+  double azimuth = 0,
+         elevation = 0;  // of the eye from the core's centre, degrees; see sphere_views()
   ViewScore score;
   double worth = 0;  // in [0, 1]: 1 shows most
 };
@@ -33,7 +34,7 @@ std::vector<SphereView> sphere_views(int count, const Vec3& up);
 /// worth is the number of visible layers over the whole picture, times the visible importance where
 /// the scene has any, each as a share of the most. `samples` pixels along the picture's longer side
 /// are looked through. The scene is left with another camera and resolution.
-std::vector<RankedView> rank_views(scene::Scene& scene, const scene::SceneCore& core,
-                                   int count, int samples, const Progress& progress);
+std::vector<RankedView> rank_views(scene::Scene& scene, const scene::SceneCore& core, int count,
+                                   int samples, const Progress& progress);
 
 }  // namespace pellucid::compare

@@ -32,8 +32,8 @@ ViewScore view_score(const scene::Scene& scene) {
     for (const groundtruth::RaySums& ray : groundtruth::row_sums(scene, probe, y)) tally.add(ray);
   if (tally.covered == 0) return {};
   const double pixels = double(scene.width) * scene.height;
-  return {tally.covered / pixels, tally.visible / tally.covered,
-          1 - tally.visible / tally.layers, tally.importance / pixels};
+  return {tally.covered / pixels, tally.visible / tally.covered, 1 - tally.visible / tally.layers,
+          tally.importance / pixels};
 }
 
 }  // namespace pellucid::compare

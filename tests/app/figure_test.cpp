@@ -28,20 +28,21 @@ TEST_F(UnitFigure, OneCommandMakesEachFormatAndTellsWhatItShows) {
   for (const char* output : {"f.pdf", "f.svg", "f.png", "f.tex"}) {
     const Outcome outcome = run(figure("--error --flip", output));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr(output), HasSubstr("181.9"),
-                                   HasSubstr("--crop scene=")));
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr(output), HasSubstr("181.9"), HasSubstr("--crop scene=")));
     EXPECT_TRUE(fs::exists(folder_ / output));
   }
-  const Outcome outcome = run(figure("--json --width eg --methods weighted-average,raytrace "
-                                     "--crop 1,2,30,40 --crop scene=0,0,96,96", "f.tex"));
+  const Outcome outcome =
+      run(figure("--json --width eg --methods weighted-average,raytrace "
+                 "--crop 1,2,30,40 --crop scene=0,0,96,96",
+                 "f.tex"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["files"].size(), 2u);
   EXPECT_NEAR(json["width_mm"].get<double>(), 84, 1e-9);
   EXPECT_EQ(json["scenes"][0]["name"], "scene");
   EXPECT_EQ(json["scenes"][0]["methods"], nlohmann::json({"weighted-average", "raytrace"}));
-  EXPECT_EQ(json["scenes"][0]["crops"],
-            nlohmann::json::parse("[[1, 2, 30, 40], [0, 0, 96, 96]]"));
+  EXPECT_EQ(json["scenes"][0]["crops"], nlohmann::json::parse("[[1, 2, 30, 40], [0, 0, 96, 96]]"));
 }
 
 TEST_F(UnitFigure, AnSvgIsTheSameOnEachRun) {

@@ -11,8 +11,8 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using testing::FigureRun;
+using ::testing::HasSubstr;
 
 std::string text_of(const std::vector<TextRun>& runs) {
   std::string text;

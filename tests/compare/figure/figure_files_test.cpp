@@ -16,9 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using testing::FigureRun;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::FigureRun;
 
 constexpr const char* hostile = "50% of <b>&\"x_1$^~ \\input{a}";
 const Crop crop{12, 4, 16, 8};

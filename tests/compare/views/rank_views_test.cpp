@@ -15,8 +15,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 /// Squares of side 2 at these heights, parallel to the xy plane.
-scene::SceneObject sheets(const std::vector<double>& heights, float opacity,
-                          float importance = 0) {
+scene::SceneObject sheets(const std::vector<double>& heights, float opacity, float importance = 0) {
   geometry::TriangleMesh mesh;
   for (const double z : heights) {
     const auto first = std::uint32_t(mesh.positions.size());
