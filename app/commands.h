@@ -43,8 +43,9 @@ void add_global_options(CLI::App& command, GlobalOptions& globals);
 /// Adds --gl to a subcommand that may render by OpenGL.
 void add_gl_option(CLI::App& command, GlobalOptions& globals);
 
-/// Adds --opacities to a subcommand that may optimize opacities before any method composites them.
-void add_opacities_option(CLI::App& command, std::string& opacities);
+/// Adds --opacities to a subcommand that may optimize opacities before any method composites them;
+/// returns it.
+CLI::Option* add_opacities_option(CLI::App& command, std::string& opacities);
 
 /// Adds --camera, --view, --resolution and --samples to a subcommand that renders a scene; they go
 /// before what the scene's file says.

@@ -89,10 +89,11 @@ CLI::Validator finite_number() {
   return {complaint, "FINITE"};
 }
 
-void add_opacities_option(CLI::App& command, std::string& opacities) {
-  command.add_option("--opacities", opacities,
-                     "Composite the opacities of least energy that this method finds, such as "
-                     "'decoupled-lists' or 'fourier-opacity:bands=5'; the scene's weights hold");
+CLI::Option* add_opacities_option(CLI::App& command, std::string& opacities) {
+  return command.add_option(
+      "--opacities", opacities,
+      "Composite the opacities of least energy that this method finds, such as "
+      "'decoupled-lists' or 'fourier-opacity:bands=5'; the scene's weights hold");
 }
 
 void add_gl_option(CLI::App& command, GlobalOptions& globals) {

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/deep/deep_outputs.h"
-#include "compare/deep/trace_deep.h"
+#include "compare/parts/deep_outputs.h"
+#include "compare/parts/trace_deep.h"
 #include "core/error.h"
 #include "core/files/json_text.h"
 
@@ -52,12 +52,11 @@ void write_deep(const DeepRequest& request, const scene::Scene& scene, const Pro
         groundtruth::RayProbe(scene), progress, globals, print);
 }
 
-void write_part(const DeepRequest& request, scene::Scene scene, const scene::PartNumber& part,
+void write_part(const DeepRequest& request, const groundtruth::ScenePart& part,
                 const Progress& progress, const GlobalOptions& globals) {
-  check_samples(scene);
-  const groundtruth::ScenePart cut = groundtruth::take_part(std::move(scene), part);
-  write(request, compare::deep_info(cut.scene, part, request.fingerprint), cut.scene,
-        groundtruth::RayProbe(cut), progress, globals, true);
+  check_samples(part.scene);
+  write(request, compare::deep_info(part.scene, part.whole.part, request.fingerprint), part.scene,
+        groundtruth::RayProbe(part), progress, globals, true);
 }
 
 }  // namespace pellucid::app

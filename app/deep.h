@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/commands.h"
-#include "scene/parts/scene_part.h"
+#include "groundtruth/traversal/scene_part.h"
 
 namespace pellucid::app {
 
@@ -20,9 +20,8 @@ struct DeepRequest {
 void write_deep(const DeepRequest& request, const scene::Scene& scene, const Progress& progress,
                 const GlobalOptions& globals, bool print);
 
-/// Writes every crossing of a part of the scene's primitives, and prints how many they are. Throws
-/// as write_deep() does, and where nothing of the whole scene is in front of the camera.
-void write_part(const DeepRequest& request, scene::Scene scene, const scene::PartNumber& part,
+/// Does so with a part of a scene's primitives; its numbers are those of the whole.
+void write_part(const DeepRequest& request, const groundtruth::ScenePart& part,
                 const Progress& progress, const GlobalOptions& globals);
 
 }  // namespace pellucid::app

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "compare/deep/deep_outputs.h"
-#include "compare/deep/merge.h"
+#include "compare/parts/deep_outputs.h"
+#include "compare/parts/merge.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 

@@ -8,9 +8,10 @@
 #include "app/deep.h"
 #include "app/part_number.h"
 #include "app/probe.h"
-#include "compare/deep/scene_fingerprint.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
+#include "compare/parts/load_part.h"
+#include "compare/parts/scene_fingerprint.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/sums_file.h"
 #include "compare/results/render_json.h"
@@ -60,11 +61,17 @@ void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
   compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));
 }
 
-/// Throws unless the method is one whose crossings a deep picture holds.
-void check_part_method(const scene::MethodRow& row, const NameAndOptions& named) {
-  if (row.name != "raytrace" || !named.options.empty())
-    throw InputError(fmt::format(
-        "--part: the method is '{}'; accepted: raytrace, as it is without parameters", row.name));
+/// Draws a part of the scene. `read` lists what is read meanwhile.
+void render_part(const RenderOptions& options, const GlobalOptions& globals,
+                 const compare::MethodCall& call, const FilesRead& read) {
+  if (call.row->name != "raytrace" || !call.parameters.given().empty())
+    throw InputError(fmt::format("--part: the method is '{}'; accepted: raytrace", call.text()));
+  const scene::PartNumber number = part_number_of(options.part);
+  const Progress progress = console_progress(globals);
+  const groundtruth::ScenePart part =
+      compare::load_part(options.scene, progress, options.view, number);
+  const std::string fingerprint = compare::scene_fingerprint(read.paths(), "");
+  write_part({options.deep, options.output, fingerprint}, part, progress, globals);
 }
 
 /// The picture by the method, and what it took.
@@ -103,9 +110,7 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   const NameAndOptions named = parse_name_and_options(options.method);
   const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
   const Parameters parameters(row.name, row.parameters, named.options);
-  if (!options.part.empty()) check_part_method(row, named);
-  const scene::PartNumber part =
-      options.part.empty() ? scene::PartNumber() : part_number_of(options.part);
+  if (!options.part.empty()) return render_part(options, globals, {&row, parameters}, read);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
@@ -113,15 +118,10 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
     report(progress, 0.3, "optimizing opacities");
     compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
   }
-  const auto fingerprint = [&] {
-    return compare::scene_fingerprint(read.paths(), options.opacities);
-  };
-  if (!options.part.empty())
-    return write_part({options.deep, options.output, fingerprint()}, std::move(scene), part,
-                      progress, globals);
   write_exact_sums(options, scene, progress);
   if (!options.deep.empty())
-    write_deep({options.deep, {}, fingerprint()}, scene, progress, globals, options.output.empty());
+    write_deep({options.deep, {}, compare::scene_fingerprint(read.paths(), options.opacities)},
+               scene, progress, globals, options.output.empty());
   if (options.output.empty()) return;
   write_picture(options, globals, {&row, parameters}, opacities, scene, progress);
 }
@@ -168,7 +168,7 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
       "--part", options->part,
       "I/N: with --deep, draw only the I-th of N parts of the primitives, for 'merge'");
   add_view_options(*command, options->view);
-  add_opacities_option(*command, options->opacities);
+  CLI::Option* opacities = add_opacities_option(*command, options->opacities);
   CLI::Option* explain = command->add_flag("--explain", options->explain,
                                            "Print what was modelled and left out, and why");
   part->needs(deep);
@@ -176,7 +176,7 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
     of_method->needs(output);
     part->excludes(of_method);
   }
-  for (CLI::Option* exact : {probe, sums}) part->excludes(exact);
+  for (CLI::Option* of_whole : {probe, sums, opacities}) part->excludes(of_whole);
   command->footer(
       "Examples:\n  pellucid render scene.json -m raytrace -o picture.exr\n"
       "  pellucid render scene.json -m fourier:bands=5 -o a.png --view +x --resolution 640x480\n"

@@ -9,12 +9,8 @@ double drawn_radius(const SceneObject& object) {
   return 0;
 }
 
-Camera fitted_camera(const Scene& scene, const ViewDirection& from) {
-  CameraFit fit(scene.camera.projection, scene.camera.fov, from,
-                double(scene.width) / double(scene.height));
-  for (const SceneObject& object : scene.objects)
-    for (const Vec3& x : object.vertices().positions) fit.add(x, drawn_radius(object));
-  return fit.camera();
+void show(const SceneObject& object, CameraFit& fit) {
+  for (const Vec3& x : object.vertices().positions) fit.add(x, drawn_radius(object));
 }
 
 }  // namespace pellucid::scene

@@ -114,17 +114,14 @@ class DepthsOfShapes {
   std::vector<unsigned> outcodes_;
 };
 
-void check_size(const Scene& scene) {
-  const auto fits = [](const Vec3& x) {
-    return glm::all(glm::lessThan(glm::abs(x), Vec3(geometry::coordinate_limit)));
-  };
-  if (!fits(scene.camera.eye))
-    fail_at(scene, InputError("camera.eye: accepted: coordinates below 1e300"));
-  for (const SceneObject& object : scene.objects)
-    if (const Box3 box = object.bounds(); !box.empty() && !(fits(box.min) && fits(box.max)))
-      fail_at(scene, InputError(fmt::format(
-                         "{}: its coordinates, or a radius, reach 1e300 or beyond; accepted: less",
-                         object.name)));
+bool fits(const Vec3& x) {
+  return glm::all(glm::lessThan(glm::abs(x), Vec3(geometry::coordinate_limit)));
+}
+
+void check_size(const SceneObject& object) {
+  if (const Box3 box = object.bounds(); !box.empty() && !(fits(box.min) && fits(box.max)))
+    throw InputError(fmt::format(
+        "{}: its coordinates, or a radius, reach 1e300 or beyond; accepted: less", object.name));
 }
 
 /// The object's name, and what it was made from where that is known by its name.
@@ -154,11 +151,28 @@ DepthRange widened(const DepthInterval& bounds, double noise) {
 
 }  // namespace
 
-DepthRange depth_range(const Scene& scene) {
-  const PictureFrustum frustum(scene.camera, scene.width, scene.height);
-  DepthsOfShapes depths(frustum, scene.camera.projection);
-  for (const SceneObject& object : scene.objects) std::visit(depths, object.shape);
-  check_size(scene);
+struct DepthBounds::State {
+  State(const Camera& camera, int width, int height)
+      : frustum(camera, width, height), depths(frustum, camera.projection) {}
+
+  PictureFrustum frustum;
+  DepthsOfShapes depths;
+};
+
+DepthBounds::DepthBounds(const Camera& camera, int width, int height)
+    : state_(std::make_unique<State>(camera, width, height)) {
+  if (!fits(camera.eye)) throw InputError("camera.eye: accepted: coordinates below 1e300");
+}
+
+DepthBounds::~DepthBounds() = default;
+
+void DepthBounds::add(const SceneObject& object) {
+  check_size(object);
+  std::visit(state_->depths, object.shape);
+}
+
+DepthRange DepthBounds::range(const Scene& scene) const {
+  const DepthsOfShapes& depths = state_->depths;
   if (!(depths.everywhere().max > 0))
     fail_at(scene, InputError(fmt::format("camera: nothing of {} is in front of it; accepted: an "
                                           "eye and a target that see the objects",
@@ -167,7 +181,17 @@ DepthRange depth_range(const Scene& scene) {
   if (!(bounds.max > 0)) bounds = depths.everywhere();
   // Geometry that reaches behind the eye is seen from the eye on.
   bounds.min = std::max(bounds.min, 0.0);
-  return widened(bounds, rounding * frustum.reach(bounds.max));
+  return widened(bounds, rounding * state_->frustum.reach(bounds.max));
+}
+
+DepthRange depth_range(const Scene& scene) {
+  try {
+    DepthBounds bounds(scene.camera, scene.width, scene.height);
+    for (const SceneObject& object : scene.objects) bounds.add(object);
+    return bounds.range(scene);
+  } catch (const InputError& error) {
+    fail_at(scene, error);
+  }
 }
 
 }  // namespace pellucid::scene

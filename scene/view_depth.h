@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "scene/scene.h"
 
 namespace pellucid::scene {
@@ -12,6 +14,26 @@ struct DepthRange {
   double far = 1;   // z at d = 1
 
   double normalized(double z) const { return (z - near) / (far - near); }
+};
+
+/// DepthBounds gather the view depths of a scene's objects, one after another: none of them has to
+/// stay in memory.
+class DepthBounds {
+ public:
+  /// Takes the picture's camera and its size in pixels. Throws InputError for a camera that is too
+  /// far away or that camera_frame() refuses.
+  DepthBounds(const Camera& camera, int width, int height);
+  ~DepthBounds();
+
+  /// Throws InputError for coordinates that are too large.
+  void add(const SceneObject& object);
+  /// Returns depth_range() of the scene with all these objects; `scene` knows their names. Throws
+  /// InputError when none of them is in front of the camera.
+  DepthRange range(const Scene& scene) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 /// Returns tight bounds of the scene's geometry in front of the camera, in world units, widened on

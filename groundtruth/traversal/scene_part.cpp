@@ -6,27 +6,35 @@
 #include "groundtruth/shapes/crossing_geometry.h"
 
 namespace pellucid::groundtruth {
-namespace {
 
-/// Of all objects but isosurfaces, which have none and would look for their cells.
-double largest_coordinate(const scene::Scene& scene, const Box3& bounds) {
-  const ViewFrame frame(scene, bounds);
-  const GeometryContext context{frame, scene.camera, scene.lighting};
-  double largest = 0;
-  for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-    if (!std::holds_alternative<scene::Isosurface>(scene.objects[i].shape))
-      largest =
-          std::max(largest, make_geometry(scene.objects[i], i, context)->largest_coordinate());
-  return largest;
+PartCutter::PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part)
+    : frame_(scene, bounds),
+      camera_(scene.camera),
+      depths_(scene.camera, scene.width, scene.height),
+      whole_{part, bounds, {}, 0, {}} {}
+
+void PartCutter::cut(scene::SceneObject& object) {
+  const std::size_t index = whole_.first_primitives.size();
+  depths_.add(object);
+  // An isosurface has no vertices, and would look for its cells.
+  if (!std::holds_alternative<scene::Isosurface>(object.shape)) {
+    const GeometryContext unlit{frame_, camera_, scene::Lighting::none};
+    const auto geometry = make_geometry(object, std::uint32_t(index), unlit);
+    whole_.largest = std::max(whole_.largest, geometry->largest_coordinate());
+  }
+  whole_.first_primitives.push_back(scene::cut_object(object, index, whole_.part));
 }
 
-}  // namespace
+WholeScene PartCutter::whole(const scene::Scene& scene) const {
+  WholeScene whole = whole_;
+  whole.depths = depths_.range(scene);
+  return whole;
+}
 
 ScenePart take_part(scene::Scene scene, const scene::PartNumber& part) {
-  WholeScene whole{part, scene.bounds(), scene::depth_range(scene), 0, {}};
-  whole.largest = largest_coordinate(scene, whole.bounds);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    whole.first_primitives.push_back(scene::cut_object(scene.objects[i], i, part));
+  PartCutter cutter(scene, scene.bounds(), part);
+  for (scene::SceneObject& object : scene.objects) cutter.cut(object);
+  WholeScene whole = cutter.whole(scene);
   return {std::move(scene), std::move(whole)};
 }
 

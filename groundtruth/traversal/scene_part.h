@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "groundtruth/rays/view_frame.h"
 #include "scene/parts/scene_part.h"
 #include "scene/scene.h"
 #include "scene/view_depth.h"
@@ -26,9 +27,29 @@ struct ScenePart {
   WholeScene whole;
 };
 
-/// Cuts a scene down to a part of its primitives. While it does so a copy of the positions of the
-/// largest object is in memory beside the scene. Throws InputError when nothing of the whole is in
-/// front of the camera, and for more primitives than a Crossing counts.
+/// A PartCutter cuts a scene's objects down to a part, one after another, and gathers what is to be
+/// known of the whole. Beside an object a copy of its positions is in memory meanwhile.
+class PartCutter {
+ public:
+  /// Takes the scene's picture and camera (its objects do not count), and the box of all that is
+  /// drawn, in world units.
+  PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part);
+
+  /// Cuts the next object. Throws InputError for more primitives than a Crossing counts, and for
+  /// coordinates that are too large.
+  void cut(scene::SceneObject& object);
+  /// Returns what is known once all objects are cut. Throws InputError, with their names from
+  /// `scene`, when none of them is in front of the camera.
+  WholeScene whole(const scene::Scene& scene) const;
+
+ private:
+  ViewFrame frame_;
+  scene::Camera camera_;
+  scene::DepthBounds depths_;
+  WholeScene whole_;
+};
+
+/// Cuts a scene that is in memory down to a part of its primitives. Throws as PartCutter does.
 ScenePart take_part(scene::Scene scene, const scene::PartNumber& part);
 
 }  // namespace pellucid::groundtruth

@@ -78,7 +78,9 @@ struct Loader {
   const SceneSource& source;
   const Progress& progress;
   const ViewRequest& view;
+  const TakeObject& take;
   Scene scene;
+  std::optional<CameraFit> fit = std::nullopt;  // of a camera that nobody has given
 
   void take_size() {
     if (view.resolution) scene.width = (*view.resolution)[0];
@@ -96,16 +98,18 @@ struct Loader {
     scene.camera.fov = asked.fov;
   }
 
+  const ViewDirection& direction() const {
+    return view.view.empty() ? view_directions().front()
+                             : find_row("view", view.view, view_directions());
+  }
+
   /// A camera that nobody has given sees all; what the call says goes before the file.
-  void take_camera(bool is_in_file) {
+  void take_camera() {
     std::string& how = scene.provenance["camera"];
     how = "the scene file's";
-    if (!view.view.empty() || !is_in_file) {
-      const ViewDirection& from = view.view.empty()
-                                      ? view_directions().front()
-                                      : find_row("view", view.view, view_directions());
-      scene.camera = fitted_camera(scene, from);
-      how = fmt::format("fitted to the scene, {}", from.title);
+    if (fit) {
+      scene.camera = fit->camera();
+      how = fmt::format("fitted to the scene, {}", direction().title);
     }
     if (view.camera.empty()) return;
     scene.camera = camera_of_text(view.camera, scene.camera);
@@ -132,11 +136,16 @@ struct Loader {
     check_view();
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
+    if (!view.view.empty() || !root.has("camera"))
+      fit.emplace(scene.camera.projection, scene.camera.fov, direction(),
+                  double(scene.width) / double(scene.height));
     for (std::size_t i = 0; i < objects.size(); ++i) {
       report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
       add(objects[i]);
+      if (fit) show(scene.objects.back(), *fit);
+      if (take) take(scene.objects.back(), objects.size());
     }
-    take_camera(root.has("camera"));
+    take_camera();
     if (root.has("camera_path"))
       scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
     place_halos(scene);
@@ -152,9 +161,14 @@ struct Loader {
 }  // namespace
 
 Scene load_scene(const fs::path& path, const Progress& progress, const ViewRequest& view) {
+  return load_scene_by_objects(path, progress, view, {});
+}
+
+Scene load_scene_by_objects(const fs::path& path, const Progress& progress, const ViewRequest& view,
+                            const TakeObject& take) {
   const nlohmann::json json = read_json(path);
   const SceneSource source{path.string(), path.parent_path()};
-  Loader loader{source, progress, view, {}};
+  Loader loader{source, progress, view, take, {}};
   loader.scene.name = path.stem().string();
   loader.scene.file = path.string();
   loader.read(JsonNode(source.file, json));
@@ -163,7 +177,8 @@ Scene load_scene(const fs::path& path, const Progress& progress, const ViewReque
 
 Scene read_scene(const nlohmann::json& text, const SceneSource& source, const Progress& progress) {
   const ViewRequest as_given;
-  Loader loader{source, progress, as_given, {}};
+  const TakeObject keep_all;
+  Loader loader{source, progress, as_given, keep_all, {}};
   loader.read(JsonNode(source.file, text));
   return std::move(loader.scene);
 }

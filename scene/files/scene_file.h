@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -17,6 +18,15 @@ namespace pellucid::scene {
 /// InputError that names file, key and accepted values.
 Scene load_scene(const std::filesystem::path& path, const Progress& progress = {},
                  const ViewRequest& view = {});
+
+/// A TakeObject is given each object as soon as it has been read, lit, and seen by the camera that
+/// is fitted to the scene, and the number of them all; it may cut the object down.
+using TakeObject = std::function<void(SceneObject& object, std::size_t count)>;
+
+/// Reads a scene as load_scene() does, for who need not have all of its objects in memory at once.
+/// Halos are placed around what `take` has left of their lines.
+Scene load_scene_by_objects(const std::filesystem::path& path, const Progress& progress,
+                            const ViewRequest& view, const TakeObject& take);
 
 /// A SceneSource is where a scene's text comes from, if it is no file.
 struct SceneSource {

@@ -96,7 +96,7 @@ inline scene::SceneObject opaque_spheres(std::uint32_t seed) {
   return object;
 }
 inline scene::SceneObject opaque_triangles(std::uint32_t seed) {
-  scene::SceneObject object{"context", random_triangles(6, seed + 100, 1.5)};
+  scene::SceneObject object{"context", random_triangles(24, seed + 100, 0.8)};
   object.mesh().normals.assign(object.mesh().positions.size(), Vec3(0, 0, 1));
   object.opaque = true;
   return object;

@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "compare/deep/deep_outputs.h"
-#include "compare/deep/trace_deep.h"
+#include "compare/parts/deep_outputs.h"
+#include "compare/parts/trace_deep.h"
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "groundtruth/methods/raytrace.h"

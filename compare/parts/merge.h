@@ -25,9 +25,13 @@ class DeepParts {
   /// Returns what the whole picture is of: part 1 of 1.
   const DeepInfo& whole() const { return whole_; }
 
+  /// Returns where the rows end that are read together from row `first` on: as many as have
+  /// `most_samples` in all parts together, and one at least.
+  int end_of_rows(int first, std::uint64_t most_samples) const;
+
   /// Calls take(y, row) with every row of the whole picture, from the top: each pixel's layers of
   /// all parts, front to back, up to and with the first opaque one. No more rows are in memory than
-  /// have `most_samples` together, and one row at least. Throws InputError where a file is damaged.
+  /// end_of_rows() says. Throws InputError where a file is damaged.
   void merge(const std::function<void(int y, const DeepRow& row)>& take, const Progress& progress,
              std::uint64_t most_samples = std::uint64_t(1) << 20) const;
 
@@ -37,7 +41,6 @@ class DeepParts {
     readers::DeepHead head;
   };
 
-  int rows_within(int first, std::uint64_t most_samples) const;
   std::vector<DeepRow> merged_rows(int first, int end) const;
 
   std::vector<Part> parts_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/deep/same_whole.h"
+#include "compare/parts/same_whole.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

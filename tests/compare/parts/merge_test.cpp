@@ -2,7 +2,7 @@
 // Deep pictures of parts merge into the whole, to the last bit, whatever is in the scene; what is
 // no set of parts is refused.
 
-#include "compare/deep/merge.h"
+#include "compare/parts/merge.h"
 
 #include <gmock/gmock.h>
 
@@ -11,8 +11,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "compare/deep/deep_outputs.h"
-#include "compare/deep/trace_deep.h"
+#include "compare/parts/deep_outputs.h"
+#include "compare/parts/trace_deep.h"
 #include "compare/pictures/image_file.h"
 #include "core/error.h"
 #include "core/files/output_file.h"
@@ -92,9 +92,12 @@ TEST(UnitMerge, HoldsNoMoreRowsThanAsked) {
   const DeepFolder folder;
   const scene::Scene scene = stack(4, 6, {Rgba(0.5)});
   const DeepParts parts(folder.write_parts(scene, 2));
-  std::vector<int> rows;
-  parts.merge([&](int y, const DeepRow&) { rows.push_back(y); }, {}, 8);
-  EXPECT_EQ(rows, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  // A row has 4 pixels of one layer.
+  EXPECT_EQ(parts.end_of_rows(0, 8), 2);
+  EXPECT_EQ(parts.end_of_rows(1, 11), 3);
+  EXPECT_EQ(parts.end_of_rows(1, 12), 4);
+  EXPECT_EQ(parts.end_of_rows(3, 0), 4);
+  EXPECT_EQ(parts.end_of_rows(3, 1000), 6);
 }
 
 class UnitMergeRefuses : public ::testing::Test {

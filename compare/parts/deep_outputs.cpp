@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/deep/deep_outputs.h"
+#include "compare/parts/deep_outputs.h"
 
 #include <algorithm>
 

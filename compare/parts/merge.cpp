@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/deep/merge.h"
+#include "compare/parts/merge.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "compare/deep/same_whole.h"
+#include "compare/parts/same_whole.h"
 #include "core/error.h"
 #include "core/parallel.h"
 
@@ -113,14 +113,13 @@ void DeepParts::merge(const std::function<void(int y, const DeepRow& row)>& take
                       const Progress& progress, std::uint64_t most_samples) const {
   for (int first = 0, end; first < whole_.height; first = end) {
     report(progress, double(first) / whole_.height, "merging");
-    end = rows_within(first, most_samples);
+    end = end_of_rows(first, most_samples);
     const std::vector<DeepRow> rows = merged_rows(first, end);
     for (int y = first; y < end; ++y) take(y, rows[std::size_t(y - first)]);
   }
 }
 
-/// Where the rows from `first` on end that have so few samples; at least one row is within.
-int DeepParts::rows_within(int first, std::uint64_t most_samples) const {
+int DeepParts::end_of_rows(int first, std::uint64_t most_samples) const {
   std::uint64_t samples = 0;
   int end = first;
   for (; end < whole_.height; ++end) {

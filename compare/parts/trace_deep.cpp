@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/deep/trace_deep.h"
+#include "compare/parts/trace_deep.h"
 
 #include "groundtruth/sums/picture_sums.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/deep/scene_fingerprint.h"
+#include "compare/parts/scene_fingerprint.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
