@@ -69,7 +69,7 @@ TEST(UnitRankViews, SidesLieEvenlyAroundTheSphereBelowTheCaps) {
 
 TEST(UnitRankViews, SheetsAreBestSeenFromTheirFront) {
   scene::Scene scene = scene_of(sheets({-0.1, 0, 0.1}, 0.3f));
-  const auto views = rank_views(scene, scene::scene_core(scene), 4, 24, {});
+  const auto views = rank_views(scene, scene::scene_core(scene), 12, 24, {});
   ASSERT_GE(views.size(), 2u);
   const auto from = [&](std::size_t i) {
     return glm::normalize(views[i].camera.eye - views[i].camera.target);
