@@ -35,6 +35,7 @@ void add_conform_command(CLI::App& app, GlobalOptions& globals);
 void add_data_command(CLI::App& app, GlobalOptions& globals);
 void add_info_command(CLI::App& app, GlobalOptions& globals);
 void add_crossings_command(CLI::App& app, GlobalOptions& globals);
+void add_view_command(CLI::App& app, GlobalOptions& globals);
 void add_list_command(CLI::App& app, GlobalOptions& globals);
 
 /// Adds --json, --quiet and --threads to a subcommand.

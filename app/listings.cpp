@@ -8,6 +8,7 @@
 #include "compare/pictures/metrics.h"
 #include "compare/results/columns.h"
 #include "compare/study/study.h"
+#include "core/options/parameters_json.h"
 #include "fields/analytic/catalogue.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/level_field.h"
@@ -22,17 +23,6 @@
 
 namespace pellucid::app {
 namespace {
-
-nlohmann::ordered_json to_json(std::span<const ParameterSpec> parameters) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const ParameterSpec& spec : parameters)
-    rows.push_back({{"name", spec.name},
-                    {"default", spec.default_value},
-                    {"accepted", spec.accepted()},
-                    {"unit", spec.unit},
-                    {"help", spec.help}});
-  return rows;
-}
 
 nlohmann::ordered_json list_methods() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -61,7 +51,7 @@ nlohmann::ordered_json list_methods() {
          {"random", row.promises.random},
          {"one layer unless", row.promises.one_layer_unless},
          {"edge shift [pixels]", row.promises.edge_shift},
-         {"parameters", to_json(row.parameters)}});
+         {"parameters", parameters_json(row.parameters)}});
   return rows;
 }
 
@@ -71,12 +61,12 @@ nlohmann::ordered_json list_integrators() {
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
-                    {"parameters", to_json(row.parameters)}});
+                    {"parameters", parameters_json(row.parameters)}});
   for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
     rows.push_back({{"name", row.name},
                     {"title", row.title},
                     {"citation", row.citation},
-                    {"parameters", to_json(row.parameters)}});
+                    {"parameters", parameters_json(row.parameters)}});
   return rows;
 }
 
@@ -88,7 +78,7 @@ nlohmann::ordered_json list_fields() {
                     {"citation", row.citation},
                     {"formula", row.formula},
                     {"steady", row.steady},
-                    {"parameters", to_json(row.parameters)}});
+                    {"parameters", parameters_json(row.parameters)}});
   return rows;
 }
 
@@ -99,7 +89,7 @@ nlohmann::ordered_json list_datasets() {
                     {"title", row.title},
                     {"citation", row.citation},
                     {"scene key", row.on_levels ? "isosurface.dataset" : "dataset"},
-                    {"parameters", to_json(row.parameters)}});
+                    {"parameters", parameters_json(row.parameters)}});
   return rows;
 }
 

@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
   add_data_command(app, globals);
   add_info_command(app, globals);
   add_crossings_command(app, globals);
+  add_view_command(app, globals);
   add_list_command(app, globals);
   add_manual_options(app);
   std::optional<tbb::global_control> thread_limit;

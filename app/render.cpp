@@ -7,13 +7,13 @@
 #include "app/commands.h"
 #include "app/deep.h"
 #include "app/part_number.h"
-#include "app/probe.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/parts/load_part.h"
 #include "compare/parts/scene_fingerprint.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/sums_file.h"
+#include "compare/results/probe_json.h"
 #include "compare/results/render_json.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
@@ -55,7 +55,8 @@ void print_summary(const RenderOptions& options, const scene::Scene& scene,
 void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
                       const Progress& progress) {
   if (!options.probe.empty())
-    write_text(options.probe_output, json_text(probe_json(scene, options.probe), 2) + '\n');
+    write_text(options.probe_output,
+               json_text(compare::probe_json(scene, options.probe), 2) + '\n');
   if (options.sums.empty()) return;
   const groundtruth::RayProbe probe(scene);
   compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));

@@ -8,53 +8,26 @@
 #include <numbers>
 #include <optional>
 
+#include "compare/cells/ray_functions.h"
 #include "core/error.h"
 #include "groundtruth/sums/ray_sums.h"
 
 namespace pellucid::compare {
 namespace {
 
-constexpr int intervals = 512;
-
-/// An opaque layer's optical depth is infinite; nothing shows behind this.
-constexpr double deepest = 60;
-
 /// The paper's number of bands, and what it says that no term beyond exceeds, of the whole sum
 /// (Baeza Rojo et al. 2019, Fig. 9b).
 constexpr std::size_t marked_band = 5;
 constexpr double marked_percent = 5;
 
-/// A Quantity is a sum along a ray, and how its curves are called.
-struct Quantity {
-  scene::RaySum sum;
-  const char* name;   // of its measures
-  const char* title;  // within a sentence
-  const char* symbol;
-  double (*exact)(const groundtruth::RaySums& ray, double d);
-};
-
-constexpr Quantity quantities[] = {
-    {scene::RaySum::optical_depth, "optical_depth", "optical depth", "τ(d)",
-     [](const groundtruth::RaySums& ray, double d) {
-       return std::min(ray.optical_depth(d), deepest);
-     }},
-    {scene::RaySum::importance, "importance", "importance", "G(d)",
-     [](const groundtruth::RaySums& ray, double d) { return ray.importance_sum(d); }}};
-
-std::vector<double> depths() {
-  std::vector<double> d;
-  for (int i = 0; i <= intervals; ++i) d.push_back(double(i) / intervals);
-  return d;
-}
-
-RowCurve depth_curve(const Quantity& quantity, const Pixel& pixel, std::vector<double> values) {
+RowCurve depth_curve(const RayFunction& quantity, const Pixel& pixel, std::vector<double> values) {
   return {fmt::format("{} {} {}", quantity.title, pixel.x, pixel.y),
           "",
           fmt::format("Sum of the {} along the ray of pixel ({}, {})", quantity.title, pixel.x,
                       pixel.y),
           "d",
           quantity.symbol,
-          depths(),
+          curve_depths(),
           std::move(values)};
 }
 
@@ -73,7 +46,7 @@ Term term(const scene::RaySeries& series, std::size_t k) {
 }
 
 /// Of all rows in one plot: a shorter series has the same coefficients, as far as it goes.
-void add_terms(const Quantity& quantity, const Pixel& pixel, const scene::RaySeries& series,
+void add_terms(const RayFunction& quantity, const Pixel& pixel, const scene::RaySeries& series,
                ResultRow& row) {
   const auto curve = [&](const char* label) {
     return RowCurve{
@@ -111,7 +84,7 @@ class TermMeasures {
     }
   }
 
-  void append_to(const Quantity& quantity, ResultRow& row) const {
+  void append_to(const RayFunction& quantity, ResultRow& row) const {
     const auto append = [&](const char* name, const char* title, std::optional<double> percent) {
       if (percent)
         row.measures.push_back({fmt::format("{}_{}", quantity.name, name),
@@ -126,14 +99,8 @@ class TermMeasures {
   std::optional<double> at_, beyond_;
 };
 
-scene::RaySeries exact_steps(const Quantity& quantity, const groundtruth::RaySums& ray) {
-  scene::RaySeries steps;
-  for (const double d : depths()) steps.values.push_back(quantity.exact(ray, d));
-  return steps;
-}
-
 /// Whether the reference's row has the exact sums: G is the scene's, whatever is composited.
-bool has_exact(const Quantity& quantity, const Cell& cell, const scene::Scene& scene) {
+bool has_exact(const RayFunction& quantity, const Cell& cell, const scene::Scene& scene) {
   if (!cell.reference) return false;
   return quantity.sum == scene::RaySum::importance ? has_importance(scene)
                                                    : cell.call.row->promises.exact;
@@ -151,13 +118,15 @@ void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer
                     CellMeasurement& measured) {
   for (const Pixel& pixel : cell.probes) check(pixel, scene);
   std::optional<groundtruth::RayProbe> probe;
-  for (const Quantity& quantity : quantities) {
+  for (const RayFunction& quantity : ray_functions()) {
     const bool exact = has_exact(quantity, cell, scene);
     if (exact && !cell.probes.empty() && !probe) probe.emplace(scene);
     TermMeasures terms;
     for (const Pixel& pixel : cell.probes) {
-      const auto series = exact ? exact_steps(quantity, probe->at(pixel.x + 0.5, pixel.y + 0.5))
-                                : renderer.ray_series(quantity.sum, pixel.x, pixel.y, depths());
+      const auto series =
+          exact
+              ? scene::RaySeries{exact_curve(quantity, probe->at(pixel.x + 0.5, pixel.y + 0.5)), {}}
+              : renderer.ray_series(quantity.sum, pixel.x, pixel.y, curve_depths());
       if (!series) continue;
       measured.row.curves.push_back(depth_curve(quantity, pixel, series->values));
       if (series->harmonics.size() < 2) continue;

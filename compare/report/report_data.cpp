@@ -27,18 +27,6 @@ std::string hex(const Vec3& color) {
   return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
 }
 
-/// Enough colours for a gradient that looks like the map.
-json error_scale_json() {
-  constexpr int stops = 33;
-  json colors = json::array();
-  for (int i = 0; i < stops; ++i) {
-    const double share = double(i) / (stops - 1);
-    colors.push_back(hex(
-        ErrorScale::color(ErrorScale::min * std::pow(ErrorScale::max / ErrorScale::min, share))));
-  }
-  return {{"min", ErrorScale::min}, {"max", ErrorScale::max}, {"colors", colors}};
-}
-
 json column_json(const Column& column) {
   return {{"name", column.name},
           {"title", column.title},
@@ -180,6 +168,17 @@ json methods_json(const Study& study) {
 }
 
 }  // namespace
+
+json error_scale_json() {
+  constexpr int stops = 33;
+  json colors = json::array();
+  for (int i = 0; i < stops; ++i) {
+    const double share = double(i) / (stops - 1);
+    colors.push_back(hex(
+        ErrorScale::color(ErrorScale::min * std::pow(ErrorScale::max / ErrorScale::min, share))));
+  }
+  return {{"min", ErrorScale::min}, {"max", ErrorScale::max}, {"colors", colors}};
+}
 
 json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows,
                  std::span<const ReportCell> cells, bool in_folder) {

@@ -16,4 +16,8 @@ nlohmann::json report_data(const std::filesystem::path& folder, const Study& stu
                            std::span<const ResultRow> rows, std::span<const ReportCell> cells,
                            bool in_folder);
 
+/// Returns the ErrorScale as a page draws it: {"min", "max", "colors"}, enough "#rrggbb" for a
+/// gradient that looks like it.
+nlohmann::json error_scale_json();
+
 }  // namespace pellucid::compare

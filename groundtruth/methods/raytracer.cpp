@@ -27,12 +27,19 @@ namespace {
 constexpr int packet_columns = 4, packet_rows = 2;  // pixels whose rays are traced together
 constexpr int tile = 16;  // pixels; neighbours share the path through the hierarchy
 
-class Raytracer : public scene::Renderer {
+void check_adaptive(const scene::Scene& scene, const RaytraceOptions& options) {
+  const std::size_t everywhere = scene::pixel_samples(scene.samples).size();
+  if (options.adaptive > 1 && std::size_t(options.adaptive) * options.adaptive <= everywhere)
+    throw InputError(fmt::format(
+        "adaptive={}: the scene takes {} samples a pixel everywhere; accepted: more of them",
+        options.adaptive, everywhere));
+}
+
+class Raytracer : public TurningRaytracer {
  public:
-  Raytracer(const scene::Scene& scene, const RaytraceOptions& options,
-            const std::optional<MarchOptions>& march)
+  Raytracer(const scene::Scene& scene, const RaytraceOptions& options, CrossingFinder finder)
       : scene_(scene),
-        finder_(scene, options.precision, march, options.stop_below),
+        finder_(std::move(finder)),
         options_(options),
         samples_(scene::pixel_samples(scene.samples)),
         more_samples_(scene::pixel_samples({.per_axis = options.adaptive})) {}
@@ -63,6 +70,12 @@ class Raytracer : public scene::Renderer {
       for (const auto& buffer : buffers) hit_bytes += buffer.capacity() * sizeof(Crossing);
     result.stats.bytes.push_back({"crossings", hit_bytes});
     return result;
+  }
+
+  void turn() override {
+    check_adaptive(scene_, options_);
+    finder_.turn();
+    samples_ = scene::pixel_samples(scene_.samples);
   }
 
   std::vector<std::string> explain() const override {
@@ -198,12 +211,16 @@ std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
                                                 const RaytraceOptions& options,
                                                 const std::optional<MarchOptions>& march) {
   scene::depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
-  const std::size_t everywhere = scene::pixel_samples(scene.samples).size();
-  if (options.adaptive > 1 && std::size_t(options.adaptive) * options.adaptive <= everywhere)
-    throw InputError(fmt::format(
-        "adaptive={}: the scene takes {} samples a pixel everywhere; accepted: more of them",
-        options.adaptive, everywhere));
-  return std::make_unique<Raytracer>(scene, options, march);
+  check_adaptive(scene, options);
+  return std::make_unique<Raytracer>(
+      scene, options, CrossingFinder(scene, options.precision, march, options.stop_below));
+}
+
+std::unique_ptr<TurningRaytracer> make_turning_raytracer(const scene::Scene& scene,
+                                                         const RaytraceOptions& options) {
+  check_adaptive(scene, options);
+  return std::make_unique<Raytracer>(
+      scene, options, CrossingFinder::turning(scene, options.precision, options.stop_below));
 }
 
 }  // namespace pellucid::groundtruth

@@ -39,4 +39,18 @@ std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
                                                 const RaytraceOptions& options,
                                                 const std::optional<MarchOptions>& march = {});
 
+/// A TurningRaytracer draws a scene that turns: its camera, size, samples and halos may change
+/// before each turn(), which takes far less time than making a raytracer. Pictures are the same to
+/// the last bit; of a scene that lies behind the camera it is the background's.
+class TurningRaytracer : public scene::Renderer {
+ public:
+  /// Takes the scene as it is now. Throws InputError for fewer adaptive samples than the scene's
+  /// own.
+  virtual void turn() = 0;
+};
+
+/// Makes one for the scene, which has to outlive it. Throws as turn() does.
+std::unique_ptr<TurningRaytracer> make_turning_raytracer(const scene::Scene& scene,
+                                                         const RaytraceOptions& options);
+
 }  // namespace pellucid::groundtruth

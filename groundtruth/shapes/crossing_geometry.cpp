@@ -21,9 +21,11 @@ struct Maker {
   bool opaque;
   std::uint32_t index;
   const GeometryContext& context;
+  const CrossingGeometry* before;
 
   std::unique_ptr<CrossingGeometry> operator()(const geometry::TriangleMesh& mesh) const {
-    return std::make_unique<TriangleGeometry>(mesh, index, context);
+    return std::make_unique<TriangleGeometry>(mesh, index, context,
+                                              dynamic_cast<const TriangleGeometry*>(before));
   }
   std::unique_ptr<CrossingGeometry> operator()(const scene::LineObject& lines) const {
     if (lines.profile == scene::LineObject::Profile::tube)
@@ -56,9 +58,9 @@ void RayByRayGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
 }
 
 std::unique_ptr<CrossingGeometry> make_geometry(const scene::SceneObject& object,
-                                                std::uint32_t index,
-                                                const GeometryContext& context) {
-  return std::visit(Maker{object.opaque, index, context}, object.shape);
+                                                std::uint32_t index, const GeometryContext& context,
+                                                const CrossingGeometry* before) {
+  return std::visit(Maker{object.opaque, index, context, before}, object.shape);
 }
 
 }  // namespace pellucid::groundtruth

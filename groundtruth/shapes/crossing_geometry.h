@@ -94,9 +94,11 @@ struct GeometryContext {
 void check_count(std::size_t count, const char* what);
 
 /// Makes the geometry of an object, whose index in Scene::objects is `index`. The object has to
-/// outlive the geometry. Throws InputError for more primitives than a Crossing counts.
+/// outlive the geometry. `before`, where it is not null, is what was made of it for another camera:
+/// then boxes hold what they held there, so that their number is the same. Throws InputError for
+/// more primitives than a Crossing counts.
 std::unique_ptr<CrossingGeometry> make_geometry(const scene::SceneObject& object,
-                                                std::uint32_t index,
-                                                const GeometryContext& context);
+                                                std::uint32_t index, const GeometryContext& context,
+                                                const CrossingGeometry* before = nullptr);
 
 }  // namespace pellucid::groundtruth

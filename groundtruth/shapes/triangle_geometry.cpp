@@ -76,7 +76,7 @@ void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t o
 double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
 
 TriangleGeometry::TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint32_t index,
-                                   const GeometryContext& context)
+                                   const GeometryContext& context, const TriangleGeometry* before)
     : mesh_(mesh), index_(index), lighting_(context.lighting) {
   check_count(mesh.triangles.size(), "triangles");
   positions_.reserve(mesh.positions.size());
@@ -84,7 +84,17 @@ TriangleGeometry::TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint
     positions_.push_back(context.frame.from_world(x));
     largest_ = std::max(largest_, size_of(positions_.back()));
   }
-  group_triangles();
+  if (before && before->grouped_triangles() == mesh.triangles.size()) {
+    pieces_ = before->pieces_;
+    any_slabs_ = before->any_slabs_;
+  } else {
+    group_triangles();
+  }
+}
+
+/// Pieces are in the order of their triangles.
+std::size_t TriangleGeometry::grouped_triangles() const {
+  return pieces_.empty() ? 0 : std::size_t(pieces_.back().first) + pieces_.back().count;
 }
 
 /// Two triangles that follow each other share a box when it is hardly larger than their own, as in

@@ -20,8 +20,9 @@ double size_of(const Vec3& x);
 /// its rounding.
 class TriangleGeometry final : public CrossingGeometry {
  public:
+  /// `before` is as make_geometry() takes it.
   TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint32_t index,
-                   const GeometryContext& context);
+                   const GeometryContext& context, const TriangleGeometry* before = nullptr);
 
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t k) const override;
@@ -50,6 +51,7 @@ class TriangleGeometry final : public CrossingGeometry {
   double total_area(Piece piece) const;
   void add_pieces(std::uint32_t first, std::uint8_t count);
   void group_triangles();
+  std::size_t grouped_triangles() const;
 
   const geometry::TriangleMesh& mesh_;
   std::uint32_t index_;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <thread>
 
 #include "core/error.h"
 #include "core/float_environment.h"
@@ -45,13 +47,18 @@ bool count_memory(void* counter, ssize_t bytes, bool) {
 }  // namespace
 
 BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
-                           const Callbacks& callbacks)
-    : center_(center), objects_(std::move(objects)), device_(rtcNewDevice(nullptr)) {
+                           const Callbacks& callbacks, Motion motion)
+    : motion_(callbacks.built_in ? Motion::still : motion),
+      center_(center),
+      objects_(std::move(objects)),
+      device_(rtcNewDevice(nullptr)) {
   if (!device_) throw WorkError("Embree cannot start on this machine");
-  rtcSetDeviceErrorFunction(device_, throw_embree_error, nullptr);
-  rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &embree_bytes_);
-  scene_ = rtcNewScene(device_);
-  if (!callbacks.built_in) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  rtcSetDeviceErrorFunction(device_.get(), throw_embree_error, nullptr);
+  rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &embree_bytes_);
+  scene_.reset(rtcNewScene(device_.get()));
+  if (!callbacks.built_in) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  // Low stands for a tree over those of the objects, each of the quality that it asks for.
+  if (motion_ == Motion::moving) rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
   for (Object& object : objects_) {
     object.center = center;
     const auto* mesh = dynamic_cast<const TriangleGeometry*>(object.geometry.get());
@@ -59,16 +66,32 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
                                                             : boxes(object, callbacks);
     rtcSetGeometryUserData(geometry, &object);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);
   }
+  commit();
+}
+
+/// On a thread of its own, which no other work encloses: Embree keeps a task group with each of its
+/// scenes, whose context would stay bound to that of the work that builds first, and TBB would
+/// follow it there when that is long gone.
+void BoxHierarchy::commit() {
+  std::exception_ptr error;
   embree_tasks.open();
-  rtcCommitScene(scene_);
+  std::thread([&] {
+    try {
+      rtcCommitScene(scene_.get());
+    } catch (...) {
+      error = std::current_exception();
+    }
+  }).join();
   embree_tasks.join();
+  if (error) std::rethrow_exception(error);
 }
 
 RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) const {
-  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+  if (motion_ == Motion::moving) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
   rtcSetGeometryUserPrimitiveCount(geometry, object.geometry->box_count());
   rtcSetGeometryBoundsFunction(geometry, give_box, nullptr);
   rtcSetGeometryOccludedFunction(geometry, callbacks.decide);
@@ -77,7 +100,7 @@ RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) cons
 }
 
 RTCGeometry BoxHierarchy::triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const {
-  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                                RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                                                mesh.positions().size()));
@@ -92,9 +115,22 @@ RTCGeometry BoxHierarchy::triangles(const TriangleGeometry& mesh, RTCFilterFunct
   return geometry;
 }
 
-BoxHierarchy::~BoxHierarchy() {
-  rtcReleaseScene(scene_);
-  rtcReleaseDevice(device_);
+bool BoxHierarchy::has_as_many_boxes(const std::vector<Object>& objects) const {
+  return std::ranges::equal(objects, objects_, [](const Object& a, const Object& b) {
+    return a.geometry->box_count() == b.geometry->box_count();
+  });
+}
+
+bool BoxHierarchy::move(std::vector<Object>& objects, const Vec3& center) {
+  if (motion_ == Motion::still || !has_as_many_boxes(objects)) return false;
+  center_ = center;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    objects_[i] = std::move(objects[i]);  // Embree keeps its address
+    objects_[i].center = center;
+    rtcCommitGeometry(rtcGetGeometry(scene_.get(), unsigned(i)));
+  }
+  commit();
+  return true;
 }
 
 std::uint64_t BoxHierarchy::bytes() const {

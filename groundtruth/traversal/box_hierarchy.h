@@ -34,27 +34,45 @@ class BoxHierarchy {
     RTCFilterFunctionN built_in;  // gets every hit of a mesh; null: meshes are boxes, as all else
   };
 
+  /// Says whether the boxes will stay where they are, or move, as a turning scene's do.
+  enum class Motion { still, moving };
+
   /// Builds the hierarchy with its origin at `center`, in view coordinates. Throws WorkError when
   /// Embree fails.
-  BoxHierarchy(std::vector<Object> objects, const Vec3& center, const Callbacks& callbacks);
-  ~BoxHierarchy();
+  BoxHierarchy(std::vector<Object> objects, const Vec3& center, const Callbacks& callbacks,
+               Motion motion = Motion::still);
   BoxHierarchy(const BoxHierarchy&) = delete;
   BoxHierarchy& operator=(const BoxHierarchy&) = delete;
 
-  RTCScene scene() const { return scene_; }
+  /// Takes other boxes, as many of each object as it has, and keeps its tree, which only grows
+  /// larger boxes: far less work than building one. Returns false, and does nothing, where it has
+  /// another number of objects or boxes, or was not made for moving ones. Throws WorkError when
+  /// Embree fails.
+  bool move(std::vector<Object>& objects, const Vec3& center);
+
+  RTCScene scene() const { return scene_.get(); }
   const Vec3& center() const { return center_; }                   // view coordinates
   const std::vector<Object>& objects() const { return objects_; }  // as Scene::objects
   std::uint64_t bytes() const;                                     // with what the geometries keep
 
  private:
+  /// Gives back what Embree has made, also when building ends early.
+  struct Release {
+    void operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+    void operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+  };
+
+  void commit();
   RTCGeometry boxes(Object& object, const Callbacks& callbacks) const;
   RTCGeometry triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const;
+  bool has_as_many_boxes(const std::vector<Object>& objects) const;
 
+  Motion motion_;
   Vec3 center_;
   std::vector<Object> objects_;
   std::atomic<std::int64_t> embree_bytes_ = 0;
-  RTCDevice device_ = nullptr;
-  RTCScene scene_ = nullptr;
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+  std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
 }  // namespace pellucid::groundtruth

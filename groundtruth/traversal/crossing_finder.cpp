@@ -110,40 +110,83 @@ std::vector<scene::Isosurface::Ball> march_stops(const scene::Scene& scene,
   return balls;
 }
 
-std::vector<BoxHierarchy::Object> make_objects(const scene::Scene& scene,
-                                               const GeometryContext& context) {
-  std::vector<BoxHierarchy::Object> objects;
+using Objects = std::vector<BoxHierarchy::Object>;
+
+/// `before` are those of another camera, or none.
+Objects make_objects(const scene::Scene& scene, const GeometryContext& context,
+                     const Objects& before = {}) {
+  Objects objects;
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-    objects.push_back({make_geometry(scene.objects[i], i, context), scene.objects[i].opaque});
+    objects.push_back({make_geometry(scene.objects[i], i, context,
+                                     i < before.size() ? before[i].geometry.get() : nullptr),
+                       scene.objects[i].opaque});
   return objects;
 }
 
 }  // namespace
 
 struct CrossingFinder::State {
-  ViewFrame frame;
+  const scene::Scene& scene;
+  std::optional<WholeScene> whole;  // that the scene is a part of
   Precision precision;
-  BoxHierarchy hierarchy;
+  std::optional<MarchOptions> march;
+  double stop_below;
+  BoxHierarchy::Motion motion;
+  ViewFrame frame;
+  std::unique_ptr<BoxHierarchy> boxes;
   double largest = 0;  // coordinate
   bool any_union = false, any_opaque = false, any_repeats = false;
   bool may_close = false;  // an opaque object may shorten rays
 
-  State(const scene::Scene& scene, Precision precision_, const std::optional<MarchOptions>& march,
-        double stop_below)
-      : State(scene, scene.bounds(), precision_, march, stop_below, {}) {}
+  State(const scene::Scene& scene_, Precision precision_, const std::optional<MarchOptions>& march_,
+        double stop_below_, BoxHierarchy::Motion motion_)
+      : State(scene_, {}, precision_, march_, stop_below_, motion_) {}
   State(const scene::Scene& part, const WholeScene& whole, Precision precision_)
-      : State(part, whole.bounds, precision_, {}, 0, whole.part) {
-    largest = whole.largest;
+      : State(part, whole, precision_, {}, 0, BoxHierarchy::Motion::still) {}
+
+  State(const scene::Scene& scene_, const std::optional<WholeScene>& whole_, Precision precision_,
+        const std::optional<MarchOptions>& march_, double stop_below_, BoxHierarchy::Motion motion_)
+      : scene(scene_),
+        whole(whole_),
+        precision(precision_),
+        march(march_),
+        stop_below(stop_below_),
+        motion(motion_),
+        frame(scene_, bounds()) {
+    build(objects());
   }
 
-  State(const scene::Scene& scene, const Box3& bounds, Precision precision_,
-        const std::optional<MarchOptions>& march, double stop_below, const scene::PartNumber& part)
-      : frame(scene, bounds),
-        precision(precision_),
-        hierarchy(make_objects(scene, {frame, scene.camera, scene.lighting, march, stop_below,
-                                       march_stops(scene, march), part}),
-                  frame.from_world(bounds.center()), callbacks(precision_)) {
-    for (const BoxHierarchy::Object& object : hierarchy.objects()) {
+  const BoxHierarchy& hierarchy() const { return *boxes; }
+  /// Of all that is drawn, world.
+  Box3 bounds() const { return whole ? whole->bounds : scene.bounds(); }
+  Vec3 center() const { return frame.from_world(bounds().center()); }
+
+  Objects objects(const Objects& before = {}) const {
+    return make_objects(scene,
+                        {frame, scene.camera, scene.lighting, march, stop_below,
+                         march_stops(scene, march), whole ? whole->part : scene::PartNumber()},
+                        before);
+  }
+
+  void build(Objects made) {
+    boxes =
+        std::make_unique<BoxHierarchy>(std::move(made), center(), callbacks(precision), motion);
+    summarize();
+  }
+
+  void turn() {
+    frame = ViewFrame(scene, bounds());
+    Objects moved = objects(hierarchy().objects());
+    if (boxes->move(moved, center()))
+      summarize();
+    else
+      build(objects());
+  }
+
+  void summarize() {
+    largest = whole ? whole->largest : 0;
+    any_union = any_opaque = any_repeats = may_close = false;
+    for (const BoxHierarchy::Object& object : hierarchy().objects()) {
       largest = std::max(largest, object.geometry->largest_coordinate());
       any_union |= object.geometry->is_union();
       any_repeats |= object.geometry->repeats();
@@ -164,7 +207,7 @@ struct CrossingFinder::State {
 void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
   std::vector<PartCrossing> parts;
   std::erase_if(crossings, [&](const Crossing& crossing) {
-    const CrossingGeometry& geometry = *hierarchy.objects()[crossing.object].geometry;
+    const CrossingGeometry& geometry = *hierarchy().objects()[crossing.object].geometry;
     if (geometry.is_union()) parts.push_back({geometry.solid(crossing), crossing});
     return geometry.is_union();
   });
@@ -173,13 +216,25 @@ void CrossingFinder::State::unite(std::vector<Crossing>& crossings) const {
 
 CrossingFinder::CrossingFinder(const scene::Scene& scene, Precision precision,
                                const std::optional<MarchOptions>& march, double stop_below)
-    : state_(std::make_unique<State>(scene, precision, march, stop_below)) {}
+    : state_(std::make_unique<State>(scene, precision, march, stop_below,
+                                     BoxHierarchy::Motion::still)) {}
+
+CrossingFinder::CrossingFinder(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+CrossingFinder CrossingFinder::turning(const scene::Scene& scene, Precision precision,
+                                       double stop_below) {
+  return CrossingFinder(std::make_unique<State>(scene, precision, std::nullopt, stop_below,
+                                                BoxHierarchy::Motion::moving));
+}
 
 CrossingFinder::CrossingFinder(const scene::Scene& part, const WholeScene& whole,
                                Precision precision)
     : state_(std::make_unique<State>(part, whole, precision)) {}
 
 CrossingFinder::~CrossingFinder() = default;
+CrossingFinder::CrossingFinder(CrossingFinder&& other) noexcept = default;
+
+void CrossingFinder::turn() { state_->turn(); }
 
 const ViewFrame& CrossingFinder::frame() const { return state_->frame; }
 
@@ -190,7 +245,7 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   const bool perspective = ray.projection == scene::Projection::perspective;
   const Vec3 direction = perspective ? glm::normalize(Vec3(ray.x, ray.y, 1)) : Vec3(0, 0, 1);
   const Vec3 eye_point = perspective ? Vec3(0) : Vec3(ray.x, ray.y, 0);
-  const Vec3 start = eye_point - hierarchy.center();
+  const Vec3 start = eye_point - hierarchy().center();
   const double nearest = -glm::dot(start, direction);
   const double begin = std::max(nearest - reach, -behind_eye), end = nearest + reach;
   const Vec3 origin = start + begin * direction;
@@ -220,12 +275,12 @@ void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
   order_crossings(crossings);
   // To the last bit: each box's test is the same.
   const auto repeated = [this](const Crossing& p, const Crossing& q) {
-    return p == q && hierarchy.objects()[p.object].geometry->repeats();
+    return p == q && hierarchy().objects()[p.object].geometry->repeats();
   };
   if (any_repeats)
     crossings.erase(std::unique(crossings.begin(), crossings.end(), repeated), crossings.end());
   if (!any_opaque) return;
-  const auto opaque = [this](const Crossing& c) { return hierarchy.objects()[c.object].opaque; };
+  const auto opaque = [this](const Crossing& c) { return hierarchy().objects()[c.object].opaque; };
   const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);
   if (end_of_ray != crossings.end()) crossings.erase(end_of_ray + 1, crossings.end());
 }
@@ -247,7 +302,7 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
     state_->prepare(rays[i], crossings[i], i, context, traversal);
     valid[i] = traversal.ray.tfar[i] >= 0 ? -1 : 0;
   }
-  const RTCScene scene = state_->hierarchy.scene();
+  const RTCScene scene = state_->hierarchy().scene();
   if (state_->may_close)
     traverse_intersect(valid, scene, context.embree, traversal);
   else
@@ -256,16 +311,16 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
 }
 
 Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {
-  const BoxHierarchy::Object& object = state_->hierarchy.objects()[crossing.object];
+  const BoxHierarchy::Object& object = state_->hierarchy().objects()[crossing.object];
   Fragment fragment = object.geometry->shade(crossing, world_direction);
   if (object.opaque) fragment.opacity = 1;
   return fragment;
 }
 
 double CrossingFinder::importance(const Crossing& crossing) const {
-  return state_->hierarchy.objects()[crossing.object].geometry->importance(crossing);
+  return state_->hierarchy().objects()[crossing.object].geometry->importance(crossing);
 }
 
-std::uint64_t CrossingFinder::bytes() const { return state_->hierarchy.bytes(); }
+std::uint64_t CrossingFinder::bytes() const { return state_->hierarchy().bytes(); }
 
 }  // namespace pellucid::groundtruth

@@ -29,7 +29,15 @@ class CrossingFinder {
   /// Builds the hierarchy of a part of a scene, which has to outlive it: what it finds is what it
   /// would find of the whole with the part's primitives. Their numbers are the part's.
   CrossingFinder(const scene::Scene& part, const WholeScene& whole, Precision precision);
+  /// Builds a hierarchy for a scene that turns: its camera, size and halos may change before each
+  /// turn(). Traversals take somewhat longer.
+  static CrossingFinder turning(const scene::Scene& scene, Precision precision, double stop_below);
   ~CrossingFinder();
+  CrossingFinder(CrossingFinder&& other) noexcept;
+
+  /// Takes the scene as it is now, in far less time than building anew takes: the same crossings,
+  /// to the last bit, as a new finder finds. Throws as the constructor does.
+  void turn();
 
   const ViewFrame& frame() const;
 
@@ -49,6 +57,8 @@ class CrossingFinder {
 
  private:
   struct State;
+  explicit CrossingFinder(std::unique_ptr<State> state);
+
   std::unique_ptr<State> state_;
 };
 

@@ -206,4 +206,16 @@ std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
   return mesh;
 }
 
+void restyle_isosurface(const Appearance& appearance, const JsonNode& node, Isosurface& surface) {
+  surface.value = node["value"].number(-any, any);
+  const auto* color = std::get_if<ScalarColor>(&appearance.color);
+  if (color && surface.coloring) {
+    surface.coloring->map = color->custom ? nullptr : &find_colormap(color->map);
+    surface.coloring->custom = color->custom;
+    surface.coloring->nan = color->nan;
+  }
+  const auto* opacity = std::get_if<ScalarOpacity>(&appearance.opacity);
+  if (opacity && surface.fading) surface.fading->opacities = opacity->opacities;
+}
+
 }  // namespace pellucid::scene

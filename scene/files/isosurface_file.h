@@ -21,4 +21,9 @@ std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
     const JsonNode& node, const std::filesystem::path& folder, const Appearance& appearance,
     std::string& how);
 
+/// Gives a surface that read_isosurface() has made the value that `node` says, the colour map and
+/// the opacities of `appearance`; their scalars and ranges stay. Throws InputError for a wrong
+/// value and an unknown map.
+void restyle_isosurface(const Appearance& appearance, const JsonNode& node, Isosurface& surface);
+
 }  // namespace pellucid::scene

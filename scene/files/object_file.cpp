@@ -79,6 +79,22 @@ class ObjectReader {
     return std::move(object_);
   }
 
+  SceneObject restyle(SceneObject object) {
+    const bool is_extracted =
+        node_.has("isosurface") && !std::holds_alternative<Isosurface>(object.shape);
+    if (is_extracted) return read();  // its triangles are those of the value
+    object_ = std::move(object);
+    if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
+    if (auto* lines = std::get_if<LineObject>(&object_.shape))
+      draw(geometry::LineSet(std::move(lines->set)));
+    if (auto* points = std::get_if<PointObject>(&object_.shape))
+      draw(geometry::PointSet(std::move(points->set)));
+    if (auto* surface = std::get_if<Isosurface>(&object_.shape))
+      restyle_isosurface(read_appearance(node_, context_.folder), node_["isosurface"], *surface);
+    apply();
+    return std::move(object_);
+  }
+
  private:
   struct Kind {
     std::string_view key;
@@ -295,6 +311,11 @@ const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{
 
 SceneObject read_object(const JsonNode& node, const ObjectContext& context) {
   return ObjectReader(node, context).read();
+}
+
+SceneObject restyled_object(const JsonNode& node, const ObjectContext& context,
+                            SceneObject object) {
+  return ObjectReader(node, context).restyle(std::move(object));
 }
 
 }  // namespace pellucid::scene

@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-namespace pellucid::app {
+namespace pellucid::compare {
 
 /// The exact crossings and sums along the rays through the centres of pixels, given as x, y, x, y,
 /// …: {"depth": {near, far}, "pixels": [{x, y, color, transmittance, layers: […]}]}; a layer's keys
@@ -14,4 +14,4 @@ namespace pellucid::app {
 /// outside the picture.
 nlohmann::json probe_json(const scene::Scene& scene, const std::vector<int>& pixels);
 
-}  // namespace pellucid::app
+}  // namespace pellucid::compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/probe.h"
+#include "compare/results/probe_json.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "groundtruth/sums/ray_sums.h"
 
-namespace pellucid::app {
+namespace pellucid::compare {
 namespace {
 
 nlohmann::json to_json(const Vec3& x) { return {x.x, x.y, x.z}; }
@@ -53,4 +53,4 @@ nlohmann::json probe_json(const scene::Scene& scene, const std::vector<int>& pix
   return json;
 }
 
-}  // namespace pellucid::app
+}  // namespace pellucid::compare

@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of `pellucid view` in a browser: turning, methods, probing, saving, by mouse and by keys; who is refused; how
+it ends. Skipped (exit code 77) where Debian's python3-selenium and chromium-driver are not installed."""
+
+import http.client
+import json
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.parse
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "report"))
+from viewer_test import PLY, start_browser  # noqa: E402  (it skips where there is no browser)
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+from selenium.webdriver.support.ui import Select, WebDriverWait  # noqa: E402
+
+PROGRAM = os.environ["PELLUCID_PROGRAM"]
+
+
+def make_scene(folder):
+    for name, z, tilt in (("near", 0.2, 0.2), ("far", 0, 0)):
+        (folder / f"{name}.ply").write_text(PLY.format(z=z, tilt=tilt))
+    file = folder / "sheets.json"
+    file.write_text(json.dumps({
+        "format": "pellucid-scene", "version": 1, "resolution": [96, 64],
+        "camera": {"eye": [0.3, 0.3, 3], "target": [0.3, 0.3, 0], "fov": 30},
+        "objects": [{"mesh": "near.ply", "color": [0.9, 0.3, 0.1], "opacity": 0.4},
+                    {"mesh": "far.ply", "color": [0.1, 0.8, 0.2], "opacity": 0.6}]}))
+    return file
+
+
+class Server:
+    """`pellucid view` of a file or a folder, ended by the end of its standard input."""
+
+    def __init__(self, what):
+        self.process = subprocess.Popen([PROGRAM, "view", what, "--json"], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.address = json.loads(self.process.stdout.readline())["address"]
+        url = urllib.parse.urlparse(self.address)
+        self.port, self.path = url.port, url.path
+
+    def end(self):
+        self.process.stdin.close()
+        code = self.process.wait(10)
+        self.process.stdout.close()
+        return code
+
+    def get(self, path, **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=10)
+        connection.request("GET", path, headers=headers)
+        response = connection.getresponse()
+        body = response.read()
+        connection.close()
+        return response.status, body
+
+    def processor_seconds(self):
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.place = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.place.name)
+        cls.scene = make_scene(cls.folder)
+        cls.server = Server(cls.scene)
+        cls.browser = start_browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        code = cls.server.end()
+        cls.place.cleanup()
+        assert code == 0, code
+
+    def setUp(self):
+        self.browser.get(self.server.address)
+        self.settle("raytrace")
+
+    def settle(self, *words):
+        """Waits for the picture with all samples, and for these words beside it."""
+        WebDriverWait(self.browser, 8, 0.02).until(
+            lambda _: "16 samples" in self.numbers() and all(word in self.numbers() for word in words))
+
+    def numbers(self):
+        return self.browser.find_element(By.ID, "numbers").text
+
+    def canvas(self):
+        return self.browser.find_element(By.ID, "canvas")
+
+    def control(self, name):
+        return self.browser.find_element(By.CSS_SELECTOR, f'[aria-label="{name}"]')
+
+    def button(self, text):
+        return self.browser.find_element(By.XPATH, f"//button[.='{text}']")
+
+    def seen(self):
+        return self.browser.execute_script("""const c = document.getElementById("canvas");
+            const pixels = new Uint32Array(c.getContext("2d").getImageData(0, 0, c.width, c.height).data.buffer);
+            let hash = 2166136261;
+            for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 16777619);
+            return hash >>> 0""")
+
+    def changed(self, before):
+        WebDriverWait(self.browser, 8, 0.02).until(lambda _: self.seen() != before)
+
+    def console(self):
+        return [entry["message"] for entry in self.browser.get_log("browser")]
+
+    def test_turned_by_mouse_and_keys_and_back(self):
+        before = self.seen()
+        ActionChains(self.browser, duration=20).click_and_hold(self.canvas()).move_by_offset(90, 30).release().perform()
+        self.changed(before)
+        self.settle()
+        turned = self.seen()
+        self.canvas().send_keys(Keys.ARROW_LEFT, Keys.ARROW_UP, "+")
+        self.changed(turned)
+        self.settle()
+        self.canvas().send_keys("r")
+        WebDriverWait(self.browser, 8, 0.02).until(lambda _: self.seen() == before)
+        self.assertEqual(self.console(), [])
+
+    def test_a_method_its_parameters_and_the_objects_have_controls(self):
+        plain = self.seen()
+        Select(self.control("second method")).select_by_visible_text("fourier")
+        self.settle("fourier", "RMSE", "SSIM")
+        split = self.seen()
+        self.assertNotEqual(split, plain)
+        self.canvas().send_keys("5")
+        self.changed(split)
+        bands = self.browser.find_element(By.CSS_SELECTOR, '[aria-label^="bands"][aria-label$="of fourier"]')
+        bands.send_keys(Keys.HOME)
+        self.settle("bands=1")
+        Select(self.control("second method")).select_by_visible_text("none")
+        self.settle()
+        WebDriverWait(self.browser, 8, 0.02).until(lambda _: self.seen() == plain)
+        self.control("opacity of objects[0]").send_keys(Keys.END)
+        self.changed(plain)
+        self.assertEqual(self.console(), [])
+
+    def test_a_probe_is_that_of_render(self):
+        Select(self.browser.find_element(By.CSS_SELECTOR, '[aria-label="Size of the pictures"]')).select_by_value("scene")
+        self.settle("96 × 64")
+        self.canvas().send_keys(Keys.SHIFT, Keys.ARROW_RIGHT, Keys.NULL, Keys.ENTER)
+        WebDriverWait(self.browser, 8, 0.02).until(
+            lambda _: self.browser.find_element(By.ID, "probe").is_displayed())
+        panel = self.browser.find_element(By.ID, "probe")
+        title = panel.find_element(By.TAG_NAME, "h2").text
+        x, y = (int(word) for word in title.removeprefix("Pixel ").split(", "))
+        out = self.folder / "probe.json"
+        subprocess.run([PROGRAM, "render", self.scene, "-m", "raytrace", "-o", self.folder / "a.png", "--quiet",
+                        "--probe", f"{x},{y}", "--probe-out", out], check=True, stdout=subprocess.DEVNULL)
+        pixel = json.loads(out.read_text())["pixels"][0]
+        self.assertGreater(len(pixel["layers"]), 0)
+        self.assertEqual(len(panel.find_elements(By.CSS_SELECTOR, "tbody tr")), len(pixel["layers"]))
+        transmittance = float(panel.text.split("transmittance ")[1].split(".\n")[0])
+        self.assertAlmostEqual(transmittance, pixel["transmittance"], delta=5e-7)
+        cells = [cell.text for cell in panel.find_elements(By.CSS_SELECTOR, "tbody tr:first-child td")]
+        self.assertAlmostEqual(float(cells[3]), pixel["layers"][0]["depth"], delta=1e-4)
+        self.assertEqual(self.console(), [])
+
+    def test_the_camera_is_saved_and_printed(self):
+        text = self.scene.read_text()
+        self.canvas().send_keys(Keys.ARROW_LEFT)
+        self.settle()
+        self.button("save camera").click()
+        WebDriverWait(self.browser, 8, 0.02).until(lambda _: self.scene.read_text() != text)
+        saved = json.loads(self.scene.read_text())
+        self.assertNotEqual(saved["camera"]["eye"], [0.3, 0.3, 3])
+        self.assertEqual(saved["objects"], json.loads(text)["objects"])
+        self.button("print camera").click()
+        WebDriverWait(self.browser, 8, 0.02).until(
+            lambda _: "--camera eye=" in self.browser.find_element(By.CSS_SELECTOR, ".said").text)
+        self.scene.write_text(text)
+
+    def test_everything_has_a_name(self):
+        nameless = self.browser.execute_script("""return [...document.querySelectorAll(
+            "button, input, select, canvas")].filter((e) => !(e.getAttribute("aria-label") || e.labels?.length ||
+            e.textContent.trim())).map((e) => e.outerHTML)""")
+        self.assertEqual(nameless, [])
+
+    def test_nothing_is_wider_than_a_narrow_window(self):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                     {"width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+        try:
+            self.browser.get(self.server.address)
+            self.settle()
+            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), 390)
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+    def test_strangers_are_refused(self):
+        path = self.server.path
+        self.assertEqual(self.server.get(path + "scene/0/")[0], 200)
+        self.assertEqual(self.server.get("/")[0], 403)
+        self.assertEqual(self.server.get("/" + "0" * 32 + "/scene/0/")[0], 403)
+        self.assertEqual(self.server.get(path, Host="evil.example")[0], 403)
+        self.assertEqual(self.server.get(path, Origin="http://evil.example")[0], 403)
+        self.assertEqual(self.server.get(path + "scene/0/../../../../etc/passwd")[0], 404)
+        self.assertEqual(self.server.get(path + "scene/0/%2e%2e/%2e%2e/etc/passwd")[0], 404)
+
+    def test_a_torn_connection_harms_nobody(self):
+        for sent in (b"", b"GET ", b"POST %sscene/0/frame HTTP/1.1\r\nHost: 127.0.0.1:%d\r\nContent-Type: application/json\r\n"
+                     b"Content-Length: 1000\r\n\r\n{" % (self.server.path.encode(), self.server.port)):
+            connection = socket.create_connection(("127.0.0.1", self.server.port))
+            connection.sendall(sent)
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")  # a reset, at once
+            connection.close()
+        self.assertEqual(self.server.get(self.server.path + "scene/0/")[0], 200)
+
+    def test_whoever_waits_takes_no_processor_time(self):
+        time.sleep(2.5)  # connections are kept open for two seconds
+        before = self.server.processor_seconds()
+        time.sleep(1.5)
+        self.assertLessEqual(self.server.processor_seconds() - before, 0.02)  # the clock ticks by hundredths
+
+
+class EndTest(unittest.TestCase):
+    def test_it_ends_with_its_terminal(self):
+        with tempfile.TemporaryDirectory() as name:
+            scene = make_scene(pathlib.Path(name))
+            self.assertEqual(Server(scene).end(), 0)
+            for ending in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
+                server = Server(scene)
+                server.process.send_signal(ending)
+                self.assertEqual(server.process.wait(10), 0, ending)
+                server.end()
+
+
+if __name__ == "__main__":
+    unittest.main()
