@@ -50,6 +50,7 @@ void run(const ViewArguments& arguments, const GlobalOptions& globals) {
     if (!globals.quiet) print_line(line);
   });
   if (is_scene) site.load(0, console_progress(globals));
+  const view::TerminalEnd end;  // until here a signal ends the program as it does any other command
   std::unique_ptr<view::Gate> gate;
   view::HttpServer server(
       arguments.port,
@@ -65,7 +66,7 @@ void run(const ViewArguments& arguments, const GlobalOptions& globals) {
     print_line(json_text({{"address", gate->address()}}));
   else
     print_line(gate->address());
-  serve(server, site, view::TerminalEnd());
+  serve(server, site, end);
 }
 
 }  // namespace

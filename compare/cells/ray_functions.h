@@ -16,8 +16,8 @@ struct RayFunction {
   const char* name;   // of measures
   const char* title;  // within a sentence
   const char* symbol;
-  /// Returns the exact value at d in [0, 1]. An opaque layer's optical depth is infinite: it ends at
-  /// 60, behind which nothing shows.
+  /// Returns the exact value at d in [0, 1]. An opaque layer's optical depth is infinite: it ends
+  /// at 60, behind which nothing shows.
   double (*exact)(const groundtruth::RaySums& ray, double d);
 };
 

@@ -26,12 +26,9 @@ std::string_view name_of(ParameterSpec::Kind kind) {
 }
 
 nlohmann::ordered_json row_json(const ParameterSpec& spec) {
-  nlohmann::ordered_json row{{"name", spec.name},
-                             {"kind", name_of(spec.kind)},
-                             {"default", spec.default_value},
-                             {"accepted", spec.accepted()},
-                             {"unit", spec.unit},
-                             {"help", spec.help}};
+  nlohmann::ordered_json row{
+      {"name", spec.name},           {"kind", name_of(spec.kind)}, {"default", spec.default_value},
+      {"accepted", spec.accepted()}, {"unit", spec.unit},          {"help", spec.help}};
   if (std::isfinite(spec.min)) row["min"] = spec.min;
   if (std::isfinite(spec.max)) row["max"] = spec.max;
   if (spec.kind == ParameterSpec::Kind::choice) row["choices"] = split(spec.choices, '|');

@@ -57,8 +57,7 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &embree_bytes_);
   scene_.reset(rtcNewScene(device_.get()));
   if (!callbacks.built_in) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  // Low stands for a tree over those of the objects, each of the quality that it asks for.
-  if (motion_ == Motion::moving) rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
+  if (motion_ == Motion::moving) keep_trees();
   for (Object& object : objects_) {
     object.center = center;
     const auto* mesh = dynamic_cast<const TriangleGeometry*>(object.geometry.get());
@@ -87,6 +86,14 @@ void BoxHierarchy::commit() {
   }).join();
   embree_tasks.join();
   if (error) std::rethrow_exception(error);
+}
+
+/// Embree keeps a tree where all three are asked for: low quality stands for a tree over those of
+/// the objects, and their own quality says that they are refitted. Without the flag it builds them
+/// anew.
+void BoxHierarchy::keep_trees() {
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
 }
 
 RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) const {

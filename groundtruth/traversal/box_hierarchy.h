@@ -62,6 +62,7 @@ class BoxHierarchy {
     void operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
   };
 
+  void keep_trees();
   void commit();
   RTCGeometry boxes(Object& object, const Callbacks& callbacks) const;
   RTCGeometry triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const;

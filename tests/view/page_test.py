@@ -48,6 +48,7 @@ class Server:
         self.port, self.path = url.port, url.path
 
     def end(self):
+        """Returns the exit code."""
         self.process.stdin.close()
         code = self.process.wait(10)
         self.process.stdout.close()
@@ -114,7 +115,8 @@ class PageTest(unittest.TestCase):
         WebDriverWait(self.browser, 8, 0.02).until(lambda _: self.seen() != before)
 
     def console(self):
-        return [entry["message"] for entry in self.browser.get_log("browser")]
+        """Without what is said of this test's own reading of the canvas."""
+        return [entry["message"] for entry in self.browser.get_log("browser") if "willReadFrequently" not in entry["message"]]
 
     def test_turned_by_mouse_and_keys_and_back(self):
         before = self.seen()

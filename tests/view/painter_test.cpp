@@ -112,7 +112,9 @@ TEST_F(UnitPainter, SettingsAreThoseOfTheSceneFile) {
       {{{{"opacity", "0.9"}}, nlohmann::json::object()}, "\"opacity\": 0.4", "\"opacity\": 0.9"},
       {{{{"map", "magma"}}, nlohmann::json::object()}, "viridis", "magma"},
       {{nlohmann::json::object(), {{"radius", "0.1"}}}, "0.05, \"color\"", "0.1, \"color\""},
-      {{nlohmann::json::object(), {{"halo-width", "0.2"}}}, "{\"width\": 0.05}", "{\"width\": 0.2}"}};
+      {{nlohmann::json::object(), {{"halo-width", "0.2"}}},
+       "{\"width\": 0.05}",
+       "{\"width\": 0.2}"}};
   const Image plain = frame(state(), {"raytrace"}).images[0];
   for (const auto& [objects, what, by] : cases) {
     nlohmann::json request = state();

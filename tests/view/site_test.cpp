@@ -32,9 +32,9 @@ class UnitSite : public SmallScene {
     return nlohmann::json::parse(answer.body);
   }
   Site& site() {
-    if (!site_) site_ = std::make_unique<Site>(content_, "osmesa", [this](const std::string& line) {
-        printed_.push_back(line);
-      });
+    if (!site_)
+      site_ = std::make_unique<Site>(content_, "osmesa",
+                                     [this](const std::string& line) { printed_.push_back(line); });
     return *site_;
   }
   /// The one line that a refusal is.
@@ -56,8 +56,8 @@ TEST_F(UnitSite, ServesThePageAndNothingElse) {
   EXPECT_THAT(get("scene/0/view.js").body, HasSubstr("class Stage"));
   EXPECT_THAT(get("scene/0/view.css").body, HasSubstr("prefers-color-scheme: dark"));
   for (const char* path : {"scene/1/", "scene/0", "scene/x/", "scene/", "x", "report/report.html",
-                           "scene/0/../../../etc/passwd", "scene/0/view.html", "scene/0//etc/passwd",
-                           "scene/99999999999999999999/", "scene/-1/"})
+                           "scene/0/../../../etc/passwd", "scene/0/view.html",
+                           "scene/0//etc/passwd", "scene/99999999999999999999/", "scene/-1/"})
     EXPECT_EQ(get(path).status, 404) << path;
 }
 

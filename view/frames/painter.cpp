@@ -95,8 +95,7 @@ ProbeRequest read_probe_request(const JsonNode& node) {
 void Painter::forget(const ViewState& state) {
   const bool same_objects = seen_ && state.objects == state_.objects;
   seen_ = nullptr;
-  std::erase_if(drawn_,
-                [&](const auto& drawn) { return !same_objects || !drawn.second.turning; });
+  std::erase_if(drawn_, [&](const auto& drawn) { return !same_objects || !drawn.second.turning; });
   for (auto& [call, drawn] : drawn_) drawn.rendering.reset();
 }
 
@@ -180,8 +179,8 @@ json Painter::probe(const ProbeRequest& request, const Progress& progress) {
       groundtruth::RayProbe(*seen_).at(request.x + 0.5, request.y + 0.5);
   for (const compare::RayFunction& function : compare::ray_functions()) {
     if (function.sum == scene::RaySum::importance && !scene::has_importance(*seen_)) continue;
-    const auto series = drawn.renderer->ray_series(function.sum, request.x, request.y,
-                                                   compare::curve_depths());
+    const auto series =
+        drawn.renderer->ray_series(function.sum, request.x, request.y, compare::curve_depths());
     answer["curves"].push_back({{"title", function.title},
                                 {"symbol", function.symbol},
                                 {"exact", compare::exact_curve(function, ray)},

@@ -23,8 +23,8 @@ struct FrameRequest {
   std::vector<std::string> metrics;  // of the second picture against the first; empty: none
 };
 
-/// Reads the state_keys, "methods": calls as on the command line, one or two, and "metrics": names of
-/// compare::metrics(). Throws InputError.
+/// Reads the state_keys, "methods": calls as on the command line, one or two, and "metrics": names
+/// of compare::metrics(). Throws InputError.
 FrameRequest read_frame_request(const JsonNode& node);
 
 /// A ProbeRequest asks what the ray of a pixel crosses, and what a method makes of it.
@@ -44,18 +44,18 @@ class Painter {
  public:
   Painter(ViewedScene& scene, std::string gl) : scene_(scene), gl_(std::move(gl)) {}
 
-  /// Returns a header of JSON and the pictures: the header's length in bytes (32 bits, least first),
-  /// the header, blanks up to a multiple of 4, then of each method the floats of all red values, all
-  /// green and all blue ones, row 0 first. The header has "size", "samples", "pictures": [{"method",
-  /// "seconds"}] and "metrics": {NAME: number or null}.
+  /// Returns a header of JSON and the pictures: the header's length in bytes (32 bits, least
+  /// first), the header, blanks up to a multiple of 4, then of each method the floats of all red
+  /// values, all green and all blue ones, row 0 first. The header has "size", "samples",
+  /// "pictures": [{"method", "seconds"}] and "metrics": {NAME: number or null}.
   std::string frame(const FrameRequest& request, const Progress& progress);
 
   /// Returns {"exact": as probe_json() has it, "d": depths, "curves": [{"title", "symbol", "exact":
   /// values, "method": values or null}]}.
   nlohmann::json probe(const ProbeRequest& request, const Progress& progress);
 
-  /// Returns the camera that sees all of the scene from the side of that name, in the state's picture
-  /// and with its camera's projection. Throws InputError for an unknown name.
+  /// Returns the camera that sees all of the scene from the side of that name, in the state's
+  /// picture and with its camera's projection. Throws InputError for an unknown name.
   scene::Camera fitted(const ViewState& state, std::string_view direction);
 
  private:

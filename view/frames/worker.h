@@ -13,12 +13,12 @@
 
 namespace pellucid::view {
 
-/// Replaced is thrown to who waits for work that nobody wants any more: its page has asked for other
-/// work since, or the program ends. It is no failure.
+/// Replaced is thrown to who waits for work that nobody wants any more: its page has asked for
+/// other work since, or the program ends. It is no failure.
 struct Replaced {};
 
-/// A Worker does all work on one thread, one after another, since a GL context belongs to its thread.
-/// Newer work of a page takes the place of its older work, whether that waits or runs.
+/// A Worker does all work on one thread, one after another, since a GL context belongs to its
+/// thread. Newer work of a page takes the place of its older work, whether that waits or runs.
 class Worker {
  public:
   using Work = std::function<void(const Progress&)>;
@@ -28,8 +28,8 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Returns when `work` is done, and throws what it throws, or Replaced. Any thread may call it. Work
-  /// whose page is empty is replaced by none.
+  /// Returns when `work` is done, and throws what it throws, or Replaced. Any thread may call it.
+  /// Work whose page is empty is replaced by none.
   void run(const std::string& page, const Work& work);
 
   /// Ends what runs and waits, and refuses all later work with Replaced.

@@ -87,6 +87,7 @@ class Live {
   }
 
   show(frame, moving) {
+    if (this.frame && String(this.frame.size) !== String(frame.size) && !moving) this.stage.cursor = null;
     this.frame = frame;
     this.frame.of = this.asked.map((method) => (method === this.first ? "first" : "second"));
     this.paint();

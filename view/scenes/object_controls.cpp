@@ -68,10 +68,16 @@ const std::vector<ControlRow>& rows() {
         .help = "colour map"},
        json::json_pointer("/color/map"),
        has_named_map},
-      {{.name = "isovalue", .kind = Kind::real, .help = "value of the surface, in the scalar's unit"},
+      {{.name = "isovalue",
+        .kind = Kind::real,
+        .help = "value of the surface, in the scalar's unit"},
        json::json_pointer("/isosurface/value"),
        [](const json& object) { return object.contains("isosurface"); }},
-      {{.name = "radius", .kind = Kind::real, .min = tiny, .unit = "world units", .help = "half width"},
+      {{.name = "radius",
+        .kind = Kind::real,
+        .min = tiny,
+        .unit = "world units",
+        .help = "half width"},
        json::json_pointer("/radius"),
        [](const json& object) { return object.contains("radius"); }},
       {{.name = "halo-width",
@@ -95,8 +101,8 @@ std::string text_of(const json& value) {
   return value.is_number() ? number_text(value.get<double>()) : value.get<std::string>();
 }
 
-/// Least and largest sample of an isosurface that is crossed as such; of an extracted one nothing is
-/// known.
+/// Least and largest sample of an isosurface that is crossed as such; of an extracted one nothing
+/// is known.
 Vec2 samples_range(const scene::SceneObject& made) {
   Vec2 range(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
   const auto* surface = std::get_if<scene::Isosurface>(&made.shape);

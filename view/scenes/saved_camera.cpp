@@ -85,7 +85,8 @@ std::string with_camera(const std::string& file, const std::string& text,
   else
     changed.insert(keys.first_key(), "\"camera\": " + text_of(camera) + ",\n  ");
   wanted["camera"] = scene::camera_json(camera);
-  if (parse_json(file, changed) != wanted) throw WorkError(file + ": its camera cannot be replaced");
+  if (parse_json(file, changed) != wanted)
+    throw WorkError(file + ": its camera cannot be replaced");
   return changed;
 }
 

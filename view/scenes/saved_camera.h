@@ -8,9 +8,9 @@
 
 namespace pellucid::view {
 
-/// Returns the text of a scene file with another camera; all of it that is not the camera stays as it
-/// is, to the last blank. `file` names it in messages. Throws InputError for what is no object of
-/// JSON.
+/// Returns the text of a scene file with another camera; all of it that is not the camera stays as
+/// it is, to the last blank. `file` names it in messages. Throws InputError for what is no object
+/// of JSON.
 std::string with_camera(const std::string& file, const std::string& text,
                         const scene::Camera& camera);
 

@@ -39,8 +39,8 @@ nlohmann::ordered_json ViewedScene::description() const {
   nlohmann::ordered_json objects = nlohmann::ordered_json::array();
   const auto made = named_objects(loaded_);
   for (std::size_t i = 0; i < made.size(); ++i)
-    objects.push_back({{"name", made[i]->name},
-                       {"controls", control_rows(text_["objects"][i], *made[i])}});
+    objects.push_back(
+        {{"name", made[i]->name}, {"controls", control_rows(text_["objects"][i], *made[i])}});
   nlohmann::ordered_json views = nlohmann::ordered_json::array();
   for (const scene::ViewDirection& view : scene::view_directions())
     views.push_back({{"name", view.name}, {"title", view.title}});

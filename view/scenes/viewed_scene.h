@@ -21,9 +21,9 @@ class ViewedScene {
   /// "objects" with their names and control_rows(), "views", the table of directions.
   nlohmann::ordered_json description() const;
 
-  /// Returns the scene as a page looks at it; it stays until the next call. Geometry is neither read
-  /// nor integrated again, but where an isosurface is extracted. Throws InputError for settings that
-  /// an object does not have.
+  /// Returns the scene as a page looks at it; it stays until the next call. Geometry is neither
+  /// read nor integrated again, but where an isosurface is extracted. Throws InputError for
+  /// settings that an object does not have.
   const scene::Scene& look(const ViewState& state);
 
   const std::filesystem::path& file() const { return file_; }

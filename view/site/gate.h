@@ -13,8 +13,8 @@ namespace pellucid::view {
 std::string random_token();
 
 /// A Gate lets in who was given the address. Whatever a browser on this machine has open may ask
-/// 127.0.0.1: pages of others are known by Origin, names that were made to point here by Host, other
-/// users of the machine by the token that they lack.
+/// 127.0.0.1: pages of others are known by Origin, names that were made to point here by Host,
+/// other users of the machine by the token that they lack.
 class Gate {
  public:
   Gate(std::string token, int port) : token_(std::move(token)), port_(port) {}

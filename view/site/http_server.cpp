@@ -67,13 +67,13 @@ HttpServer::HttpServer(int port,
                               {"Referrer-Policy", "no-referrer"},
                               {"Cross-Origin-Resource-Policy", "same-origin"}});
   using Handled = httplib::Server::HandlerResponse;
-  server.set_pre_routing_handler([check](const httplib::Request& request,
-                                         httplib::Response& response) {
-    auto refusal = check(question_of(request));
-    if (!refusal) return Handled::Unhandled;
-    send(std::move(*refusal), response);
-    return Handled::Handled;
-  });
+  server.set_pre_routing_handler(
+      [check](const httplib::Request& request, httplib::Response& response) {
+        auto refusal = check(question_of(request));
+        if (!refusal) return Handled::Unhandled;
+        send(std::move(*refusal), response);
+        return Handled::Handled;
+      });
   const auto answer = [respond = std::move(respond)](const httplib::Request& request,
                                                      httplib::Response& response) {
     if (request.path.find("/report/") == std::string::npos)
@@ -82,11 +82,12 @@ HttpServer::HttpServer(int port,
   };
   server.Get(".*", answer);
   server.Post(".*", answer);
-  state_->port = port == 0 ? server.bind_to_any_port("127.0.0.1")
+  state_->port = port == 0                                ? server.bind_to_any_port("127.0.0.1")
                  : server.bind_to_port("127.0.0.1", port) ? port
                                                           : -1;
   if (state_->port < 0)
-    throw InputError(fmt::format("--port {}: it is taken; accepted: a free one, or 0 for any", port));
+    throw InputError(
+        fmt::format("--port {}: it is taken; accepted: a free one, or 0 for any", port));
 }
 
 HttpServer::~HttpServer() = default;

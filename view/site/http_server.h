@@ -13,8 +13,8 @@ class HttpServer {
  public:
   using Respond = std::function<Answer(const Question&)>;
 
-  /// Takes a port, 0: any free one. `check` answers what is refused, before a body is read; its answer
-  /// has a status of 400 or above. Throws InputError when the port is taken.
+  /// Takes a port, 0: any free one. `check` answers what is refused, before a body is read; its
+  /// answer has a status of 400 or above. Throws InputError when the port is taken.
   HttpServer(int port, const std::function<std::unique_ptr<Answer>(const Question&)>& check,
              Respond respond);
   ~HttpServer();

@@ -8,8 +8,8 @@
 namespace pellucid::view {
 namespace {
 
-/// All scripts, those of the report's viewer that it shares first; start.js alone does something when
-/// it is loaded, and is the last.
+/// All scripts, those of the report's viewer that it shares first; start.js alone does something
+/// when it is loaded, and is the last.
 std::string page_script() {
   std::string script = "\"use strict\";\n(() => {\n";
   for (const bool own : {false, true})
@@ -24,9 +24,14 @@ std::string page_script() {
 
 std::optional<Answer> page_file(std::string_view name) {
   if (name.empty())
-    return Answer{.status = 200, .type = "text/html; charset=utf-8", .body = std::string(view_files::view_html())};
+    return Answer{.status = 200,
+                  .type = "text/html; charset=utf-8",
+                  .body = std::string(view_files::view_html())};
   if (name == "view.css")
-    return Answer{.status = 200, .type = "text/css; charset=utf-8", .body = std::string(view_files::report_css()) + std::string(view_files::view_css())};
+    return Answer{
+        .status = 200,
+        .type = "text/css; charset=utf-8",
+        .body = std::string(view_files::report_css()) + std::string(view_files::view_css())};
   if (name == "view.js")
     return Answer{.status = 200, .type = "text/javascript; charset=utf-8", .body = page_script()};
   return std::nullopt;

@@ -24,7 +24,9 @@ namespace {
 using nlohmann::json;
 
 Answer json_answer(const nlohmann::ordered_json& value) {
-  return {.status = 200, .type = "application/json", .body = value.dump(-1, ' ', false, json::error_handler_t::replace)};
+  return {.status = 200,
+          .type = "application/json",
+          .body = value.dump(-1, ' ', false, json::error_handler_t::replace)};
 }
 
 nlohmann::ordered_json methods_json() {
@@ -69,7 +71,8 @@ scene::Camera read_one_camera(const json& body) {
 }  // namespace
 
 Answer failure(int status, const std::string& what) {
-  return {.status = status, .type = "application/json", .body = json_text({{"error", one_line(what)}})};
+  return {
+      .status = status, .type = "application/json", .body = json_text({{"error", one_line(what)}})};
 }
 
 /// A Stage is a loaded scene and who draws it.
@@ -100,8 +103,7 @@ void Site::load(std::size_t i, const Progress& progress) {
 }
 
 Site::Stage& Site::stage(std::size_t i, const Progress& progress) {
-  if (!stages_[i])
-    stages_[i] = std::make_unique<Stage>(content_.scenes[i].file, gl_, progress);
+  if (!stages_[i]) stages_[i] = std::make_unique<Stage>(content_.scenes[i].file, gl_, progress);
   return *stages_[i];
 }
 
@@ -120,7 +122,11 @@ Answer Site::answer(const Question& question, std::string_view inner_path) {
 }
 
 Answer Site::dispatch(const Question& question, std::string_view path) {
-  if (path.empty()) return {.status = 302, .type = "text/plain", .body = "", .location = content_.results ? "report/report.html" : "scene/0/"};
+  if (path.empty())
+    return {.status = 302,
+            .type = "text/plain",
+            .body = "",
+            .location = content_.results ? "report/report.html" : "scene/0/"};
   if (path.starts_with("report/") && content_.results)
     return results_file(*content_.results, path.substr(7), content_.scenes);
   if (!path.starts_with("scene/")) return failure(404, "nothing is here");
@@ -135,9 +141,9 @@ Answer Site::dispatch(const Question& question, std::string_view path) {
 
 Answer Site::scene_answer(std::size_t i, std::string_view name, const Question& question) {
   static constexpr Endpoint endpoints[] = {
-      {"scene", "GET", &Site::describe},  {"frame", "POST", &Site::frame},
-      {"probe", "POST", &Site::probe},    {"camera", "POST", &Site::camera},
-      {"save", "POST", &Site::save},      {"print", "POST", &Site::print}};
+      {"scene", "GET", &Site::describe}, {"frame", "POST", &Site::frame},
+      {"probe", "POST", &Site::probe},   {"camera", "POST", &Site::camera},
+      {"save", "POST", &Site::save},     {"print", "POST", &Site::print}};
   for (const Endpoint& endpoint : endpoints)
     if (endpoint.name == name) return act(endpoint, i, question);
   if (const auto file = page_file(name); file && question.verb == "GET") return *file;
@@ -172,9 +178,8 @@ Answer Site::frame(std::size_t i, const json& body) {
   const json text = without_page(body);
   const FrameRequest request = read_frame_request(JsonNode("request", text));
   Answer answer{.status = 200, .type = "application/octet-stream", .body = ""};
-  run(fmt::format("{}/{}", i, page_of(body)), [&](const Progress& progress) {
-    answer.body = stage(i).painter.frame(request, progress);
-  });
+  run(fmt::format("{}/{}", i, page_of(body)),
+      [&](const Progress& progress) { answer.body = stage(i).painter.frame(request, progress); });
   return answer;
 }
 
@@ -201,8 +206,8 @@ Answer Site::camera(std::size_t i, const json& body) {
 Answer Site::save(std::size_t i, const json& body) {
   const SceneFile& scene = content_.scenes[i];
   if (!scene.may_be_written)
-    return failure(403, scene.file.string() +
-                            ": only a scene that was named on the command line is written");
+    return failure(
+        403, scene.file.string() + ": only a scene that was named on the command line is written");
   save_camera(scene.file, read_one_camera(body));
   print_(fmt::format("{}: camera saved", scene.file.string()));
   return json_answer({{"saved", scene.file.string()}});

@@ -43,9 +43,7 @@ bool can_end_later() {
 }
 
 /// Who reads from a terminal in the background is stopped.
-bool may_read() {
-  return ::isatty(STDIN_FILENO) == 0 || ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
-}
+bool may_read() { return ::isatty(STDIN_FILENO) == 0 || ::tcgetpgrp(STDIN_FILENO) == ::getpgrp(); }
 
 /// Throws away what was typed; returns whether nothing more can come.
 bool has_ended() {
