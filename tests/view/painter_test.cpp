@@ -135,6 +135,7 @@ TEST_F(UnitPainter, AProbeIsThatOfRender) {
   const nlohmann::json exact = compare::probe_json(scene::load_scene(file()), {20, 12});
   EXPECT_EQ(answer["exact"], exact);
   EXPECT_THAT(exact["pixels"][0]["layers"], SizeIs(::testing::Gt(0u)));
+  EXPECT_EQ(answer["names"].size(), 3u);      // the lines' halo is one
   ASSERT_THAT(answer["curves"], SizeIs(1u));  // no importance, no G
   const nlohmann::json& tau = answer["curves"][0];
   EXPECT_EQ(tau["exact"].back(), exact["pixels"][0]["layers"].back()["optical_depth"]);

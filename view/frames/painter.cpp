@@ -60,6 +60,13 @@ json metrics_json(const Image& reference, const Image& test,
   return values;
 }
 
+/// By a layer's number of its object: halos are objects, too.
+json object_names(const scene::Scene& scene) {
+  json names = json::array();
+  for (const scene::SceneObject& object : scene.objects) names.push_back(object.name);
+  return names;
+}
+
 }  // namespace
 
 FrameRequest read_frame_request(const JsonNode& node) {
@@ -172,6 +179,7 @@ std::string Painter::frame(const FrameRequest& request, const Progress& progress
 json Painter::probe(const ProbeRequest& request, const Progress& progress) {
   look(request.view, {&request.method});
   json answer{{"exact", compare::probe_json(*seen_, {request.x, request.y})},
+              {"names", object_names(*seen_)},
               {"d", compare::curve_depths()},
               {"curves", json::array()}};
   const Drawn& drawn = draw(request.method, progress);

@@ -50,8 +50,8 @@ class Painter {
   /// "pictures": [{"method", "seconds"}] and "metrics": {NAME: number or null}.
   std::string frame(const FrameRequest& request, const Progress& progress);
 
-  /// Returns {"exact": as probe_json() has it, "d": depths, "curves": [{"title", "symbol", "exact":
-  /// values, "method": values or null}]}.
+  /// Returns {"exact": as probe_json() has it, "names" of the objects, "d": depths, "curves":
+  /// [{"title", "symbol", "exact": values, "method": values or null}]}.
   nlohmann::json probe(const ProbeRequest& request, const Progress& progress);
 
   /// Returns the camera that sees all of the scene from the side of that name, in the state's

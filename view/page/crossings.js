@@ -36,25 +36,24 @@ const layerColumns = [
   ["τ", (l) => (l.optical_depth == null ? "∞" : scientific(l.optical_depth))], ["G", (l) => scientific(l.importance_sum)],
 ];
 
-function layerRow(layer, i) {
+function layerRow(layer, i, names) {
   const swatch = make("span", { class: "swatch" });
   swatch.style.background = `rgb(${layer.color.map(byteOf).join(" ")})`;
-  const name = data.objects[layer.object]?.name ?? `object ${layer.object}`;
-  return make("tr", {}, make("td", {}, i + 1), make("td", {}, swatch, `${name}, ${layer.primitive}`), layerColumns.map(([, text]) => make("td", {}, text(layer))));
+  return make("tr", {}, make("td", {}, i + 1), make("td", {}, swatch, `${names[layer.object]}, ${layer.primitive}`), layerColumns.map(([, text]) => make("td", {}, text(layer))));
 }
 
-function layerTable(layers) {
+function layerTable(layers, names) {
   const heads = ["", "object, primitive", ...layerColumns.map(([head]) => head)];
   return make("div", { class: "wide" }, make("table", {}, make("caption", { class: "note" }, "Crossings from the eye on"),
-    make("thead", {}, make("tr", {}, heads.map((head) => make("th", { scope: "col" }, head)))), make("tbody", {}, layers.map(layerRow))));
+    make("thead", {}, make("tr", {}, heads.map((head) => make("th", { scope: "col" }, head)))), make("tbody", {}, layers.map((layer, i) => layerRow(layer, i, names)))));
 }
 
 /** The whole panel of a probe's answer. */
-function probePanel({ exact, d, curves }, call) {
+function probePanel({ exact, names, d, curves }, call) {
   const [pixel] = exact.pixels;
   const lead = `${counted(pixel.layers.length, "crossing")}; colour ${pixel.color.map((c) => c.toPrecision(6)).join(" ")}; transmittance ${pixel.transmittance.toPrecision(6)}.`;
   return [make("h2", { tabindex: -1 }, `Pixel ${pixel.x}, ${pixel.y}`), make("p", { class: "lead" }, lead),
-          make("div", { class: "curves" }, curves.map((curve) => curvePlot(d, curve, call))), pixel.layers.length > 0 && layerTable(pixel.layers)];
+          make("div", { class: "curves" }, curves.map((curve) => curvePlot(d, curve, call))), pixel.layers.length > 0 && layerTable(pixel.layers, names)];
 }
 
 const counted = (n, noun) => `${n} ${noun}${n === 1 ? "" : "s"}`;

@@ -7,6 +7,9 @@ const liveModes = [
   { what: "difference", title: "difference", key: "5" }, { what: "error", title: "error", key: "6" },
 ];
 
+/** A second method that takes longer, in milliseconds of a frame in movement, waits until the scene rests. */
+const slowPair = 250;
+
 class Live {
   constructor() {
     this.canvas = document.getElementById("canvas");
@@ -45,6 +48,7 @@ class Live {
 
   /** A second method that has just been chosen is seen at once. */
   chooseSecond() {
+    this.pairIsSlow = false;
     if (this.second.name && this.what === "first") this.what = "split";
     if (!this.second.name) this.what = "first";
     this.change();
@@ -54,8 +58,8 @@ class Live {
   needsBoth() { return this.second.name !== "" && this.what !== "first" && this.what !== "second"; }
 
   methods(moving) {
-    const slow = moving && this.progress.last > slowPair && this.what !== "second";
-    if (!this.second.name || (moving && this.what === "first") || slow) return [this.first];
+    const alone = moving && (this.what === "first" || (this.pairIsSlow && this.what !== "second"));
+    if (!this.second.name || alone) return [this.first];
     return moving && this.what === "second" ? [this.second] : [this.first, this.second];
   }
 
@@ -89,6 +93,7 @@ class Live {
   show(frame, moving) {
     if (this.frame && String(this.frame.size) !== String(frame.size) && !moving) this.stage.cursor = null;
     this.frame = frame;
+    if (moving && this.asked.length === 2) this.pairIsSlow = this.progress.milliseconds > slowPair;
     this.frame.of = this.asked.map((method) => (method === this.first ? "first" : "second"));
     this.paint();
     this.describe(moving);

@@ -3,7 +3,7 @@
 
 const sampleSteps = [1, 2, 4]; // per pixel and axis
 const restAfter = 120;         // milliseconds without a movement
-const goodTime = 90, wasteTime = 35, slowPair = 250; // milliseconds of a frame in movement
+const goodTime = 90, wasteTime = 35; // milliseconds of a frame in movement
 
 class Progression {
   /** `request(size, samples, moving)` is what to ask for, `show(frame, moving)` what to do with it. */
@@ -43,15 +43,15 @@ class Progression {
     const frame = await askFrame(request, this.running.abort.signal);
     this.running = null;
     if (!moving && version !== this.version) return;
-    this.show(frame, moving);
     if (moving) this.adapt(performance.now() - begun);
+    this.show(frame, moving);
     if (moving && version === this.version) await new Promise((done) => setTimeout(done, restAfter));
     if (version === this.version) this.step = step + 1;
   }
 
   /** As many pixels as a fluent movement allows. */
   adapt(milliseconds) {
-    this.last = milliseconds;
+    this.milliseconds = milliseconds;
     if (milliseconds > goodTime && this.part < 8) this.part *= 2;
     else if (milliseconds < wasteTime && this.part > 1) this.part /= 2;
   }
