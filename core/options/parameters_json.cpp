@@ -21,6 +21,8 @@ std::string_view name_of(ParameterSpec::Kind kind) {
       return "flag";
     case ParameterSpec::Kind::text:
       return "text";
+    case ParameterSpec::Kind::file:
+      return "file";
   }
   return {};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stereolithography, in its two forms; and the byte order mark that editors put before texts.
 
+#include <fmt/format.h>
+
 #include "tests/geometry/files/format_files.h"
 
 namespace pellucid::geometry {
