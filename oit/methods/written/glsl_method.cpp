@@ -127,7 +127,7 @@ class GlslMethod final : public OitMethod {
   }
 
   std::vector<std::string> explain() const override {
-    return {fmt::format("method: {}, {} textures, {} passes",
+    return {fmt::format("method: {}; textures: {}; passes: {}",
                         method_.title.empty() ? "without a title" : method_.title,
                         method_.textures.size(), method_.passes.size())};
   }
