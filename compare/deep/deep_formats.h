@@ -6,9 +6,12 @@
 
 namespace pellucid::compare {
 
+/// Returns the writer of an .exr or an .npz, as make_deep_writer() does.
+///@{
 std::unique_ptr<DeepWriter> make_exr_writer(const std::filesystem::path& path,
                                             const DeepInfo& info);
 std::unique_ptr<DeepWriter> make_npz_writer(const std::filesystem::path& path,
                                             const DeepInfo& info);
+///@}
 
 }  // namespace pellucid::compare
