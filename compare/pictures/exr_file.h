@@ -13,8 +13,8 @@
 
 namespace pellucid::compare {
 
-/// An ExrStream is a stream that OpenEXR writes to. Its functions throw WorkError when the stream
-/// fails.
+/// An ExrStream is a stream that OpenEXR writes to. Its functions, but tellp(), throw WorkError
+/// when the stream fails.
 class ExrStream : public Imf::OStream {
  public:
   /// The name is the file's in messages.

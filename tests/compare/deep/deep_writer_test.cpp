@@ -8,7 +8,9 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 
@@ -161,6 +163,36 @@ TEST_F(UnitDeepWriter, LeavesNothingWithoutCommit) {
   for (const char* name : {"deep.exr", "deep.npz"})
     make_deep_writer(folder_ / name, info)->add({{1, 0}, {DeepLayer{1}}});
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+/// Files of this process take no more than so many bytes, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(std::uint64_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit before_;
+};
+
+TEST_F(UnitDeepWriter, AFullDiskIsAnErrorAndLeavesNothing) {
+  const scene::Scene scene = scene_of_all_kinds(1);
+  const groundtruth::RayProbe probe(scene);
+  for (const char* name : {"deep.exr", "deep.npz"})
+    for (const std::uint64_t bytes : {1000, 20000, 60000}) {
+      const FullDisk full(bytes);
+      // What a limit of the process and a full disk say are different errors of the system.
+      EXPECT_THROW(write(scene, probe, folder_ / name), std::runtime_error) << name << bytes;
+      EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << name << bytes;
+    }
 }
 
 }  // namespace
