@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <numeric>
+
 #include "app/info/inspect.h"
+#include "compare/deep/deep_info.h"
+#include "readers/pictures/deep_file.h"
 #include "readers/pictures/picture_file.h"
 
 namespace pellucid::app {
@@ -15,9 +19,27 @@ ArrayContents contents_of(const Block& channel) {
   return ranges.contents(channel.name, "pixel", counts ? "unsigned int" : "float", channel.tuples);
 }
 
+FileContents inspect_deep(const std::filesystem::path& path) {
+  const readers::DeepHead head = readers::read_deep_head(path);
+  const compare::DeepInfo info = compare::deep_info_of(path.string(), head.text);
+  FileContents contents;
+  contents.kind = "deep picture";
+  contents.title = "every crossing of every pixel";
+  contents.counts = {
+      {"width", std::uint64_t(head.width)},
+      {"height", std::uint64_t(head.height)},
+      {"crossings", std::accumulate(head.samples.begin(), head.samples.end(), std::uint64_t(0))}};
+  contents.more = {{"scene", info.scene},     {"part", {info.part.part, info.part.count}},
+                   {"camera", info.camera},   {"background", json_of(info.background)},
+                   {"opaque", info.opaque},   {"fingerprint", info.fingerprint},
+                   {"program", info.program}, {"build", info.build}};
+  return contents;
+}
+
 }  // namespace
 
 FileContents inspect_picture(const std::filesystem::path& path) {
+  if (readers::is_deep_picture(path)) return inspect_deep(path);
   const readers::PictureFile picture = readers::read_picture_file(path);
   FileContents contents;
   contents.kind = "picture";

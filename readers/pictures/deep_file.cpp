@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <numeric>
 
 #include "core/error.h"
@@ -63,6 +64,16 @@ std::uint64_t memory_for(const DeepHead& head, int first, int end) {
 }
 
 }  // namespace
+
+bool is_deep_picture(const fs::path& path) {
+  // The mark, and a version whose second byte has a flag for deep parts.
+  constexpr std::string_view mark = "\x76\x2f\x31\x01";
+  constexpr unsigned deep_flag = 0x08;
+  std::array<char, 8> begin = {};
+  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
+  return std::string_view(begin.data(), mark.size()) == mark &&
+         (static_cast<unsigned char>(begin[5]) & deep_flag) != 0;
+}
 
 DeepHead read_deep_head(const fs::path& path) {
   return of_file(path, [&] { return head_of(read_in_child(program, path, {"deep"})); });

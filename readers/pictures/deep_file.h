@@ -39,6 +39,9 @@ struct DeepSamples {
   Blocks blocks;  // what they lie in
 };
 
+/// Returns whether a file says by its first bytes that it is a deep OpenEXR picture.
+bool is_deep_picture(const std::filesystem::path& path);
+
 /// Reads the head of a deep picture that render --deep has written, and counts its samples. Throws
 /// InputError that names the file when it is missing, damaged, cut off, or no such picture.
 DeepHead read_deep_head(const std::filesystem::path& path);

@@ -145,6 +145,19 @@ TEST_F(UnitInfo, APictureHasItsSizeAndItsChannels) {
   EXPECT_EQ(array_of(json, "G")["count"], 24);
 }
 
+TEST_F(UnitInfo, ADeepPictureSaysWhatItIsOf) {
+  info("p.csv", "x,y,z\n0,0,0\n0,0,1\n");
+  info("scene.json", R"({"format": "pellucid-scene", "version": 1, "resolution": [6, 4],
+                         "camera": {"type": "orthographic", "eye": [0, 0, 9], "height": 2},
+                         "objects": [{"points": "p.csv", "radius": 9, "color": [1, 0, 0]}]})");
+  ASSERT_EQ(run("render scene.json -m raytrace --part 2/2 --deep a.exr --quiet").exit_code, 0);
+  const Json json = info("a.exr");
+  EXPECT_EQ(json["kind"], "deep picture");
+  EXPECT_EQ(json["counts"], Json({{"width", 6}, {"height", 4}, {"crossings", 24}}));
+  EXPECT_EQ(json["scene"], "scene");
+  EXPECT_EQ(json["part"], Json({2, 2}));
+}
+
 TEST_F(UnitInfo, PeopleAreToldTheSame) {
   info("a.vti", image);
   const Outcome outcome = run("info a.vti");
