@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 struct FigureArguments {
   fs::path results, output;
   std::vector<std::string> scenes, crops, numbers;
+  bool table = false;
   std::string width = std::string(compare::figure_widths().front().name);
   compare::FigureRequest request;
   compare::FigureStyle style;
@@ -72,9 +73,9 @@ compare::FigureRequest request_of(const FigureArguments& arguments) {
 
 nlohmann::ordered_json to_json(const compare::WrittenFigure& figure) {
   nlohmann::ordered_json json{{"files", nlohmann::json::array()},
-                              {"width_mm", figure.width / 72 * 25.4},
-                              {"height_mm", figure.height / 72 * 25.4},
                               {"scenes", nlohmann::json::array()}};
+  if (figure.width > 0) json["width_mm"] = figure.width / 72 * 25.4;
+  if (figure.width > 0) json["height_mm"] = figure.height / 72 * 25.4;
   for (const fs::path& file : figure.files) json["files"].push_back(file.string());
   for (std::size_t i = 0; i < figure.rows.size(); ++i) {
     nlohmann::ordered_json scene{{"name", figure.rows[i].scene},
@@ -82,8 +83,9 @@ nlohmann::ordered_json to_json(const compare::WrittenFigure& figure) {
                                  {"crops", nlohmann::json::array()}};
     for (const compare::ResultRow& row : figure.rows[i].rows)
       scene["methods"].push_back(row.call());
-    for (const compare::Crop& crop : figure.crops[i])
-      scene["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
+    if (i < figure.crops.size())
+      for (const compare::Crop& crop : figure.crops[i])
+        scene["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
     json["scenes"].push_back(scene);
   }
   return json;
@@ -91,9 +93,11 @@ nlohmann::ordered_json to_json(const compare::WrittenFigure& figure) {
 
 void print_written(const compare::WrittenFigure& figure) {
   for (const fs::path& file : figure.files)
-    fmt::print("{}: {:.1f} × {:.1f} mm\n", file.string(), figure.width / 72 * 25.4,
-               figure.height / 72 * 25.4);
-  for (std::size_t i = 0; i < figure.rows.size(); ++i)
+    fmt::print("{}{}\n", file.string(),
+               figure.width > 0 ? fmt::format(": {:.1f} × {:.1f} mm", figure.width / 72 * 25.4,
+                                              figure.height / 72 * 25.4)
+                                : "");
+  for (std::size_t i = 0; i < figure.crops.size(); ++i)
     for (const compare::Crop& crop : figure.crops[i])
       fmt::print("  --crop {}={},{},{},{}\n", figure.rows[i].scene, crop.x, crop.y, crop.width,
                  crop.height);
@@ -105,8 +109,9 @@ void draw_figure(const FigureArguments& arguments, const GlobalOptions& globals)
   style.width = compare::width_of_text(arguments.width);
   const compare::FigureRequest request = request_of(arguments);
   const compare::PastRun run = compare::read_past_run(arguments.results);
+  const auto write = arguments.table ? compare::write_figure_table : compare::write_figure;
   const compare::WrittenFigure figure =
-      compare::write_figure(arguments.output, run, request, style, globals.command_line);
+      write(arguments.output, run, request, style, globals.command_line);
   if (globals.json)
     fmt::print("{}\n", json_text(to_json(figure), 1));
   else if (!globals.quiet)
@@ -138,6 +143,8 @@ void add_content_options(CLI::App& command, FigureArguments& arguments) {
   add_list(command, "--numbers", arguments.numbers,
            "Columns of results.csv to print below each picture: NAME[,NAME…], or none; else ssim, "
            "rmse, seconds, bytes");
+  command.add_flag("--table", arguments.table,
+                   "The numbers alone, with their intervals, as a table of LaTeX: -o FILE.tex");
   command.add_flag("--error", request.errors, "Add a line of error maps, with their scale");
   command.add_flag("--flip", request.flips, "Add a line of FLIP's maps, with their scale");
   add_list(command, "--label", request.labels,
@@ -179,7 +186,8 @@ void add_figure_command(CLI::App& app, GlobalOptions& globals) {
       "  pellucid figure results/blending --scene trefoil,tornado \\\n"
       "    --methods linked-list,weighted-average,weighted-blended \\\n"
       "    --methods binning:bins=11,mode=linear,fourier:bands=5 -o figure-7.tex\n"
-      "the layout of Fig. 7 of Baeza Rojo et al. 2019, from the study of that name.");
+      "the layout of Fig. 7 of Baeza Rojo et al. 2019, from the study of that name.\n"
+      "  pellucid figure results/blending --table --numbers ssim,rmse,seconds -o table.tex");
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { draw_figure(*arguments, globals); });
 }

@@ -98,27 +98,6 @@ FigureHeading heading_of(const ResultRow& row) {
   return {title, fmt::format("{}", fmt::join(split(row.parameters, ','), ", "))};
 }
 
-std::vector<FigureHeading> headings_of(const FigureRows& scene, const FigureRequest& request) {
-  std::vector<FigureHeading> headings;
-  for (const std::string& label : request.labels) headings.push_back({label, ""});
-  if (headings.empty())
-    for (const ResultRow& row : scene.rows) headings.push_back(heading_of(row));
-  if (headings.size() != scene.rows.size())
-    throw InputError(fmt::format("--label: {} are given; accepted: {}, one for each picture",
-                                 headings.size(), scene.rows.size()));
-  return headings;
-}
-
-void label_strips(const std::vector<FigureRows>& scenes, const FigureRequest& request,
-                  std::vector<FigureStrip>& strips) {
-  const std::vector<std::string>& labels = request.scene_labels;
-  if (!labels.empty() && labels.size() != strips.size())
-    throw InputError(fmt::format("--scene-label: {} are given; accepted: {}, one for each scene",
-                                 labels.size(), strips.size()));
-  for (std::size_t i = 0; i < strips.size(); ++i)
-    strips[i].label = !labels.empty() ? labels[i] : strips.size() > 1 ? scenes[i].scene : "";
-}
-
 void check_crops(const std::vector<FigureRows>& scenes, const FigureRequest& request) {
   for (const FigureCrop& crop : request.crops)
     if (!crop.scene.empty() &&
@@ -131,12 +110,37 @@ void check_crops(const std::vector<FigureRows>& scenes, const FigureRequest& req
 
 }  // namespace
 
+std::vector<FigureHeading> figure_headings(const FigureRows& scene, const FigureRequest& request) {
+  std::vector<FigureHeading> headings;
+  for (const std::string& label : request.labels) headings.push_back({label, ""});
+  if (headings.empty())
+    for (const ResultRow& row : scene.rows) headings.push_back(heading_of(row));
+  if (headings.size() != scene.rows.size())
+    throw InputError(fmt::format("--label: {} are given; accepted: {}, one for each picture",
+                                 headings.size(), scene.rows.size()));
+  return headings;
+}
+
+std::vector<std::string> scene_labels(const std::vector<FigureRows>& scenes,
+                                      const FigureRequest& request) {
+  if (!request.scene_labels.empty() && request.scene_labels.size() != scenes.size())
+    throw InputError(fmt::format("--scene-label: {} are given; accepted: {}, one for each scene",
+                                 request.scene_labels.size(), scenes.size()));
+  std::vector<std::string> labels = request.scene_labels;
+  if (labels.empty())
+    for (const FigureRows& scene : scenes) labels.push_back(scenes.size() > 1 ? scene.scene : "");
+  return labels;
+}
+
 FigureContent read_figure(const PastRun& run, const FigureRequest& request) {
   const std::vector<FigureRows> scenes = find_figure_rows(run, request);
   check_crops(scenes, request);
-  FigureContent content{headings_of(scenes.front(), request), {}};
-  for (const FigureRows& scene : scenes) content.strips.push_back(read_strip(run, scene, request));
-  label_strips(scenes, request, content.strips);
+  FigureContent content{figure_headings(scenes.front(), request), {}};
+  const std::vector<std::string> labels = scene_labels(scenes, request);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    content.strips.push_back(read_strip(run, scenes[i], request));
+    content.strips.back().label = labels[i];
+  }
   return content;
 }
 

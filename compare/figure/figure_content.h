@@ -44,6 +44,15 @@ struct FigureContent {
   std::vector<FigureStrip> strips;
 };
 
+/// Returns what stands above each column: the request's labels, or methods' titles and parameters.
+/// Throws InputError for labels that are not as many as the columns.
+std::vector<FigureHeading> figure_headings(const FigureRows& scene, const FigureRequest& request);
+
+/// Returns what stands beside each scene: the request's labels, or names where there are several.
+/// Throws likewise.
+std::vector<std::string> scene_labels(const std::vector<FigureRows>& scenes,
+                                      const FigureRequest& request);
+
 /// Reads the pictures that a figure shows. Throws InputError as find_figure_rows() does; for
 /// pictures that are missing or of several sizes; for a crop that is not within them; for labels
 /// that are not as many as the columns or scenes; and for maps where the reference has no picture.

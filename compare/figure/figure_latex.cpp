@@ -11,14 +11,26 @@ namespace {
 
 std::string latex_run(const TextRun& run) {
   if (run.is_raised) return fmt::format("$^{{{}}}$", run.text);
-  const std::string text = latex_escaped(run.text);
+  std::string text = latex_escaped(run.text);
+  // Old engines and some fonts lack the character.
+  if (const std::size_t dot = text.find("·10"); run.text.ends_with("·10"))
+    text.replace(dot, std::string_view("·").size(), "$\\cdot$");
   return run.is_bold ? fmt::format("\\textbf{{{}}}", text) : text;
 }
 
+}  // namespace
+
+std::string latex_runs(const std::vector<TextRun>& runs) {
+  std::string words;
+  for (const TextRun& run : runs) words += latex_run(run);
+  return words;
+}
+
+namespace {
+
 /// The middle of the text's baseline lies at the place, which LaTeX counts from the bottom.
 std::string latex_text(const SheetText& text, double sheet_height) {
-  std::string words;
-  for (const TextRun& run : text.runs) words += latex_run(run);
+  const std::string words = latex_runs(text.runs);
   std::string box =
       fmt::format("\\makebox(0,0)[b]{{\\fontsize{{{0:.2f}}}{{{1:.2f}}}\\selectfont\\smash{{{2}}}}}",
                   text.size, 1.2 * text.size, words);

@@ -8,6 +8,9 @@
 
 namespace pellucid::compare {
 
+/// Returns runs of text as LaTeX sets them, escaped.
+std::string latex_runs(const std::vector<TextRun>& runs);
+
 /// FigureCaption is what LaTeX sets around a figure.
 struct FigureCaption {
   std::string text;     // as it stands: it is escaped

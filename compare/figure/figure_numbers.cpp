@@ -13,11 +13,6 @@
 namespace pellucid::compare {
 namespace {
 
-bool is_error(const Column& column) {
-  return std::ranges::any_of(
-      metrics(), [&](const MetricRow& metric) { return column.name.starts_with(metric.name); });
-}
-
 /// 0.0213, 1.23·10⁻⁴: papers print few errors below a thousandth.
 std::vector<TextRun> scientific_runs(double value) {
   if (value == 0) return {{"0"}};
@@ -28,33 +23,43 @@ std::vector<TextRun> scientific_runs(double value) {
           {.text = std::to_string(std::stoi(text.substr(e + 1))), .is_raised = true}};
 }
 
-std::vector<TextRun> value_runs(const Column& column, const std::optional<double>& value) {
-  if (!value) return {{"–"}};
-  if (column.style == NumberStyle::scientific) return scientific_runs(*value);
+std::vector<TextRun> with_unit(const Column& column, const ResultRow& row) {
+  std::vector<TextRun> runs = plain_number(column, row);
   const std::string_view unit = unit_for_people(column.style);
-  return {{fmt::format("{}{}{}", number_for_people(column.style, *value), unit.empty() ? "" : " ",
-                       unit)}};
+  if (!unit.empty() && column.value(row)) runs.back().text += fmt::format(" {}", unit);
+  return runs;
 }
 
 /// A cost's unit says what it is; all else has its name.
 std::vector<TextRun> number_runs(const Column& column, const ResultRow& row, bool is_bold) {
   std::vector<TextRun> runs;
   if (column.shown.role != TradeOff::cost) runs.push_back({column.title + " "});
-  for (TextRun& run : value_runs(column, column.value(row))) {
+  for (TextRun& run : with_unit(column, row)) {
     run.is_bold = is_bold;
     runs.push_back(std::move(run));
   }
   return runs;
 }
 
-/// One that is alone is not the best of anything.
+}  // namespace
+
+bool is_error(const Column& column) {
+  return std::ranges::any_of(
+      metrics(), [&](const MetricRow& metric) { return column.name.starts_with(metric.name); });
+}
+
+std::vector<TextRun> plain_number(const Column& column, const ResultRow& row) {
+  const std::optional<double> value = column.value(row);
+  if (!value) return {{"–"}};
+  if (column.style == NumberStyle::scientific) return scientific_runs(*value);
+  return {{number_for_people(column.style, *value)}};
+}
+
 bool is_best_of_several(const Column& column, const ResultRow& row,
                         std::span<const ResultRow> rows) {
   return is_among_best(column, row, rows) &&
          std::ranges::count(rows, false, &ResultRow::reference) > 1;
 }
-
-}  // namespace
 
 std::vector<FigureNumbers> figure_numbers(const FigureRows& scene,
                                           const std::vector<std::string>& names) {

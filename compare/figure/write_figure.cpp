@@ -10,6 +10,7 @@
 #include "compare/figure/figure_content.h"
 #include "compare/figure/figure_latex.h"
 #include "compare/figure/figure_layout.h"
+#include "compare/figure/figure_table.h"
 #include "compare/figure/sheet_drawing.h"
 #include "compare/figure/sheet_files.h"
 #include "core/error.h"
@@ -45,6 +46,8 @@ void check_name(const fs::path& path) {
         path.string()));
 }
 
+std::string title_of(const PastRun& run) { return run.title.empty() ? run.study : run.title; }
+
 std::string reference_name(const PastRun& run) {
   const auto row = std::ranges::find(run.rows, true, &ResultRow::reference);
   return row == run.rows.end() ? "the reference" : row->call();
@@ -60,8 +63,7 @@ std::string caption_of(const PastRun& run, const FigureContent& content,
                           : fmt::format("{} ({})", heading.title, heading.parameters));
   for (const FigureStrip& strip : content.strips) strips.push_back(strip.label);
   std::string text =
-      fmt::format("{}. From left to right: {}.", run.title.empty() ? run.study : run.title,
-                  fmt::join(columns, "; "));
+      fmt::format("{}. From left to right: {}.", title_of(run), fmt::join(columns, "; "));
   if (strips.size() > 1) text += fmt::format(" From top to bottom: {}.", fmt::join(strips, "; "));
   if (!request.numbers.empty())
     text += fmt::format(" Errors are against {}; the best numbers are bold.", reference_name(run));
@@ -84,6 +86,23 @@ WrittenFigure write_figure(const fs::path& path, const PastRun& run, const Figur
   else
     write_sheet(path, sheet, style, caption.text);
   for (const FigureStrip& strip : content.strips) written.crops.push_back(strip.crops);
+  return written;
+}
+
+WrittenFigure write_figure_table(const fs::path& path, const PastRun& run,
+                                 const FigureRequest& request, const FigureStyle& style,
+                                 const std::string& command) {
+  if (path.extension() != latex_ending)
+    throw InputError(fmt::format("{}: ending '{}'; accepted for a table: {}", path.string(),
+                                 path.extension().string(), latex_ending));
+  if (request.numbers.empty()) throw InputError("--numbers: none; accepted for a table: some");
+  WrittenFigure written{{path}, 0, 0, find_figure_rows(run, request), {}};
+  const std::string text = fmt::format(
+      "{}. Errors are against {}. Bold is the best; a star marks what 95 % intervals do "
+      "not tell from it.",
+      title_of(run), reference_name(run));
+  write_text(path, latex_figure_table(written.rows, request, style.width,
+                                      {text, path.stem().string(), command}));
   return written;
 }
 

@@ -27,4 +27,11 @@ WrittenFigure write_figure(const std::filesystem::path& path, const PastRun& run
                            const FigureRequest& request, const FigureStyle& style,
                            const std::string& command);
 
+/// Writes the numbers of the same rows as a table of LaTeX, latex_figure_table(), to a path that
+/// ends in .tex. Throws as find_figure_rows(), latex_figure_table() and OutputFile do, and
+/// InputError for another ending and where no number is asked for.
+WrittenFigure write_figure_table(const std::filesystem::path& path, const PastRun& run,
+                                 const FigureRequest& request, const FigureStyle& style,
+                                 const std::string& command);
+
 }  // namespace pellucid::compare

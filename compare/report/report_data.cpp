@@ -154,15 +154,22 @@ json scene_json(const Study& study, std::span<const ReportCell> cells,
           {"crop", {crop.x, crop.y, crop.width, crop.height}}};
 }
 
+/// The parameters that are one of several names, which have no order.
+json choices_of(const scene::MethodRow& row) {
+  json names = json::array();
+  for (const ParameterSpec& spec : row.parameters)
+    if (spec.kind == ParameterSpec::Kind::choice) names.push_back(spec.name);
+  return names;
+}
+
 json methods_json(const Study& study) {
   json methods = json::object();
   for (const Cell& cell : expand_cells(study)) {
     const scene::MethodRow& row = *cell.call.row;
-    methods[std::string(row.name)] = {{"title", row.title},
-                                      {"citation", row.citation},
-                                      {"equations", row.equations},
-                                      {"bytes_per_pixel", row.bytes_per_pixel},
-                                      {"exact", row.promises.exact}};
+    methods[std::string(row.name)] = {
+        {"title", row.title},         {"citation", row.citation},
+        {"equations", row.equations}, {"bytes_per_pixel", row.bytes_per_pixel},
+        {"choices", choices_of(row)}, {"exact", row.promises.exact}};
   }
   return methods;
 }

@@ -60,6 +60,8 @@ TEST_F(UnitFigure, WhatIsWrongIsOneLineAndLeavesNothing) {
   EXPECT_THAT(refusal(figure("--crop 9,0,7")), HasSubstr("--crop: '9,0,7'; accepted: X,Y"));
   EXPECT_THAT(refusal(figure("--crop=-1,0,7,7")), HasSubstr("--crop"));
   EXPECT_THAT(refusal(figure("--crop a=1,0,7,7")), HasSubstr("'a' is no scene"));
+  EXPECT_THAT(refusal(figure("--table")), HasSubstr("accepted for a table: .tex"));
+  EXPECT_THAT(refusal(figure("--table --numbers none", "f.tex")), HasSubstr("--numbers"));
   EXPECT_THAT(refusal(figure("--width wide")), HasSubstr("unknown width 'wide'; known: "));
   EXPECT_THAT(refusal(figure("--numbers rsme")), HasSubstr("known: rmse"));
   EXPECT_THAT(refusal(figure("--label one")), HasSubstr("accepted: 2"));

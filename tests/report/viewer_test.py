@@ -2,6 +2,8 @@
 """A study's report in a browser: what its viewer shows and reads out, by mouse and by keys alone. Skipped (exit
 code 77) where Debian's python3-selenium and chromium-driver are not installed."""
 
+import csv
+import io
 import json
 import os
 import pathlib
@@ -9,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.dom.minidom
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "export"))
 try:
@@ -45,6 +48,17 @@ def make_report(folder, form):
     return folder / form / "report.html"
 
 
+def make_report_of_many(folder):
+    """A study of one small scene by many methods, among them sweeps of a whole number and of a choice."""
+    methods = ["weighted-average", "linked-list", "mlab", "moment", {"method": "weighted-blended", "weight": ["7", "8", "9", "10"]},
+               {"method": "fourier", "bands": [1, 2, 3, 4]}, {"method": "binning", "bins": [2, 3, 4, 5]}]
+    (folder / "many.json").write_text(json.dumps({
+        "format": "pellucid-study", "version": 1, "title": "Many", "scenes": ["sheets.json"],
+        "reference": "raytrace", "methods": methods, "repeats": 1}))
+    subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "many.json", "-o", folder / "many", "--quiet"], check=True)
+    return folder / "many" / "report.html"
+
+
 def start_browser():
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
@@ -61,6 +75,7 @@ class ReportTest(unittest.TestCase):
         cls.place = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.place.name)
         cls.pages = {form: make_report(cls.folder, form) for form in ("file", "folder")}
+        cls.many = make_report_of_many(cls.folder)
         cls.browser = start_browser()
 
     @classmethod
@@ -197,6 +212,56 @@ class ReportTest(unittest.TestCase):
                 self.assertLessEqual(width, 390, element)
         finally:
             self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+    def saved(self, title, kind):
+        """The text of the file that a plot's button saves."""
+        return self.browser.execute_async_script("""
+            const [title, kind, done] = arguments;
+            const plot = [...document.querySelectorAll(".plot")].find((p) => p.querySelector("h3").firstChild.data === title);
+            const create = URL.createObjectURL;
+            URL.createObjectURL = (blob) => { URL.createObjectURL = create; blob.text().then(done); return "#"; };
+            [...plot.querySelectorAll("button")].find((b) => b.textContent === kind).click();""", title, kind)
+
+    def test_a_plot_is_saved_as_svg_and_as_the_numbers_that_it_shows(self):
+        self.browser.get(self.many.as_uri())
+        rows = json.loads((self.many.parent / "results.json").read_text())["rows"]
+        rmse = {row["method"] + ":" + row["parameters"] if row["parameters"] else row["method"]: row["metrics"]["rmse"]
+                for row in rows if not row["reference"]}
+        lines = list(csv.reader(io.StringIO(self.saved("Error against time", "CSV"))))
+        self.assertEqual(lines[0], ["name", "ms", "RMSE", "on the front"])
+        self.assertEqual({line[0]: float(line[2]) for line in lines[1:]}, {name: max(x, 1e-7) for name, x in rmse.items()})
+        svg = xml.dom.minidom.parseString(self.saved("Error against time", "SVG"))
+        self.assertEqual(svg.documentElement.tagName, "svg")
+        # Of so many points only those of the front have their names.
+        names = {text.firstChild.data for text in svg.getElementsByTagName("text") if text.firstChild}
+        front = {line[0] for line in lines[1:] if line[3] == "true"}
+        self.assertLessEqual(names & set(rmse), front)
+        self.assertTrue(names & front)
+        self.assertEqual(self.console(), [])
+
+    def test_choices_are_no_scale_and_whole_numbers_have_whole_ticks(self):
+        self.browser.get(self.many.as_uri())
+        ticks = lambda title: [text.firstChild.data for text in xml.dom.minidom.parseString(
+            self.saved(title, "SVG")).getElementsByTagName("text") if text.firstChild]
+        self.assertEqual(ticks("weighted-blended: RMSE over weight")[:4], ["7", "8", "9", "10"])
+        self.assertEqual(ticks("fourier: RMSE over bands")[:4], ["1", "2", "3", "4"])
+        self.assertFalse([t for t in ticks("fourier: ms over bands") if "e+" in t])
+
+    def test_the_table_is_filtered_by_words(self):
+        self.browser.get(self.many.as_uri())
+        shown = lambda: [row.find_elements(By.TAG_NAME, "td")[1].text
+                         for row in self.browser.find_elements(By.CSS_SELECTOR, "#table tbody tr")]
+        everything = shown()
+        field = self.browser.find_element(By.CSS_SELECTOR, ".filter input")
+        field.send_keys("Fourier sheets")
+        self.assertEqual(shown(), [name for name in everything if name.startswith("fourier")])
+        self.browser.find_element(By.CSS_SELECTOR, "#table th button").click()  # sorted, it stays filtered
+        self.assertEqual(len(shown()), 4)
+        field.clear()
+        field.send_keys(" ")
+        self.assertEqual(len(shown()), len(everything))
+        self.browser.get(self.pages["file"].as_uri())
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".filter"), [])
 
 
 if __name__ == "__main__":

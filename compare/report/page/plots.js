@@ -21,14 +21,24 @@ function plotConfig({ soft, faint, line }) {
   };
 }
 
+function fastest(rows, most) {
+  if (rows.length <= most) return rows;
+  const others = rows.filter((row) => !row.reference).sort((a, b) => a.seconds.median - b.seconds.median);
+  return [...rows.filter((row) => row.reference), ...others].slice(0, most);
+}
+
 function stepValues(rows) {
   return rows.flatMap((row) => row.seconds.steps.map(({ name, median }) => ({
     method: row.name, step: name, ms: median * 1e3, tip: `${row.name}, ${name}: ${milliseconds(median)} ms`,
   })));
 }
 
-/** The median of every step, one bar per method. */
-function stepsSpec(rows, width, colors) {
+/** More bars than these are read in the table. */
+const mostBars = 15;
+
+/** The median of every step, one bar per method: of many the reference and the fastest. */
+function stepsSpec(all, width, colors) {
+  const rows = fastest(all, mostBars);
   const bar = {
     x: { scale: "x", field: "from" }, x2: { scale: "x", field: "to" },
     y: { scale: "y", field: "method" }, height: { scale: "y", band: 1 },
@@ -66,11 +76,14 @@ function plotsOf(rows, holder) {
   const plots = [
     ...costColumns().map((cost) =>
       [`Error against ${cost.title.toLowerCase()}`, (width, colors) => tradeOffSpec(rows, cost, width, colors)]),
-    ["Where the time goes", (width, colors) => stepsSpec(rows, width, colors)],
+    [rows.length > mostBars ? `Where the time goes, of the fastest ${mostBars}` : "Where the time goes", (width, colors) => stepsSpec(rows, width, colors)],
     ...sweepPlots(rows),
     ...curvePlots(rows),
   ].map(([title, spec]) => ({ title, spec, place: make("div") }));
-  holder.append(...plots.map(({ title, place }) => make("div", { class: "plot" }, make("h3", {}, title), place)));
+  holder.append(...plots.map(({ title, spec, place }) => {
+    const buttons = plotButtons(`${rows[0].scene}-${title}`, spec, () => place.clientWidth || 480);
+    return make("div", { class: "plot" }, make("h3", {}, title, buttons), place);
+  }));
   return () => {
     for (const { spec, place } of plots) drawPlot(place, spec(place.clientWidth, themeColors()));
   };

@@ -44,12 +44,22 @@ function compareValues(a, b) {
   return typeof a === "string" ? a.localeCompare(b) : a - b;
 }
 
+/** So few rows are seen at a glance. */
+const fewestFiltered = 10;
+
 function sortableTable(rows) {
   const body = make("tbody");
   const all = [...nameColumns, ...columns];
   const heads = all.map(({ heading }, i) =>
     make("th", { scope: "col" }, make("button", { type: "button", onclick: () => sortBy(i) }, heading)));
-  const fill = (sorted) => body.replaceChildren(...sorted.map((row) => tableRow(rows, row)));
+  let shown = rows, words = [];
+  const matches = (row) => words.every((word) => nameColumns.some(({ text }) => text(row).toLowerCase().includes(word)));
+  const fill = (sorted) => {
+    shown = sorted;
+    body.replaceChildren(...sorted.filter(matches).map((row) => tableRow(rows, row)));
+  };
+  const filter = make("input", { type: "search", placeholder: "filter by scene and method", "aria-label": "Filter by scene and method",
+    oninput: () => { words = filter.value.toLowerCase().split(/\s+/).filter(Boolean); fill(shown); } });
   function sortBy(i) {
     const direction = heads[i].getAttribute("aria-sort") === "ascending" ? -1 : 1;
     heads.forEach((head) => head.removeAttribute("aria-sort"));
@@ -58,7 +68,8 @@ function sortableTable(rows) {
     fill([...rows].sort((a, b) => direction * compareValues(value(a), value(b))));
   }
   fill(rows);
-  return make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, heads)), body));
+  const table = make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, heads)), body));
+  return rows.length > fewestFiltered ? [make("p", { class: "filter" }, filter), table] : [table];
 }
 
 function tableSection(rows) {

@@ -48,11 +48,16 @@ const mark = (type, data, enter, more = {}) => ({ type, from: { data }, encode: 
 function referenceMarks(colors) {
   const dashes = constants({ y: 0, stroke: colors.faint, strokeDash: [3, 3] });
   const line = { ...atCost, y2: { signal: "height" }, ...dashes };
-  const label = { ...atCost, text: { field: "name" }, ...constants({ dx: 4, y: 8, fill: colors.faint, fontSize: 11 }) };
+  const isAtEdge = "scale('x', datum.cost) > width - 70";  // then there is no room to the right
+  const side = { align: { signal: `${isAtEdge} ? 'right' : 'left'` }, dx: { signal: `${isAtEdge} ? -4 : 4` } };
+  const label = { ...atCost, ...side, text: { field: "name" }, ...constants({ y: 8, fill: colors.faint, fontSize: 11 }) };
   return [mark("rule", "reference", line), mark("text", "reference", label, { name: "referenceLabel" })];
 }
 
-function pointMarks(colors) {
+/** With more points than these only the front's have their names; the others show theirs under the pointer. */
+const mostNames = 14;
+
+function pointMarks(colors, few) {
   const { accent, paper, ink } = colors;
   const stair = constants({ interpolate: "step-after", stroke: accent, strokeWidth: 1.5, strokeOpacity: 0.6 });
   const dot = {
@@ -63,7 +68,8 @@ function pointMarks(colors) {
   };
   const avoidMarks = ["dots", "frontLine", "referenceLabel"];
   const place = { type: "label", size: { signal: "[width, height]" }, ...labelPlaces, avoidMarks };
-  const label = { text: { field: "datum.name" }, ...constants({ fill: ink, fontSize: 11 }) };
+  const text = few ? { field: "datum.name" } : { signal: "datum.datum.best ? datum.datum.name : ''" };
+  const label = { text, ...constants({ fill: ink, fontSize: 11 }) };
   return [mark("line", "front", { ...atPoint, ...stair }, { name: "frontLine" }),
           mark("symbol", "points", dot, { name: "dots" }),
           mark("text", "dots", label, { transform: [place] })];
@@ -88,6 +94,6 @@ function tradeOffSpec(rows, cost, width, colors) {
       { orient: "bottom", scale: "x", title: cost.unit, ...axis },
       { orient: "left", scale: "y", title: errorColumn().heading, ...axis },
     ],
-    marks: [...referenceMarks(colors), ...pointMarks(colors)],
+    marks: [...referenceMarks(colors), ...pointMarks(colors, points.length <= mostNames)],
   };
 }

@@ -69,8 +69,9 @@ TEST(UnitRankViews, SidesLieEvenlyAroundTheSphereBelowTheCaps) {
 
 TEST(UnitRankViews, SheetsAreBestSeenFromTheirFront) {
   scene::Scene scene = scene_of(sheets({-0.1, 0, 0.1}, 0.3f));
-  const auto views = rank_views(scene, scene::scene_core(scene), 12, 24, {});
+  const auto views = rank_views(scene, scene::scene_core(scene), 64, 16, {});
   ASSERT_GE(views.size(), 2u);
+  EXPECT_LT(views.size(), 64u);  // there are no more so far apart
   const auto from = [&](std::size_t i) {
     return glm::normalize(views[i].camera.eye - views[i].camera.target);
   };

@@ -157,11 +157,7 @@ class Viewer {
 
   download() {
     const name = this.title.textContent.replace(/[^\w.=-]+/g, "-");
-    this.canvas.toBlob((blob) => {
-      const link = make("a", { href: URL.createObjectURL(blob), download: `${name}.png` });
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    });
+    this.canvas.toBlob((blob) => saveFile(`${name}.png`, blob));
   }
 
   acts() {

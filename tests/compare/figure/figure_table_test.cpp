@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare/figure/figure_table.h"
+
+#include <gmock/gmock.h>
+
+#include "core/error.h"
+#include "tests/compare/figure/figure_runs.h"
+
+namespace pellucid::compare {
+namespace {
+
+using ::testing::AllOf;
+using testing::FigureRun;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string table_of(FigureRun& run, const FigureRequest& request) {
+  return latex_figure_table(find_figure_rows(run.run(), request), request, width_of_text("eg"),
+                            {"50 % of a_b", "t", "command"});
+}
+
+TEST(UnitFigureTable, TheBestIsBoldTiesHaveAStarAndTheReferenceHasNoErrors) {
+  FigureRun run;
+  for (ResultRow& row : run.run().rows)
+    row.seconds.interval = {row.seconds.median - 0.06, row.seconds.median + 0.06};
+  FigureRequest request;
+  request.scenes = {"a"};
+  request.numbers = {"rmse", "seconds"};
+  const std::string text = table_of(run, request);
+  EXPECT_THAT(text,
+              HasSubstr("\\textit{truth} & -- & 300.0 {\\footnotesize(240.0--360.0)} \\\\\n"));
+  EXPECT_THAT(text,
+              HasSubstr("near & {\\boldmath\\textbf{0.0100}} & {\\boldmath\\textbf{200.0}}$^*$ "
+                        "{\\footnotesize(140.0--260.0)} \\\\\n"));
+  EXPECT_THAT(text, HasSubstr("far & 0.250 & {\\boldmath\\textbf{100.0}} {\\footnotesize"));
+  EXPECT_THAT(text, AllOf(HasSubstr("\\begin{table}[t]"), HasSubstr("Method & RMSE & Time [ms]"),
+                          HasSubstr("\\caption{50 \\% of a\\_b}"), HasSubstr("{lrr}"),
+                          Not(HasSubstr("multicolumn"))));
+}
+
+TEST(UnitFigureTable, ExponentsAreMathematics) {
+  FigureRun run;
+  run.run().rows[1].metrics.linear.of("rmse") = 1.26e-4;
+  FigureRequest request;
+  request.numbers = {"rmse"};
+  EXPECT_THAT(table_of(run, request), HasSubstr("1.26$\\cdot$10$^{-4}$"));
+}
+
+TEST(UnitFigureTable, ScenesAreBlocksAndLabelsAreEscaped) {
+  FigureRun run;
+  FigureRequest request;
+  request.methods = {"near,far"};
+  request.labels = {"N & M", "F"};
+  request.scene_labels = {"A_1", "B"};
+  const std::string text = table_of(run, request);
+  EXPECT_THAT(text, AllOf(HasSubstr("\\multicolumn{5}{l}{\\textit{A\\_1}}"),
+                          HasSubstr("\\multicolumn{5}{l}{\\textit{B}}"), HasSubstr("N \\& M & ")));
+  request.numbers = {"rsme"};
+  EXPECT_THROW(table_of(run, request), InputError);
+}
+
+}  // namespace
+}  // namespace pellucid::compare
