@@ -45,6 +45,15 @@ TEST_F(UnitFigure, OneCommandMakesEachFormatAndTellsWhatItShows) {
   EXPECT_EQ(json["scenes"][0]["crops"], nlohmann::json::parse("[[1, 2, 30, 40], [0, 0, 96, 96]]"));
 }
 
+TEST_F(UnitFigure, WithoutCropsAndNumbersThereArePicturesAlone) {
+  const Outcome outcome = run(figure("--crop none --numbers none --json"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_TRUE(json["scenes"][0]["crops"].empty());
+  // Two squares beside each other, and a line of headings above.
+  EXPECT_LT(json["height_mm"].get<double>(), json["width_mm"].get<double>() / 2 + 8);
+}
+
 TEST_F(UnitFigure, AnSvgIsTheSameOnEachRun) {
   ASSERT_EQ(run(figure("--quiet", "f.svg")).exit_code, 0);
   ASSERT_EQ(run(figure("--quiet", "g.svg")).exit_code, 0);

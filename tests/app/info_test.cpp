@@ -167,7 +167,9 @@ TEST_F(UnitInfo, PeopleAreToldTheSame) {
 }
 
 TEST_F(UnitInfo, CamerasOfASceneCanBePastedIntoIt) {
-  info("p.csv", "x,y,z\n0,0,0\n2,0,0\n0,1,0\n0,0,90\n");
+  std::string points = "x,y,z\n0,0,0\n2,0,0\n0,1,0\n0,0,90\n";
+  for (int i = 0; i < 60; ++i) points += "1,1,1\n";  // so that the one far away is less than 2 %
+  info("p.csv", points);
   const std::string scene = R"({"format": "pellucid-scene", "version": 1, "resolution": [40, 30],
       "objects": [{"points": "p.csv", "radius": 0.5, "opacity": 0.5}])";
   write_text(folder_ / "scene.json", scene + "}");
@@ -177,6 +179,8 @@ TEST_F(UnitInfo, CamerasOfASceneCanBePastedIntoIt) {
   ASSERT_EQ(json["views"].size(), 3u);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "views.png"));
   const Json camera = json["views"][0]["camera"];
+  EXPECT_NE(camera, json["views"][1]["camera"]);
+  EXPECT_EQ(json["outliers"][0]["vertices"], 1);
   write_text(folder_ / "again.json", scene + ", \"camera\": " + camera.dump() + "}");
   EXPECT_EQ(Json::parse(run("info again.json --json --quiet").out)["camera"], camera);
   EXPECT_THAT(run("info scene.json --cameras 2").out, HasSubstr("\"camera\": {"));
