@@ -213,7 +213,7 @@ std::string pdf_of(const FigureSheet& sheet, const std::string& font, const std:
   const Surface surface(
       cairo_pdf_surface_create_for_stream(keep, &file, sheet.width, sheet.height));
   check(cairo_surface_status(surface.get()));
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, one_line(title).c_str());
   cairo_pdf_surface_set_metadata(
       surface.get(), CAIRO_PDF_METADATA_CREATOR,
       fmt::format("pellucid {} ({})", build_version, build_commit).c_str());

@@ -45,7 +45,7 @@ class UnitFigureFiles : public ::testing::Test {
   void SetUp() override {
     request_.scenes = {"a"};
     request_.crops = {{"", crop}};
-    request_.labels = {hostile, "Größe", "C"};
+    request_.labels = {hostile, "Größe", "C\xff\x01"};
   }
 
   FigureRun run_;
