@@ -50,9 +50,8 @@ class Server:
     def end(self):
         """Returns the exit code."""
         self.process.stdin.close()
-        code = self.process.wait(10)
         self.process.stdout.close()
-        return code
+        return self.process.wait(10)
 
     def get(self, path, **headers):
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=10)
@@ -124,6 +123,7 @@ class PageTest(unittest.TestCase):
         self.changed(before)
         self.settle()
         turned = self.seen()
+        self.assertNotEqual(turned, before)
         self.canvas().send_keys(Keys.ARROW_LEFT, Keys.ARROW_UP, "+")
         self.changed(turned)
         self.settle()

@@ -5,6 +5,10 @@
 #include <httplib.h>
 #include <sys/socket.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 #include "core/error.h"
 
 namespace pellucid::view {
@@ -48,6 +52,7 @@ void set_options(socket_t socket) {
 struct HttpServer::State {
   httplib::Server server;
   int port = 0;
+  std::atomic<bool> served = false;  // serve() has returned
 };
 
 HttpServer::HttpServer(int port,
@@ -94,8 +99,16 @@ HttpServer::~HttpServer() = default;
 
 int HttpServer::port() const { return state_->port; }
 
-void HttpServer::serve() { state_->server.listen_after_bind(); }
+void HttpServer::serve() {
+  state_->server.listen_after_bind();
+  state_->served = true;
+}
 
-void HttpServer::stop() { state_->server.stop(); }
+/// The library forgets a stop that comes before it has begun.
+void HttpServer::stop() {
+  while (!state_->served && !state_->server.is_running())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  state_->server.stop();
+}
 
 }  // namespace pellucid::view

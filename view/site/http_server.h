@@ -23,7 +23,7 @@ class HttpServer {
 
   int port() const;
 
-  /// Serves until stop(), which any thread may call.
+  /// Serves until stop(), which any other thread may call once it is certain that serve() is called.
   void serve();
   void stop();
 
