@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What share of a study's wall clock goes into measuring: bench_study [STUDY], by default quickstart.
+// What share of a study's wall clock goes into measuring: bench_study [STUDY], by default
+// quickstart.
 //
 // A study's time is that of the methods (setting up, the first picture, the timed ones), of loading
 // the scenes, of tables and report, and the rest: counting layers, comparing, encoding and writing
-// pictures. The methods' own time is what the rows say of it, loading is timed apart from the study.
+// pictures. The methods' own time is what the rows say of it, loading is timed apart from the
+// study.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>

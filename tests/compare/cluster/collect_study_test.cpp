@@ -29,8 +29,7 @@ std::vector<std::string> names_of(const std::vector<MissingCell>& missing) {
 
 /// Whatever the study asks for: the rows of a study in one run, and cell by cell in the same place,
 /// which rows name, from the last to the first of each scene but for its reference.
-void expect_equal_rows(const std::string& more) {
-  const CellByCell cells(all_kinds, more);
+void expect_equal_rows(const CellByCell& cells) {
   const StudyOutcome expected = run_study(cells.study, cells.options);
   const fs::path whole = cells.folder / "whole";
   fs::rename(cells.options.folder, whole);
@@ -52,9 +51,19 @@ void expect_equal_rows(const std::string& more) {
   }
 }
 
-TEST(UnitCollect, CellByCellTheRowsAndPicturesAreTheSame) { expect_equal_rows(R"("repeats": 2)"); }
+TEST(UnitCollect, CellByCellTheRowsAndPicturesAreTheSame) {
+  expect_equal_rows(CellByCell(all_kinds));
+}
 
-TEST(UnitCollect, TheyAreFromEveryView) { expect_equal_rows(R"("repeats": 1, "views": 2)"); }
+TEST(UnitCollect, TheyAreFromEveryView) {
+  expect_equal_rows(CellByCell(all_kinds, R"("repeats": 1, "views": 2)"));
+}
+
+TEST(UnitCollect, TheReferenceMayDrawASceneOfItsOwn) {
+  const CellByCell cells(all_kinds, R"("repeats": 1, "reference_scene": "two.json")");
+  write_scene(cells.folder / "two.json", 24, 16);  // as one.json, so that the pictures compare
+  expect_equal_rows(cells);
+}
 
 TEST(UnitCollect, WhatIsMissingIsNamedAndTheRestIsThere) {
   CellByCell cells;
