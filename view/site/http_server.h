@@ -23,7 +23,8 @@ class HttpServer {
 
   int port() const;
 
-  /// Serves until stop(), which any other thread may call once it is certain that serve() is called.
+  /// Serves until stop(), which any other thread may call once it is certain that serve() is
+  /// called.
   void serve();
   void stop();
 
