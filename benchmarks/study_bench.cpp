@@ -35,14 +35,14 @@ double seconds_to_load(const compare::Study& study) {
 void run_and_account(benchmark::State& state, const compare::Study& study) {
   compare::StudyOptions options;
   options.folder = fs::temp_directory_path() / "pellucid-bench-study";
-  double own = 0, cells = 0, wall = 0;
+  double own = 0, cells = 0;
   const Stopwatch watch;
   options.on_row = [&](const compare::ResultRow& row) {
     own += own_seconds(row);
     cells = watch.seconds();
   };
   for (auto _ : state) compare::run_study(study, options);
-  wall = watch.seconds();
+  const double wall = watch.seconds();
   const double loading = seconds_to_load(study);
   fs::remove_all(options.folder);
   state.counters["wall_s"] = wall;

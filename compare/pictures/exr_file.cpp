@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <mutex>
 #include <sstream>
 
 #include "core/error.h"
@@ -53,6 +54,8 @@ void ExrStream::check() const {
 int exr_threads() {
   const auto threads =
       int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  static std::mutex one_at_a_time;  // files are written at once
+  const std::scoped_lock lock(one_at_a_time);
   if (Imf::globalThreadCount() != threads) Imf::setGlobalThreadCount(threads);
   return threads;
 }

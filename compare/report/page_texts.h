@@ -26,7 +26,7 @@ std::optional<PageTexts> pixel_texts(std::span<const ReportCell> cells, int mant
                                      std::size_t most_bytes);
 
 /// Calls visit(key, text) for the exact floats, the layers and the maps of every cell, one cell
-/// after another, so that no more than one's are in memory.
+/// after another, so that no more than a few cells' are in memory.
 void for_each_text(std::span<const ReportCell> cells,
                    const std::function<void(const std::string&, const std::string&)>& visit);
 

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "compare/budget/measure_budget.h"
 #include "compare/measures/layer_error.h"
@@ -16,6 +17,7 @@
 #include "compare/pictures/image_file.h"
 #include "core/error.h"
 #include "core/options/names.h"
+#include "core/parallel.h"
 
 namespace pellucid::compare {
 namespace {
@@ -31,10 +33,24 @@ bool is_selected(const Cell& cell, const std::string& only) {
          fits(only, std::string(cell.call.row->name)) || fits(only, cell.name());
 }
 
+/// Files of one cell are encoded and written at once: nothing is timed meanwhile.
+void write_at_once(const std::vector<std::function<void()>>& writes) {
+  parallel_for(std::size_t(0), writes.size(), [&](std::size_t i) { writes[i](); });
+}
+
 void write_picture(const CellFiles& files, const CellMeasurement& measured) {
-  write_image(files.picture(), measured.image);
-  write_image(files.preview(), measured.image);
-  if (!measured.layers.pixels.empty()) write_counts(files.layers(), measured.layers);
+  write_at_once({[&] { write_image(files.picture(), measured.image); },
+                 [&] { write_image(files.preview(), measured.image); },
+                 [&] {
+                   if (!measured.layers.pixels.empty())
+                     write_counts(files.layers(), measured.layers);
+                 }});
+}
+
+void write_maps(const CellFiles& files, const PicturePair& pair) {
+  const Raster<float>& flip = pair.flip();
+  write_at_once({[&] { write_image(files.error_map(), error_map(pair.reference(), pair.test())); },
+                 [&] { write_image(files.flip_map(), flip_picture(flip)); }});
 }
 
 void write_further(const CellFiles& files, const CellMeasurement& measured) {
@@ -57,8 +73,7 @@ void compare_with_reference(const Job& job, const CellFiles& files, CellMeasurem
   const PicturePair pair(reference, measured.image, regions);
   measured.row.metrics = compare_pair(pair);
   if (job.cell.reference) return;
-  write_image(files.error_map(), error_map(reference, measured.image));
-  write_image(files.flip_map(), flip_picture(pair.flip()));
+  write_maps(files, pair);
   if (regions.reference_layers) add_layer_error(reference, *regions.reference_layers, measured);
   if (job.cell.call.given)
     measured.row.given_faults = given_faults(reference, measured.image, at_hand.scene().background);

@@ -62,8 +62,10 @@ class UnitStudyCells : public UnitCommandLine {
                                            R"(", "{output}"]}]})");
   }
 
+  /// By one thread: ray tracing has memory for each that took part, which is chance for so few
+  /// rays.
   std::string study(const std::string& more, const std::string& to = "cells") const {
-    return fmt::format("study {} -o {} {}", (folder_ / "study.json").string(),
+    return fmt::format("study {} --threads 1 -o {} {}", (folder_ / "study.json").string(),
                        (folder_ / to).string(), more);
   }
   /// Runs commands of a shell all at once, and returns their exit codes as text.
