@@ -13,4 +13,11 @@ void show(const SceneObject& object, CameraFit& fit) {
   for (const Vec3& x : object.vertices().positions) fit.add(x, drawn_radius(object));
 }
 
+Camera fitted_camera(const Scene& scene, const ViewDirection& from) {
+  CameraFit fit(scene.camera.projection, scene.camera.fov, from,
+                double(scene.width) / double(scene.height));
+  for (const SceneObject& object : scene.objects) show(object, fit);
+  return fit.camera();
+}
+
 }  // namespace pellucid::scene

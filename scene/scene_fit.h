@@ -12,4 +12,8 @@ double drawn_radius(const SceneObject& object);
 /// Shows a camera that is to be fitted all that is drawn of an object.
 void show(const SceneObject& object, CameraFit& fit);
 
+/// Returns the camera that looks from this side and sees all that is drawn, by the projection and
+/// the shape of the scene's picture.
+Camera fitted_camera(const Scene& scene, const ViewDirection& from);
+
 }  // namespace pellucid::scene
