@@ -169,8 +169,7 @@ struct CrossingFinder::State {
   }
 
   void build(Objects made) {
-    boxes =
-        std::make_unique<BoxHierarchy>(std::move(made), center(), callbacks(precision), motion);
+    boxes = std::make_unique<BoxHierarchy>(std::move(made), center(), callbacks(precision), motion);
     summarize();
   }
 

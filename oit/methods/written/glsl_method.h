@@ -15,6 +15,7 @@ struct GlslOptions {
 
   bool operator==(const GlslOptions&) const = default;
 };
+/// Returns the table of these options.
 const OptionTable<GlslOptions>& glsl_options();
 
 /// A method that a file describes: textures of the picture's size, and passes with fragment shaders
