@@ -120,15 +120,6 @@ void keep_asked(nlohmann::json& json, const std::vector<std::string>& names, boo
     json.erase("max_error_pixel");
 }
 
-/// Metrics are of colours: pictures of other opacities may be equal in all of them.
-double max_alpha_error(const CompareInputs& inputs) {
-  double largest = 0;
-  for (std::size_t i = 0; i < inputs.test.pixels.size(); ++i)
-    largest =
-        std::max(largest, std::abs(double(inputs.reference.pixels[i].a) - inputs.test.pixels[i].a));
-  return largest;
-}
-
 void print_comparison(const compare::Comparison& comparison, double alpha_error,
                       const std::vector<std::string>& names, bool as_json) {
   if (as_json) {
@@ -228,7 +219,8 @@ void run(const CompareArguments& arguments, const GlobalOptions& globals) {
     compare::write_image(arguments.diff, compare::error_map(inputs.reference, inputs.test));
   if (!arguments.flip_map.empty())
     compare::write_image(arguments.flip_map, flip_image(pair.flip(), arguments.flip_map));
-  print_comparison(comparison, max_alpha_error(inputs), names, globals.json);
+  print_comparison(comparison, compare::max_alpha_error(inputs.reference, inputs.test), names,
+                   globals.json);
   check_thresholds(arguments, comparison.linear, inputs);
 }
 

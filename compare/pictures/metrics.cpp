@@ -79,4 +79,11 @@ Comparison compare_images(const Image& reference, const Image& test, const PairR
   return compare_pair(PicturePair(reference, test, regions));
 }
 
+double max_alpha_error(const Image& reference, const Image& test) {
+  double largest = 0;
+  for (std::size_t i = 0; i < test.pixels.size(); ++i)
+    largest = std::max(largest, std::abs(double(reference.pixels[i].a) - test.pixels[i].a));
+  return largest;
+}
+
 }  // namespace pellucid::compare

@@ -90,6 +90,9 @@ class Metrics {
   std::vector<std::optional<double>> values_;
 };
 
+/// Returns the largest difference in opacity, which no metric counts: they are of colours.
+double max_alpha_error(const Image& reference, const Image& test);
+
 /// A Comparison has the metrics of the float pictures, and those of the 8-bit values that a screen
 /// shows of them.
 struct Comparison {

@@ -67,6 +67,7 @@ py::dict compare_pictures(const py::object& reference, const py::object& test,
       result_unlocked([&](const Progress&) { return compare::compare_images(a, b, regions); });
   const nlohmann::json json = compare::to_json(comparison);
   py::dict dict = metrics_dict(json, comparison.linear);
+  dict["max_alpha_error"] = compare::max_alpha_error(a, b);
   dict["displayed"] = metrics_dict(json.at("displayed"), comparison.displayed);
   return dict;
 }

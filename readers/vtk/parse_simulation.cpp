@@ -12,11 +12,18 @@
 #include <vtkSTLReader.h>
 #include <vtkTecplotReader.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string>
 
+#include "core/error.h"
 #include "readers/vtk/parse_file.h"
 
 namespace pellucid::readers {
@@ -106,6 +113,28 @@ vtkSmartPointer<vtkAlgorithm> make_netcdf(const Path& path) {
   return reader;
 }
 
+/// VTK takes what is there of a file that was cut off. Binary ones are as long as their number of
+/// facets, 50 bytes each behind a head of 84, asks for; texts have their end.
+vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
+  constexpr std::uint64_t head = 84, facet = 50, tail = 4096;
+  const std::uint64_t size = std::filesystem::file_size(path);
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(std::min(size, head), '\0');
+  file.read(begin.data(), std::streamsize(begin.size()));
+  std::uint32_t facets = 0;
+  if (begin.size() == head) std::memcpy(&facets, begin.data() + 80, sizeof facets);
+  const bool is_text = begin.starts_with("solid") && begin.find('\0') == std::string::npos;
+  if (!is_text && (size < head || size != head + facet * facets))
+    throw InputError(
+        fmt::format("{}: {} bytes, but its {} facets take {}; truncated, or no STL file",
+                    path.string(), size, facets, head + facet * facets));
+  file.seekg(std::streamoff(size - std::min(size, tail)));
+  if (is_text &&
+      std::string(std::istreambuf_iterator<char>(file), {}).find("endsolid") == std::string::npos)
+    throw InputError(path.string() + ": no 'endsolid' at its end; truncated?");
+  return make<vtkSTLReader>(path);
+}
+
 constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".foam", make_foam},
                                  {".case", make_ensight},
@@ -121,7 +150,7 @@ constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".cdf", make_netcdf},
                                  {".nii", make<vtkNIFTIImageReader>},
                                  {".nii.gz", make<vtkNIFTIImageReader>},
-                                 {".stl", make<vtkSTLReader>},
+                                 {".stl", make_stl},
                                  {".mrc", make<vtkMRCReader>},
                                  {".rec", make<vtkMRCReader>}};
 

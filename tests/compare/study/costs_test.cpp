@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Costs step by step beside the source's: made-up cost_rows with known bottlenecks and ratios.
+// Costs step by step beside the source's: made-up rows with known bottlenecks and ratios.
 
 #include "compare/study/costs.h"
 
@@ -89,18 +89,18 @@ TEST(UnitCosts, TablesMarkTheBottleneck) {
 std::string costs_error(const std::string& costs) {
   return study_error(
       R"(["broken"])",
-      R"("published": {"machine": "a GPU", "steps": ["1", "2"], "cost_rows": [)" + costs + "]}");
+      R"("published": {"machine": "a GPU", "steps": ["1", "2"], "rows": [)" + costs + "]}");
 }
 
 TEST(UnitCosts, AStudyGivesCostsOfItsOwnScenesAndCalls) {
   EXPECT_EQ(costs_error(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [2, 3]})"),
             "no error");
   EXPECT_THAT(costs_error(R"({"scene": "three", "method": "broken", "ms": 5})"),
-              HasSubstr("published.cost_rows[0].scene: unknown scene 'three'"));
+              HasSubstr("published.rows[0].scene: unknown scene 'three'"));
   EXPECT_THAT(costs_error(R"({"scene": "one", "method": "shifted", "ms": 5})"),
               HasSubstr("unknown call 'shifted'"));
   EXPECT_THAT(costs_error(R"({"scene": "one", "method": "broken", "ms": 0})"),
-              HasSubstr("published.cost_rows[0].ms"));
+              HasSubstr("published.rows[0].ms"));
   EXPECT_THAT(costs_error(R"({"scene": "one", "method": "broken", "ms": 5, "steps": [5]})"),
               HasSubstr("one for each of the 2 steps"));
 }

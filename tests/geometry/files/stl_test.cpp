@@ -62,6 +62,8 @@ TEST_F(UnitStl, WhatIsCutOffIsRefused) {
     EXPECT_THAT(refusal([&] { read_mesh(file("a.stl", whole.substr(0, size))); }),
                 HasSubstr("a.stl"))
         << size;
+  EXPECT_THAT(refusal([&] { read_mesh(file("a.stl", text_stl().substr(0, 200))); }),
+              HasSubstr("a.stl: no 'endsolid'"));
 }
 
 using UnitByteOrderMark = FormatFiles;
