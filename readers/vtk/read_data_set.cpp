@@ -17,6 +17,7 @@
 
 #include <cstring>
 
+#include "core/machine/huge_pages.h"
 #include "readers/vtk/cell_rules.h"
 #include "readers/vtk/data_set_blocks.h"
 
@@ -35,8 +36,9 @@ vtkSmartPointer<vtkDataArray> array_of(const Block& block) {
   const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtk_type(block.type)));
   array->SetNumberOfComponents(int(block.components));
   array->SetNumberOfTuples(vtkIdType(block.tuples));
-  if (!block.bytes.empty())
-    std::memcpy(array->GetVoidPointer(0), block.bytes.data(), block.bytes.size());
+  if (block.bytes.empty()) return array;
+  ask_for_huge_pages(array->GetVoidPointer(0), block.bytes.size());
+  std::memcpy(array->GetVoidPointer(0), block.bytes.data(), block.bytes.size());
   return array;
 }
 
@@ -45,6 +47,7 @@ vtkSmartPointer<Array> integers_of(const Block& block) {
   const auto values = block.values<std::int64_t>();
   const auto array = vtkSmartPointer<Array>::New();
   array->SetNumberOfValues(vtkIdType(values.size()));
+  ask_for_huge_pages(array->GetPointer(0), values.size_bytes());
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace pellucid {
+
+/// Asks for large pages below memory that was allocated and not yet touched: what is written to it
+/// first then faults a page of 2 MiB at once, where 512 faults take most of the time of a copy. It
+/// does nothing for less than some such pages, and where the system has none.
+void ask_for_huge_pages(void* memory, std::size_t bytes);
+
+}  // namespace pellucid
