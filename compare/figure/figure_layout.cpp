@@ -275,14 +275,16 @@ class FigureLayout {
       const auto& list = strip.numbers[column].*which;
       most = std::max(most, list.size());
       for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::size_t beside = std::min(per_line, list.size() - i / per_line * per_line);
+        const std::size_t line = i / per_line, place = i % per_line;
+        const std::size_t beside = std::min(per_line, list.size() - line * per_line);
         const double slot = column_ / double(beside);
         add_text(list[i], number_font_,
-                 {x_of(column) + slot * (double(i % per_line) + 0.5),
-                  y_ + (line_height * double(i / per_line) + baseline) * number_font_});
+                 {x_of(column) + slot * (double(place) + 0.5),
+                  y_ + (line_height * double(line) + baseline) * number_font_});
       }
     }
-    y_ += line_height * number_font_ * double((most + per_line - 1) / per_line);
+    const std::size_t lines = (most + per_line - 1) / per_line;
+    y_ += line_height * number_font_ * double(lines);
   }
 
   const FigureContent& content_;
