@@ -11,6 +11,7 @@
 #include <vtkOpenFOAMReader.h>
 #include <vtkSTLReader.h>
 #include <vtkTecplotReader.h>
+#include <vtkVersionMacros.h>
 
 #include <fmt/format.h>
 
@@ -43,10 +44,13 @@ vtkSmartPointer<vtkAlgorithm> make(const Path& path) {
   return reader_of<Reader>(path);
 }
 
-/// Cell data as they are in the case, and polyhedra cut into cells that can be searched.
+/// Cell data as they are in the case, and, where VTK does it yet, polyhedra cut into cells that can
+/// be searched.
 vtkSmartPointer<vtkAlgorithm> make_foam(const Path& path) {
   const auto reader = reader_of<vtkOpenFOAMReader>(path);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)  // which complains of being asked
   reader->DecomposePolyhedraOn();
+#endif
   reader->CreateCellToPointOff();
   reader->SkipZeroTimeOff();
   return reader;
