@@ -150,9 +150,10 @@ class Reader {
     pass.screen = node.has("screen");
     if (pass.screen == node.has("geometry"))
       node.fail("accepted: one of the keys geometry and screen, the file of a fragment shader");
-    const std::string name = node[pass.screen ? "screen" : "geometry"].string();
+    const JsonNode shader = node[pass.screen ? "screen" : "geometry"];
+    const std::string name = shader.string();
     pass.file = folder_ / name;
-    pass.text = read_text(pass.file);
+    pass.text = at_place(shader, [&] { return read_text(pass.file); });
     pass.step = node.has("step") ? node["step"].string() : fs::path(name).stem().string();
     if (node.has("into")) read_targets(node["into"], pass);
     pass.reads = textures_of(node, "reads", most_reads);
