@@ -114,7 +114,7 @@ Vec2 samples_range(const scene::SceneObject& made) {
   return range;
 }
 
-/// A Controls are an object's rows; the defaults' texts are its own.
+/// Controls are an object's rows; the defaults' texts are its own.
 struct Controls {
   std::vector<ParameterSpec> specs;
   std::vector<json::json_pointer> places;

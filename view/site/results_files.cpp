@@ -59,7 +59,7 @@ std::vector<SceneFile> scenes_of(const fs::path& folder) {
   std::vector<SceneFile> scenes;
   try {
     const compare::Study study =
-        compare::load_study(compare::study_of_run(folder), compare::methods());
+        compare::load_study(compare::study_of_run(folder), compare::callable_methods());
     for (const fs::path& file : study.scenes) scenes.push_back({file, false});
   } catch (const InputError&) {  // the study has moved: its report is still there
   }

@@ -42,7 +42,7 @@ constexpr std::array<BlendName, 5> blends{{{"replace", Blend::replace},
 constexpr double any = std::numeric_limits<double>::max();
 constexpr int most_layers = 2048;       // OpenGL promises as many
 constexpr std::size_t most_reads = 6;   // texture units from own_texture on
-constexpr std::size_t most_images = 5;  // image units of no other family, and the locks'
+constexpr std::size_t most_images = 5;  // image units of no other family
 
 /// What becomes an identifier of GLSL: letters, digits and single underscores.
 void check_name(const JsonNode& node, const std::string& name) {

@@ -27,7 +27,9 @@ RawOptions options_of(const std::string& text) {
     if (equals == part.npos || equals == 0)
       throw InputError(
           fmt::format("glsl: parameters: '{}'; accepted: NAME=VALUE, with spaces between", part));
-    options.emplace(part.substr(0, equals), part.substr(equals + 1));
+    if (!options.emplace(part.substr(0, equals), part.substr(equals + 1)).second)
+      throw InputError(
+          fmt::format("glsl: parameters: '{}' is given twice", part.substr(0, equals)));
   }
   return options;
 }
@@ -59,7 +61,8 @@ class Interface {
  public:
   Interface(const WrittenMethod& method, const GlslPass& pass,
             const std::vector<Texture>& textures) {
-    text_ = pass.screen && !pass.into.empty() ? "" : pass.screen ? composite : fragment;
+    if (!pass.screen) text_ = fragment;
+    if (pass.screen && pass.into.empty()) text_ = composite;
     for (const GlslParameter& parameter : method.parameters)
       text_ += fmt::format("uniform {} {};\n", parameter.whole ? "int" : "float", parameter.name);
     for (std::size_t i = 0; i < pass.into.size(); ++i) {
@@ -67,29 +70,32 @@ class Interface {
       text_ +=
           fmt::format("layout(location = {}) out {} {};\n", i, target.format->type, target.name);
     }
-    int unit = bindings::own_texture;
-    for (const std::size_t index : pass.reads) {
-      const GlslTexture& texture = method.textures[index];
-      text_ += fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler(texture),
-                           texture.name);
-      resources_.add(textures[index].as_texture(unit++));
-    }
-    std::size_t next = 0;
-    for (const std::size_t index : pass.images) {
-      const GlslTexture& texture = method.textures[index];
-      const bool is_lock = texture.name == locks;
-      const int image_unit = is_lock ? bindings::locks_image : free_images[next++];
-      if (!is_lock)
-        text_ += fmt::format("layout(binding = {}, {}) coherent uniform {} {};\n", image_unit,
-                             texture.format->name, image(texture), texture.name);
-      resources_.add(textures[index].as_image(image_unit));
-    }
+    for (std::size_t i = 0; i < pass.reads.size(); ++i)
+      read(method.textures[pass.reads[i]], textures[pass.reads[i]], bindings::own_texture + int(i));
+    const int* unit = free_images;
+    for (const std::size_t index : pass.images)
+      if (method.textures[index].name == locks)
+        resources_.add(textures[index].as_image(bindings::locks_image));
+      else
+        change(method.textures[index], textures[index], *unit++);
   }
 
   std::string complete(const GlslPass& pass) const { return text_ + numbered(pass.text); }
   const Resources& resources() const { return resources_; }
 
  private:
+  void read(const GlslTexture& texture, const Texture& data, int unit) {
+    text_ +=
+        fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler(texture), texture.name);
+    resources_.add(data.as_texture(unit));
+  }
+
+  void change(const GlslTexture& texture, const Texture& data, int unit) {
+    text_ += fmt::format("layout(binding = {}, {}) coherent uniform {} {};\n", unit,
+                         texture.format->name, image(texture), texture.name);
+    resources_.add(data.as_image(unit));
+  }
+
   static constexpr std::string_view fragment = "#include \"oit/shapes/fragment.glsl\"\n";
   static constexpr std::string_view composite = "#include \"oit/stage/composite.glsl\"\n";
 

@@ -99,6 +99,7 @@ TEST_F(UnitGlslFile, ParametersAreCheckedAsAllAre) {
   EXPECT_THAT(refusal(whole, "k=2"), AllOf(HasSubstr("k=2"), HasSubstr("accepted: 0 … 1")));
   EXPECT_THAT(refusal(whole, "j=1"), HasSubstr("unknown key 'j'; known: k"));
   EXPECT_THAT(refusal(whole, "k"), HasSubstr("accepted: NAME=VALUE"));
+  EXPECT_THAT(refusal(whole, "k=1 k=0"), HasSubstr("'k' is given twice"));
 }
 
 TEST_F(UnitGlslFile, CompilersWordsCarryTheFilesLines) {
