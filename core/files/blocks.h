@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -35,6 +37,9 @@ struct BlockError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// HeapBytes are memory from malloc().
+using HeapBytes = std::unique_ptr<std::byte, decltype(&std::free)>;
+
 /// A Block is a named array of `tuples` × `components` numbers.
 struct Block {
   std::string name;
@@ -42,6 +47,7 @@ struct Block {
   std::uint32_t components = 1;
   std::uint64_t tuples = 0;
   std::span<const std::byte> bytes;
+  std::shared_ptr<HeapBytes> memory;  // behind `bytes`; none where there are no numbers
 
   /// Returns the numbers, tuple after tuple. Throws BlockError when they are of another type.
   template <class T>
@@ -49,10 +55,14 @@ struct Block {
     if (type != number_type<T>()) fail("is of another type");
     return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
   }
+  /// Hands the memory of the numbers over to a library that will free() it, so that nothing is
+  /// copied; `bytes` shows them as long as it does not. Returns nullptr where there are no numbers,
+  /// or someone has them already.
+  void* release() const;
   [[noreturn]] void fail(std::string_view why) const;
 };
 
-/// A BlockWriter writes blocks one after another to an open file:
+/// A BlockWriter writes blocks one after another to an open file, which may be a pipe:
 ///
 ///     "PLBLOCK1", then per block: length of the name (u32), type (u32), components (u32), 0 (u32),
 ///     tuples (u64), 0 (u64), the name, the numbers; name and numbers are padded to 16 bytes
@@ -69,6 +79,11 @@ class BlockWriter {
     add(name, number_type<T>(), components, numbers.size() / components, numbers.data());
   }
   void add_text(std::string_view name, std::string_view text);
+  /// Begins an array whose numbers come piece by piece: append() has to be called for all of them
+  /// before anything else is added.
+  void begin(std::string_view name, NumberType type, std::uint32_t components,
+             std::uint64_t tuples);
+  void append(const void* numbers, std::size_t bytes);
   /// Puts `prefix` before the names of all blocks from now on: several data sets in one file.
   void name_within(std::string prefix) { prefix_ = std::move(prefix); }
   /// Writes the end, without which the blocks do not count as whole.
@@ -77,17 +92,20 @@ class BlockWriter {
  private:
   void write(const void* data, std::size_t size);
   void pad(std::size_t size);
+  void flush();
 
   int file_;
   std::string prefix_;
+  std::vector<std::byte> waiting_;        // small pieces, written together
+  std::uint64_t to_come_ = 0, size_ = 0;  // bytes of the array that was begun
 };
 
-/// Blocks are what a BlockWriter has written to a file, mapped into memory: the arrays are where
-/// they were written and are not copied.
+/// Blocks are what a BlockWriter has written to a file.
 class Blocks {
  public:
-  /// Maps the file and checks every claim in it against its size. Throws BlockError.
-  explicit Blocks(int file);
+  /// Reads an open file, which may be a pipe, from where it stands to the end of its blocks, and
+  /// believes no claim of more than `most` bytes in all. Throws BlockError.
+  explicit Blocks(int file, std::uint64_t most = std::numeric_limits<std::int64_t>::max());
   /// Returns the blocks whose names begin with the prefix, without it; they share the memory.
   Blocks within(std::string_view prefix) const;
 
@@ -102,7 +120,6 @@ class Blocks {
  private:
   Blocks() = default;
 
-  std::shared_ptr<const std::byte> memory_;
   std::vector<Block> blocks_;
 };
 

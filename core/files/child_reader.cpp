@@ -15,10 +15,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <optional>
 
 #include "core/error.h"
 #include "core/files/files_read.h"
-#include "core/files/memory_file.h"
 #include "core/files/output_file.h"
 #include "core/files/own_files.h"
 
@@ -27,11 +27,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int result_file = 3;  // where the child finds what it has to fill
+constexpr int result_file = 3;  // where the child finds the pipe for its blocks
 constexpr int complaint_code = 2;
 constexpr std::string_view complaint = "complaint";
 
-/// What the new process has open: the file for the result, and nothing to read or print.
+/// A Pipe is what the child writes to and this process reads from; other processes that are started
+/// meanwhile do not hold it open.
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_, O_CLOEXEC) != 0)
+      throw WorkError(fmt::format("no pipe to a reader: {}", std::strerror(errno)));
+    constexpr int largest = 1 << 20;  // that everyone may ask for; less serves, too
+    ::fcntl(ends_[1], F_SETPIPE_SZ, largest);
+  }
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  int to_read() const { return ends_[0]; }
+  int to_write() const { return ends_[1]; }
+  void close_to_read() { close_end(0); }
+  void close_to_write() { close_end(1); }
+
+ private:
+  void close_end(int which) {
+    if (ends_[which] >= 0) ::close(ends_[which]);
+    ends_[which] = -1;
+  }
+  int ends_[2] = {-1, -1};
+};
+
+/// What the new process has open: the pipe for the result, and nothing to read or print.
 class SpawnFiles {
  public:
   explicit SpawnFiles(int result) {
@@ -101,8 +130,6 @@ std::string reason(int status, const ReadLimits& limits) {
       return fmt::format("reading it takes over {} s", limits.cpu_seconds);
     case SIGALRM:
       return fmt::format("reading it takes over {} s", limits.wall_seconds);
-    case SIGXFSZ:
-      return fmt::format("it claims more than {} MiB", limits.bytes >> 20);
     case SIGKILL:
       return "its reader was killed: out of memory?";
     default:
@@ -122,13 +149,41 @@ void limit(decltype(RLIMIT_AS) what, std::uint64_t amount) {
 
 void set_limits(const ReadLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer any more
+  ::signal(SIGPIPE, SIG_DFL);          // nobody reads it any more
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   limit(RLIMIT_AS, limits.bytes);  // a sanitizer's shadow takes far more
 #endif
-  limit(RLIMIT_FSIZE, limits.bytes);
+  limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, limits.cpu_seconds);
   ::alarm(limits.wall_seconds);
+}
+
+/// What came through the pipe: blocks, or what is wrong with them.
+struct Answer {
+  std::optional<Blocks> blocks;
+  std::string flaw;
+};
+
+Answer receive(int pipe, std::uint64_t most) {
+  try {
+    return {Blocks(pipe, most), {}};
+  } catch (const BlockError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+/// A child that died says more than the blocks which it left unfinished, unless it died of having
+/// said too much.
+Blocks judged(const Answer& answer, int status, const ReadLimits& limits, const fs::path& file) {
+  const bool answered =
+      WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == complaint_code);
+  const bool was_cut_off = WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE;
+  if (!answered && !was_cut_off) throw InputError(not_valid(file, reason(status, limits)));
+  if (!answer.blocks) throw InputError(not_valid(file, answer.flaw));
+  if (!answered || WEXITSTATUS(status) == complaint_code)
+    throw InputError(answer.blocks->text(complaint));
+  return *answer.blocks;
 }
 
 using ReadFunction =
@@ -143,8 +198,8 @@ int answer(int argc, char** argv, const ReadFunction& read) {
   const std::vector<std::string> further(argv + 5, argv + argc);
   set_limits(limits);
   std::string why;
+  BlockWriter out(result_file);
   try {
-    BlockWriter out(result_file);
     read(file, further, out);
     out.finish();
     return 0;
@@ -155,9 +210,7 @@ int answer(int argc, char** argv, const ReadFunction& read) {
   } catch (const std::exception& error) {
     why = not_valid(file, error.what());
   }
-  // What was written before is void.
-  if (::ftruncate(result_file, 0) != 0 || ::lseek(result_file, 0, SEEK_SET) != 0) return 1;
-  BlockWriter out(result_file);
+  out.name_within("");  // what was written before is void
   out.add_text(complaint, why);
   out.finish();
   return complaint_code;
@@ -183,18 +236,12 @@ Blocks read_in_child(std::string_view program, const fs::path& file,
                                  std::to_string(limits.cpu_seconds),
                                  std::to_string(limits.wall_seconds)};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const MemoryFile result;
-  const int status = wait_for(start(path, std::move(words), result.descriptor()));
-  const bool answered =
-      WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == complaint_code);
-  if (!answered) throw InputError(not_valid(file, reason(status, limits)));
-  try {
-    Blocks blocks(result.descriptor());
-    if (WEXITSTATUS(status) == complaint_code) throw InputError(blocks.text(complaint));
-    return blocks;
-  } catch (const BlockError& error) {
-    throw InputError(not_valid(file, error.what()));
-  }
+  Pipe pipe;
+  const pid_t child = start(path, std::move(words), pipe.to_write());
+  pipe.close_to_write();
+  const Answer answer = receive(pipe.to_read(), limits.bytes);
+  pipe.close_to_read();  // which ends a child that has more to say
+  return judged(answer, wait_for(child), limits, file);
 }
 
 void run_child_reader(int argc, char** argv, const ReadFunction& read) {

@@ -38,17 +38,6 @@ void write_all(const Descriptor& file, std::string_view text, const fs::path& pa
   }
 }
 
-/// The file that a chain of links leads to, which need not exist yet.
-fs::path behind_links(const fs::path& path) {
-  std::error_code code;
-  fs::path target = path;
-  for (int links = 0; links < 40 && fs::is_symlink(target, code); ++links) {
-    const fs::path next = fs::read_symlink(target, code);
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  return target;
-}
-
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -110,10 +99,21 @@ void copy_into(const fs::path& from, const fs::path& to, const fs::path& path) {
 
 }  // namespace
 
+fs::path behind_links(const fs::path& path) {
+  std::error_code code;
+  fs::path target = path;
+  for (int links = 0; links < 40 && fs::is_symlink(target, code); ++links) {
+    const fs::path next = fs::read_symlink(target, code);
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target;
+}
+
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
   ProtectedInputs::refuse(path_);
   std::error_code code;
   const fs::file_status status = fs::status(target_, code);
+  if (code == std::errc::too_many_symbolic_link_levels) fail_writing(path_, ELOOP);
   if (fs::is_directory(status)) fail_writing(path_, EISDIR);
   is_regular_ = !fs::exists(status) || fs::is_regular_file(status);
   if (is_regular_) remove_abandoned_files(target_);

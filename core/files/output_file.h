@@ -35,6 +35,9 @@ class OutputFile {
   int lock_ = -1;  // held on the temporary while this process lives
 };
 
+/// Returns the file that a chain of links leads to, which need not be there.
+std::filesystem::path behind_links(const std::filesystem::path& path);
+
 /// Writes the whole text by an OutputFile, and throws as it does.
 void write_text(const std::filesystem::path& path, std::string_view text);
 

@@ -7,8 +7,7 @@
 
 namespace pellucid::fuzz {
 
-/// Puts bytes into a file in memory, as a child reader leaves it, and takes them for blocks. Throws
-/// BlockError.
+/// Takes bytes for blocks, as they come from a child reader. Throws BlockError.
 Blocks blocks_of(Bytes bytes);
 
 /// Calls `read()`, which may throw BlockError or what attempt() lets pass: those who read files

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
+
+#include "core/parallel.h"
 
 namespace pellucid::readers {
 namespace {
@@ -45,21 +48,22 @@ std::span<const Value> values_of(const Block& block) {
 
 template <class Grid>
 void write_leaves(const std::string& prefix, const Grid& grid, BlockWriter& out) {
+  using Value = typename Grid::ValueType;
+  using Parts = Components<Value>;
   std::vector<std::int32_t> origins;
   std::vector<std::uint64_t> masks;
-  std::vector<typename Grid::ValueType> values;
-  values.reserve(grid.tree().leafCount() * leaf_size);
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
     const openvdb::Coord origin = leaf->origin();
     origins.insert(origins.end(), {origin.x(), origin.y(), origin.z()});
     for (openvdb::Index word = 0; word < mask_words; ++word)
       masks.push_back(leaf->valueMask().template getWord<openvdb::Index64>(word));
-    const auto* first = leaf->buffer().data();
-    values.insert(values.end(), first, first + leaf_size);
   }
   out.add(prefix + ".origins", std::span<const std::int32_t>(origins), 3);
   out.add(prefix + ".masks", std::span<const std::uint64_t>(masks), mask_words);
-  add_values<typename Grid::ValueType>(prefix + ".values", values, out);
+  out.begin(prefix + ".values", number_type<typename Parts::Number>(), Parts::count,
+            origins.size() / 3 * leaf_size);
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
+    out.append(leaf->buffer().data(), leaf_size * sizeof(Value));
 }
 
 template <class Grid>
@@ -96,28 +100,60 @@ void check_place(const std::string& prefix, std::string_view what, std::size_t n
                                    what, number, at[axis], farthest));
 }
 
+/// The leaves of a grid as blocks have them.
 template <class Grid>
-void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
+class Leaves {
+ public:
   using Leaf = typename Grid::TreeType::LeafNodeType;
-  const auto origins = blocks.at(prefix + ".origins").values<std::int32_t>();
-  const auto masks = blocks.at(prefix + ".masks").values<std::uint64_t>();
-  const auto values = values_of<typename Grid::ValueType>(blocks.at(prefix + ".values"));
-  const std::size_t count = origins.size() / 3;
-  if (masks.size() != count * mask_words || values.size() != count * leaf_size)
-    throw BlockError(fmt::format("grid {}: its leaves do not fit each other", prefix));
-  for (std::size_t i = 0; i < count; ++i) {
-    const openvdb::Coord origin(origins[3 * i], origins[3 * i + 1], origins[3 * i + 2]);
-    if (origin != (origin & ~(leaf_width - 1)))
-      throw BlockError(fmt::format("grid {}: leaf {} is off its lattice", prefix, i));
-    check_place(prefix, "leaf", i, origin);
-    auto leaf = std::make_unique<Leaf>(origin, grid.background());
+
+  Leaves(const std::string& prefix, const Blocks& blocks)
+      : prefix_(prefix),
+        origins_(blocks.at(prefix + ".origins").values<std::int32_t>()),
+        masks_(blocks.at(prefix + ".masks").values<std::uint64_t>()),
+        values_(values_of<typename Grid::ValueType>(blocks.at(prefix + ".values"))) {
+    if (masks_.size() != count() * mask_words || values_.size() != count() * leaf_size)
+      throw BlockError(fmt::format("grid {}: its leaves do not fit each other", prefix));
+    for (std::size_t i = 0; i < count(); ++i) check(i);
+  }
+
+  std::size_t count() const { return origins_.size() / 3; }
+
+  std::unique_ptr<Leaf> make(std::size_t i, const typename Grid::ValueType& background) const {
+    auto leaf = std::make_unique<Leaf>(openvdb::PartialCreate(), origin(i), background);
+    leaf->allocate();
     typename Leaf::NodeMaskType mask;
     for (openvdb::Index word = 0; word < mask_words; ++word)
-      mask.template getWord<openvdb::Index64>(word) = masks[i * mask_words + word];
+      mask.template getWord<openvdb::Index64>(word) = masks_[i * mask_words + word];
     leaf->setValueMask(mask);
-    std::copy_n(values.data() + i * leaf_size, leaf_size, leaf->buffer().data());
-    grid.tree().addLeaf(leaf.release());
+    std::copy_n(values_.data() + i * leaf_size, leaf_size, leaf->buffer().data());
+    return leaf;
   }
+
+ private:
+  openvdb::Coord origin(std::size_t i) const {
+    return {origins_[3 * i], origins_[3 * i + 1], origins_[3 * i + 2]};
+  }
+  void check(std::size_t i) const {
+    if (origin(i) != (origin(i) & ~(leaf_width - 1)))
+      throw BlockError(fmt::format("grid {}: leaf {} is off its lattice", prefix_, i));
+    check_place(prefix_, "leaf", i, origin(i));
+  }
+
+  std::string prefix_;
+  std::span<const std::int32_t> origins_;
+  std::span<const std::uint64_t> masks_;
+  std::span<const typename Grid::ValueType> values_;
+};
+
+/// Leaves are made on all threads, since touching their memory first is what takes long, and put
+/// into the tree one after another.
+template <class Grid>
+void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
+  const Leaves<Grid> leaves(prefix, blocks);
+  std::vector<std::unique_ptr<typename Leaves<Grid>::Leaf>> made(leaves.count());
+  parallel_for(std::size_t(0), made.size(),
+               [&](std::size_t i) { made[i] = leaves.make(i, grid.background()); });
+  for (auto& leaf : made) grid.tree().addLeaf(leaf.release());
 }
 
 template <class Grid>

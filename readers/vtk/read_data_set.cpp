@@ -15,9 +15,10 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cstdlib>
 #include <cstring>
+#include <new>
 
-#include "core/machine/huge_pages.h"
 #include "readers/vtk/cell_rules.h"
 #include "readers/vtk/data_set_blocks.h"
 
@@ -32,23 +33,32 @@ int vtk_type(NumberType type) {
   return types[std::size_t(type)];
 }
 
+/// The block's numbers in memory that VTK is to free.
+void* numbers_of(const Block& block) {
+  if (void* numbers = block.release()) return numbers;
+  void* copy = std::malloc(block.bytes.size());  // another array has them
+  if (!copy) throw std::bad_alloc();
+  return std::memcpy(copy, block.bytes.data(), block.bytes.size());
+}
+
 vtkSmartPointer<vtkDataArray> array_of(const Block& block) {
   const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(vtk_type(block.type)));
   array->SetNumberOfComponents(int(block.components));
-  array->SetNumberOfTuples(vtkIdType(block.tuples));
-  if (block.bytes.empty()) return array;
-  ask_for_huge_pages(array->GetVoidPointer(0), block.bytes.size());
-  std::memcpy(array->GetVoidPointer(0), block.bytes.data(), block.bytes.size());
+  if (!block.bytes.empty())
+    array->SetVoidArray(numbers_of(block), vtkIdType(block.components * block.tuples), 0,
+                        vtkAbstractArray::VTK_DATA_ARRAY_FREE);
   return array;
 }
 
 template <class Array>
 vtkSmartPointer<Array> integers_of(const Block& block) {
+  using Value = typename Array::ValueType;
   const auto values = block.values<std::int64_t>();
+  static_assert(sizeof(Value) == sizeof(values[0]));
   const auto array = vtkSmartPointer<Array>::New();
-  array->SetNumberOfValues(vtkIdType(values.size()));
-  ask_for_huge_pages(array->GetPointer(0), values.size_bytes());
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  if (!values.empty())
+    array->SetArray(static_cast<Value*>(numbers_of(block)), vtkIdType(values.size()), 0,
+                    vtkAbstractArray::VTK_DATA_ARRAY_FREE);
   return array;
 }
 

@@ -25,6 +25,12 @@ class MemoryFile {
     EXPECT_EQ(::pread(file_, bytes.data(), bytes.size(), 0), ssize_t(bytes.size()));
     return bytes;
   }
+  /// Returns the blocks in it, none of which may claim more than there is.
+  Blocks blocks() const {
+    const off_t size = ::lseek(file_, 0, SEEK_END);
+    EXPECT_EQ(::lseek(file_, 0, SEEK_SET), 0);
+    return Blocks(file_, std::uint64_t(size));
+  }
   void set(const std::string& bytes) const {
     EXPECT_EQ(::ftruncate(file_, 0), 0);
     EXPECT_EQ(::pwrite(file_, bytes.data(), bytes.size(), 0), ssize_t(bytes.size()));
@@ -41,7 +47,7 @@ Blocks blocks_of(const Write& write) {
   BlockWriter out(file.descriptor());
   write(out);
   out.finish();
-  return Blocks(file.descriptor());
+  return file.blocks();
 }
 
 }  // namespace pellucid::testing

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
+#include <thread>
 
 namespace pellucid {
 namespace {
@@ -27,7 +29,7 @@ void write_example(int file) {
 TEST(UnitBlocks, WhatIsWrittenIsRead) {
   const MemoryFile file;
   write_example(file.descriptor());
-  const Blocks blocks(file.descriptor());
+  const Blocks blocks = file.blocks();
   ASSERT_EQ(blocks.all().size(), 4u);
   const Block& points = blocks.at("points");
   EXPECT_EQ(points.components, 3u);
@@ -48,7 +50,61 @@ TEST(UnitBlocks, EveryBeginningOfAFileIsRefused) {
   const std::string whole = file.content();
   for (std::size_t size = 0; size < whole.size(); ++size) {
     file.set(whole.substr(0, size));
-    EXPECT_THROW(Blocks{file.descriptor()}, BlockError) << size;
+    EXPECT_THROW(file.blocks(), BlockError) << size;
+  }
+}
+
+TEST(UnitBlocks, NumbersThatComePieceByPieceAreOneArray) {
+  std::vector<double> numbers(3 * 20000);  // more than is kept back before it is written
+  std::iota(numbers.begin(), numbers.end(), 0.5);
+  const Blocks blocks = testing::blocks_of([&](BlockWriter& out) {
+    out.add_text("before", "x");
+    out.begin("points", NumberType::f64, 3, 20000);
+    for (std::size_t i = 0; i < numbers.size(); i += 600)
+      out.append(&numbers[i], 600 * sizeof(double));
+    out.add_text("after", "y");
+  });
+  EXPECT_TRUE(std::ranges::equal(blocks.at("points").values<double>(), numbers));
+  EXPECT_EQ(blocks.text("before") + blocks.text("after"), "xy");
+}
+
+TEST(UnitBlocks, NumbersAreHandedOverOnce) {
+  const Blocks blocks = testing::blocks_of([](BlockWriter& out) { out.add_text("kind", "mesh"); });
+  const Blocks again = blocks.within("");
+  void* numbers = again.at("kind").release();
+  ASSERT_NE(numbers, nullptr);
+  EXPECT_EQ(numbers, blocks.at("kind").bytes.data());
+  EXPECT_EQ(blocks.at("kind").release(), nullptr);
+  EXPECT_EQ(blocks.text("kind"), "mesh");
+  std::free(numbers);
+}
+
+TEST(UnitBlocks, ThroughAPipeComesWhatIsClaimedAndNoMoreThanIsAllowed) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  std::thread writer([file = ends[1]] {
+    const std::vector<double> numbers(100000, 0.25);  // more than a pipe holds
+    BlockWriter out(file);
+    out.add("numbers", std::span<const double>(numbers));
+    out.finish();
+    ::close(file);
+  });
+  EXPECT_EQ(Blocks(ends[0], 800000).at("numbers").values<double>().back(), 0.25);
+  writer.join();
+  ::close(ends[0]);
+}
+
+TEST(UnitBlocks, AClaimBeyondTheLimitIsRefusedBeforeItsMemoryIsAskedFor) {
+  const MemoryFile file;
+  BlockWriter out(file.descriptor());
+  out.begin("numbers", NumberType::f64, 1, std::uint64_t(1) << 60);
+  out.finish();
+  ::lseek(file.descriptor(), 0, SEEK_SET);
+  try {
+    Blocks(file.descriptor(), 5 << 20);
+    FAIL();
+  } catch (const BlockError& error) {
+    EXPECT_STREQ(error.what(), "it claims more than 5 MiB");
   }
 }
 
@@ -64,7 +120,7 @@ TEST(PropertyBlocks, NoClaimReachesBeyondTheFile) {
       bytes[random() % bytes.size()] = char(random() % 4 ? random() : 0xFF);
     file.set(bytes);
     try {
-      const Blocks blocks(file.descriptor());
+      const Blocks blocks = file.blocks();
       std::size_t sum = 0;
       for (const Block& block : blocks.all())
         for (const std::byte byte : block.bytes) sum += std::size_t(byte);  // readable

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/machine/huge_pages.h"
+#include "core/files/huge_pages.h"
 
 #include <sys/mman.h>
 
