@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "compare/report/results_folder.h"
 #include "compare/report/tables.h"
 #include "compare/run/batch_meter.h"
+#include "compare/run/study_screen.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -19,7 +21,11 @@ constexpr std::size_t most_in_turn = 8;
 class StudyRun {
  public:
   StudyRun(const Study& study, const StudyOptions& options)
-      : study_(study), options_(options), jobs_(make_jobs(study, options)), meter_(study, options) {
+      : study_(study),
+        options_(options),
+        jobs_(make_jobs(study, options)),
+        meter_(study, options),
+        screen_(study, options) {
     for (const Job& job : jobs_) job.files.make_folders();
     read_known_rows(jobs_, options);
     for (const Job& job : jobs_) outcome_.kept += job.row && job.selected;
@@ -46,8 +52,10 @@ class StudyRun {
     at_hand.set_reference(reference.files);
     if (reference.row) at_hand.reads_also(reference.row->files_read);
     std::vector<Job*> open;
+    const std::set<std::string> screened = screen_.left_out(jobs, at_hand, progress());
     for (Job& job : jobs)
-      if (!job.row && (job.selected || &job == &reference)) open.push_back(&job);
+      if (!job.row && (job.selected || &job == &reference) && !screened.contains(job.cell.name()))
+        open.push_back(&job);
     const std::size_t at_once = study_.timing ? most_in_turn : 1;
     for (std::size_t first = 0; first < open.size(); first += at_once)
       run_batch(
@@ -104,7 +112,8 @@ class StudyRun {
   void finish() {
     report(options_.progress, 1, "report");
     outcome_.rows = known_rows();
-    write_results(options_.folder, study_, outcome_.rows, options_.report);
+    const Study told = screen_.tell(jobs_, cells_per_scene());
+    write_results(options_.folder, told, outcome_.rows, options_.report);
   }
 
   const Study& study_;
@@ -112,6 +121,7 @@ class StudyRun {
   std::vector<Job> jobs_;
   StudyOutcome outcome_;
   BatchMeter meter_;
+  StudyScreen screen_;
 };
 
 }  // namespace

@@ -45,8 +45,10 @@ struct StudyOutcome {
 /// several runs may share the work by `only` and a folder, and a last one with `resume` collects
 /// it. With `resume` a row is kept when the same build made it of the same files, by their content;
 /// the rows that `only` leaves out are kept whichever build made them, and the report says so where
-/// builds or machines differ. A cell that fails becomes a row with its error, and the study goes
-/// on. Throws InputError when the folder cannot be written or nothing fits `only`.
+/// builds or machines differ. Where the study has a ScreenRule, cells that fall out by it have no
+/// row; screened.csv and a note in the report tell which. A cell that fails becomes a row with its
+/// error, and the study goes on. Throws InputError when the folder cannot be written or nothing
+/// fits `only`.
 StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
 }  // namespace pellucid::compare

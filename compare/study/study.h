@@ -15,6 +15,7 @@
 #include "compare/study/costs.h"
 #include "compare/study/ladders.h"
 #include "compare/study/needs.h"
+#include "compare/study/screen_rule.h"
 #include "compare/timing/timing_rule.h"
 #include "scene/renderer.h"
 
@@ -66,6 +67,7 @@ struct Study {
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
   std::optional<TimingRule> timing;  // in place of the repeats; cells of a scene are interleaved
+  std::optional<ScreenRule> screen;  // which calls are not drawn in full
   Views views;
   std::map<std::string, Crop> crops;                 // by scene
   std::vector<Claim> claims;                         // of the source
