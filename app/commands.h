@@ -38,8 +38,12 @@ void add_crossings_command(CLI::App& app, GlobalOptions& globals);
 void add_view_command(CLI::App& app, GlobalOptions& globals);
 void add_list_command(CLI::App& app, GlobalOptions& globals);
 
-/// Adds --json, --quiet and --threads to a subcommand.
+/// Adds --json, --quiet and --threads to a subcommand, which then refuses to write two of its
+/// outputs into one file.
 void add_global_options(CLI::App& command, GlobalOptions& globals);
+
+/// Throws InputError where two options of the command, as it was called, name one file to write.
+void require_distinct_outputs(const CLI::App& command);
 
 /// Adds --gl to a subcommand that may render by OpenGL.
 void add_gl_option(CLI::App& command, GlobalOptions& globals);

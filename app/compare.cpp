@@ -120,19 +120,27 @@ void keep_asked(nlohmann::json& json, const std::vector<std::string>& names, boo
     json.erase("max_error_pixel");
 }
 
-void print_comparison(const compare::Comparison& comparison, double alpha_error,
+/// Of pictures without opacities none is known.
+std::optional<double> alpha_error(const CompareInputs& inputs) {
+  if (!inputs.have_alpha) return std::nullopt;
+  return compare::max_alpha_error(inputs.reference, inputs.test);
+}
+
+void print_comparison(const compare::Comparison& comparison, std::optional<double> alpha_error,
                       const std::vector<std::string>& names, bool as_json) {
   if (as_json) {
     nlohmann::json json = compare::to_json(comparison);
-    if (names.empty()) json["max_alpha_error"] = alpha_error;
+    if (names.empty())
+      json["max_alpha_error"] = alpha_error ? nlohmann::json(*alpha_error) : nlohmann::json();
     keep_asked(json["displayed"], names, true);
     keep_asked(json, names, false);
     return fmt::print("{}\n", json_text(json, 1));
   }
   print_metrics("float values", comparison.linear, false, names);
   print_metrics("8-bit values, as a screen shows them", comparison.displayed, true, names);
-  if (alpha_error > 0 && names.empty())
-    fmt::print("opacity, which no number above counts\n  {:22} {:.6g}\n", "Max error", alpha_error);
+  if (alpha_error.value_or(0) > 0 && names.empty())
+    fmt::print("opacity, which no number above counts\n  {:22} {:.6g}\n", "Max error",
+               *alpha_error);
 }
 
 /// Of a signed error the magnitude counts. NaN is within no threshold.
@@ -219,8 +227,7 @@ void run(const CompareArguments& arguments, const GlobalOptions& globals) {
     compare::write_image(arguments.diff, compare::error_map(inputs.reference, inputs.test));
   if (!arguments.flip_map.empty())
     compare::write_image(arguments.flip_map, flip_image(pair.flip(), arguments.flip_map));
-  print_comparison(comparison, compare::max_alpha_error(inputs.reference, inputs.test), names,
-                   globals.json);
+  print_comparison(comparison, alpha_error(inputs), names, globals.json);
   check_thresholds(arguments, comparison.linear, inputs);
 }
 

@@ -70,8 +70,11 @@ compare::PairRegions CompareInputs::regions() const {
 
 CompareInputs read_inputs(const CompareFiles& files) {
   CompareInputs inputs;
-  inputs.reference = compare::read_image(files.reference);
-  inputs.test = compare::read_image(files.test);
+  compare::PictureRead reference = compare::read_picture(files.reference);
+  compare::PictureRead test = compare::read_picture(files.test);
+  inputs.have_alpha = reference.has_alpha && test.has_alpha;
+  inputs.reference = std::move(reference.image);
+  inputs.test = std::move(test.image);
   check_size(
       fmt::format("{} against {}: test picture", files.test.string(), files.reference.string()),
       inputs.test, inputs.reference);

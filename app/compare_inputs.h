@@ -20,6 +20,7 @@ struct CompareFiles {
 /// CompareInputs are the pictures that `compare` holds against each other, all cut to the crop.
 struct CompareInputs {
   Image reference, test;
+  bool have_alpha = true;  // both of them, in their files
   std::optional<compare::Mask> mask;
   std::optional<CountImage> layers, test_layers;
 

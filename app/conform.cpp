@@ -30,10 +30,18 @@ struct ConformArguments {
   bool all = false;
 };
 
+/// A program that is not there is told before the cases are made.
+std::vector<std::string> words_of_command(const std::string& command) {
+  std::vector<std::string> words = split_command(command);
+  if (!words.empty() && find_program(words.front(), fs::current_path()).empty())
+    throw InputError(fmt::format("--command: '{}': no program that may be run", words.front()));
+  return words;
+}
+
 compare::MethodCall call_of(const ConformArguments& arguments) {
   if (!arguments.command.empty())
     return compare::external_call({.name = "command",
-                                   .words = split_command(arguments.command),
+                                   .words = words_of_command(arguments.command),
                                    .timeout = arguments.timeout,
                                    .ending = '.' + arguments.output,
                                    .base = fs::current_path()});
@@ -162,7 +170,7 @@ void add_conform_command(CLI::App& app, GlobalOptions& globals) {
                       "The cases whose name fits this pattern: 'edges-*'");
   command
       ->add_option("--timeout", arguments->timeout, "Seconds that the command may take for a case")
-      ->check(CLI::Range(1e-3, 1e6))
+      ->check(finite_number() & CLI::Range(1e-3, 1e6))
       ->capture_default_str();
   command->add_option("--output", arguments->output, "Kind of picture that the command writes")
       ->check(CLI::IsMember({"exr", "png"}))
@@ -170,7 +178,7 @@ void add_conform_command(CLI::App& app, GlobalOptions& globals) {
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "Largest error of a channel that passes; of pictures of 8 bits half a step more")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(finite_number() & CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_flag("--all", arguments->all, "Print the cases that pass, too");
   command->footer(

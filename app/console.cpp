@@ -68,6 +68,7 @@ void add_global_options(CLI::App& command, GlobalOptions& globals) {
   command.add_option("--threads", globals.threads, "Threads; 0: as many as the machine has")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+  command.parse_complete_callback([&command] { require_distinct_outputs(command); });
 }
 
 CLI::Validator ending_among(const std::vector<std::string>& endings) {

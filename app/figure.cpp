@@ -160,7 +160,7 @@ void add_style_options(CLI::App& command, FigureArguments& arguments) {
   command.add_option("--font", style.font, "Families of the font, the first that is there")
       ->capture_default_str();
   command.add_option("--font-size", style.font_size, "Of the labels, points; numbers are smaller")
-      ->check(CLI::Range(4.0, 40.0))
+      ->check(finite_number() & CLI::Range(4.0, 40.0))
       ->capture_default_str();
   command.add_option("--dpi", style.dots_per_inch, "Dots per inch of a PNG")
       ->check(CLI::Range(30, 1200))

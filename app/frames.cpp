@@ -146,7 +146,9 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   compare::render_sequence(
       scene, method, opacities, {.gl = globals.gl},
       [&](const compare::SequenceFrame& frame) {
-        compare::write_image(folder / fmt::format("{:04}.png", frame.index), frame.rendering.image);
+        compare::write_image(
+            folder / fmt::format("{:04}.png", frame.index), frame.rendering.image,
+            compare::form_of_picture(scene, method.text(), options.view.without_background));
         table.add(frame);
         write_text(folder / "frames.csv", table.csv());
         report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));

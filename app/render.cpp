@@ -93,7 +93,9 @@ void write_picture(const RenderOptions& options, const GlobalOptions& globals,
       if (object != "camera") std::cout << fmt::format("{}: {}\n", object, how);
     for (const std::string& line : renderer->explain()) std::cout << line << '\n';
   }
-  compare::write_image(options.output, rendering.image);
+  compare::write_image(
+      options.output, rendering.image,
+      compare::form_of_picture(scene, call.text(), options.view.without_background));
   if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
   nlohmann::json json = compare::render_json(call, opacities, rendering.stats, *renderer);
   json["view"] = view_json(scene);

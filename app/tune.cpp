@@ -87,6 +87,11 @@ std::string view_text(const scene::ViewRequest& view) {
   if (const auto& size = view.resolution)
     text += fmt::format(" --resolution {}x{}", (*size)[0], (*size)[1]);
   if (view.samples) text += fmt::format(" --samples {}", *view.samples);
+  if (const auto& b = view.background)
+    text += view.without_background
+                ? " --background none"
+                : fmt::format(" --background '#{:02x}{:02x}{:02x}'", int(std::lround(255 * b->x)),
+                              int(std::lround(255 * b->y)), int(std::lround(255 * b->z)));
   return text;
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/commands.h"
 #include "core/error.h"
+#include "core/files/json_node.h"
 #include "core/options/parameters.h"
+#include "scene/files/appearance_file.h"
 #include "scene/view/camera_fit.h"
 
 namespace pellucid::app {
@@ -34,6 +38,15 @@ std::string names_of_views() {
   return names;
 }
 
+/// Without a background colours are what they are over black: premultiplied.
+void take_background(const std::string& text, scene::ViewRequest& view) {
+  view.without_background = text == "none";
+  const nlohmann::json color = text;
+  view.background = view.without_background
+                        ? Vec3(0)
+                        : scene::read_rgb(JsonNode("--background (or none)", color));
+}
+
 }  // namespace
 
 void add_view_options(CLI::App& command, scene::ViewRequest& view) {
@@ -45,6 +58,10 @@ void add_view_options(CLI::App& command, scene::ViewRequest& view) {
   command.add_option_function<std::string>(
       "--resolution", [&view](const std::string& text) { view.resolution = resolution_of(text); },
       "Size of the picture, WxH pixels");
+  command.add_option_function<std::string>(
+      "--background", [&view](const std::string& text) { take_background(text, view); },
+      "Colour behind all, #rrggbb or a name; or none: colours premultiplied by alpha in .exr, "
+      "straight ones and alpha in .png");
   command
       .add_option_function<int>(
           "--samples", [&view](int samples) { view.samples = samples; },

@@ -33,7 +33,7 @@ class Hash {
 
 void add_call(const MethodCall& call, Hash& hash) {
   hash.add(call.row->name);
-  for (const auto& [key, value] : call.parameters.all()) {
+  for (const auto& [key, value] : call.parameters.all_as_given()) {
     hash.add(key);
     hash.add(value);
   }
@@ -128,7 +128,7 @@ ResultRow identity_row(const Cell& cell) {
   row.scene = cell.scene;
   row.method = cell.call.row->name;
   row.parameters = cell.call.parameters.given();
-  row.parameter_values = cell.call.parameters.all();
+  row.parameter_values = cell.call.parameters.all_as_given();
   row.reference = cell.reference;
   if (cell.call.given) row.given = cell.call.given->kind();
   return row;

@@ -54,6 +54,7 @@ Metrics mean_metrics(const Rows& rows, Metrics Comparison::*which) {
   Metrics means = rows.front().metrics.*which;
   for (std::size_t m = 0; m < metrics().size(); ++m)
     means[m] = mean_of(rows, [&](const ResultRow& row) { return (row.metrics.*which)[m]; });
+  means.covered = mean_of(rows, [&](const ResultRow& row) { return (row.metrics.*which).covered; });
   const ResultRow& worst = *std::ranges::max_element(rows, {}, [&](const ResultRow& row) {
     return (row.metrics.*which).of("max_error").value_or(0);
   });

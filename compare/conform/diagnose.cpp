@@ -111,11 +111,20 @@ class Diagnosis {
                             color.r, color.g, color.b, behind().r, behind().g, behind().b));
   }
 
+  /// Whether what is wrong is n/255 all over: what errs by as little may be in half floats.
+  bool has_8_bit_values() const {
+    constexpr float near = 0.01f;  // of a step
+    return std::ranges::all_of(wrong_, [&](std::size_t i) {
+      const glm::vec3 steps = 255.f * glm::vec3(picture_.pixels[i]);
+      return glm::all(glm::lessThan(glm::abs(steps - glm::round(steps)), glm::vec3(near)));
+    });
+  }
+
   /// A renderer may round otherwise by half a step at each of its last steps.
   bool is_8_bits() {
     constexpr double most_slack = 3 * half_step;
     if (verdict_.max_error <= 2 * half_step)
-      return name(Fault::eight_bits, "the result is rounded to 8 bits");
+      return has_8_bit_values() && name(Fault::eight_bits, "the result is rounded to 8 bits");
     const struct {
       Composite composite;
       const char* what;

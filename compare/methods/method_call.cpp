@@ -20,6 +20,15 @@ bool is_file_safe(char c) {
   return std::isalnum(std::uint8_t(c)) || c == '.' || c == '_' || c == '+';
 }
 
+/// A name that goes on as the endings of a cell's further files do (".layers.exr", ".view-2.exr")
+/// could be one of them; no ending begins with a digit, as "0.5" goes on.
+bool may_be_an_ending(std::string_view slug) {
+  for (std::size_t i = 0; i < slug.size(); ++i)
+    if (slug[i] == '.' && (i + 1 == slug.size() || !std::isdigit(std::uint8_t(slug[i + 1]))))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 std::string MethodCall::text() const {
@@ -30,8 +39,9 @@ std::string MethodCall::text() const {
 std::string MethodCall::slug() const { return slug_of(text()); }
 
 std::string slug_of(const std::string& call) {
+  constexpr std::size_t longest = 150;  // a file's name has 255 bytes at most, endings among them
   std::string slug = call;
-  bool lossy = false;
+  bool lossy = call.size() > longest || may_be_an_ending(call);
   for (char& c : slug) {
     if (is_file_safe(c)) continue;
     lossy |= std::string_view("-:=,").find(c) == std::string_view::npos;

@@ -23,7 +23,9 @@ struct MethodCall {
   std::string slug() const;
 };
 
-/// Returns the text of a call as part of a file's name.
+/// Returns the text of a call as part of a file's name: where little of it can stand in one, or it
+/// is long, with a hash of all of it. Of calls that differ in ":", "=", "," and "-" alone the names
+/// are the same: a study refuses those.
 std::string slug_of(const std::string& call);
 
 }  // namespace pellucid::compare

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "compare/deep/deep_writer.h"
+#include "compare/pictures/picture_text.h"
 #include "core/raster.h"
 
 namespace pellucid::compare {
@@ -26,7 +27,7 @@ class DeepOutputs {
   std::uint32_t max_layers() const { return max_layers_; }  // of a pixel
 
  private:
-  Vec3 background_;
+  PictureOrigin origin_;
   std::filesystem::path picture_;
   Image image_;
   std::unique_ptr<DeepWriter> writer_;

@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -62,8 +63,9 @@ int exr_threads() {
 
 std::string encode_exr(const std::filesystem::path& path, int width, int height,
                        const std::vector<std::string>& channels, Imf::PixelType type,
-                       const void* pixels) {
+                       const void* pixels, const PictureText& text) {
   Imf::Header header(width, height);
+  for (const auto& [name, words] : text) header.insert(name, Imf::StringAttribute(words));
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const std::string& channel : channels) header.channels().insert(channel, Imf::Channel(type));
   std::ostringstream memory;

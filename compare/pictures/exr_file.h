@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/pictures/picture_text.h"
+
 namespace pellucid::compare {
 
 /// An ExrStream is a stream that OpenEXR writes to. Its functions, but tellp(), throw WorkError
@@ -34,10 +36,10 @@ class ExrStream : public Imf::OStream {
 int exr_threads();
 
 /// Returns an OpenEXR file of `width` × `height` pixels, row 0 on top. Each pixel is a value of
-/// every channel, 4 bytes of `type`, in the order of `channels`. Throws WorkError that names
-/// `path`.
+/// every channel, 4 bytes of `type`, in the order of `channels`; the texts are attributes. Throws
+/// WorkError that names `path`.
 std::string encode_exr(const std::filesystem::path& path, int width, int height,
                        const std::vector<std::string>& channels, Imf::PixelType type,
-                       const void* pixels);
+                       const void* pixels, const PictureText& text = {});
 
 }  // namespace pellucid::compare

@@ -131,7 +131,11 @@ constexpr ColorFault color_faults[] = {
     {"looks sRGB-encoded once too often: linear values were taken for the scene's display values",
      [](const Image& image, const Truth&) { return each_channel(image, decoded); }, curves_apart},
     {"looks sRGB-decoded: linear values in the place of display values",
-     [](const Image& image, const Truth&) { return each_channel(image, encoded); }, curves_apart}};
+     [](const Image& image, const Truth&) { return each_channel(image, encoded); }, curves_apart},
+    {"looks 255 times too bright: values of 0 to 255 in the place of 0 to 1",
+     [](const Image& image, const Truth&) {
+       return each_channel(image, [](float x) { return x / 255; });
+     }}};
 
 bool is_background(const ColorFault& color) { return color.undone == on_its_background; }
 

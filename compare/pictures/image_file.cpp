@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compare/pictures/exr_file.h"
 #include "compare/pictures/png_file.h"
@@ -17,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using readers::PictureFile;
+
+constexpr const char* layers_channel = "layers";
 
 /// The values of a file's channel: what was stored as an integer is made float.
 class Channel {
@@ -90,8 +93,14 @@ Raster<T> place(const PictureFile& file, const Pixel& pixel_of) {
 }
 
 [[noreturn]] void refuse_counts(const fs::path& path) {
-  throw InputError(fmt::format("{}: holds no numbers of layers; accepted: one channel of integers",
-                               path.string()));
+  throw InputError(
+      fmt::format("{}: holds no numbers of layers; accepted: one channel, '{}', of whole numbers",
+                  path.string(), layers_channel));
+}
+
+bool is_count(float value) {
+  constexpr float most = 4294967040.f;  // the largest float below 2^32
+  return value >= 0 && value <= most && value == std::floor(value);
 }
 
 /// True for .exr, false for .png.
@@ -102,49 +111,69 @@ bool is_exr(const fs::path& path) {
   return ending == ".exr";
 }
 
-std::vector<std::uint8_t> to_bytes(const Image& image) {
+/// Colour without the alpha that it is multiplied by; nothing has none.
+Rgba straight(const Rgba& pixel) {
+  return pixel.a > 0 ? Rgba(glm::vec3(pixel) / pixel.a, pixel.a) : Rgba(0);
+}
+
+std::vector<std::uint8_t> to_bytes(const Image& image, bool is_premultiplied) {
+  const int channels = is_premultiplied ? 4 : 3;
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels.size() * 3);
-  for (const Rgba& pixel : image.pixels)
-    for (int c = 0; c < 3; ++c) bytes.push_back(displayed_byte(pixel[c]));
+  bytes.reserve(image.pixels.size() * std::size_t(channels));
+  for (const Rgba& pixel : image.pixels) {
+    const Rgba written = is_premultiplied ? straight(pixel) : pixel;
+    for (int c = 0; c < channels; ++c) bytes.push_back(displayed_byte(written[c]));
+  }
   return bytes;
 }
 
 }  // namespace
 
-Image read_image(const fs::path& path) {
+Image read_image(const fs::path& path) { return read_picture(path).image; }
+
+PictureRead read_picture(const fs::path& path) {
   const PictureFile file = readers::read_picture_file(path);
   const ChannelPlan plan = plan_channels(file, path);
   const auto channel = [&](int number) { return Channel(file.channels[std::size_t(number)]); };
   const Channel red = channel(plan.color[0]), green = channel(plan.color[1]),
                 blue = channel(plan.color[2]), alpha = channel(std::max(plan.alpha, 0));
-  return place<Rgba>(file, [&](std::size_t i) {
+  const auto pixel = [&](std::size_t i) {
     return Rgba(red[i], green[i], blue[i], plan.alpha >= 0 ? alpha[i] : 1);
-  });
+  };
+  return {place<Rgba>(file, pixel), plan.alpha >= 0};
 }
 
 CountImage read_counts(const fs::path& path) {
   const PictureFile file = readers::read_picture_file(path);
-  if (file.channels.size() != 1 || file.channels[0].type != NumberType::u32) refuse_counts(path);
-  const auto counts = file.channels[0].values<std::uint32_t>();
-  return place<std::uint32_t>(file, [&](std::size_t i) { return counts[i]; });
+  if (file.channels.size() != 1) refuse_counts(path);
+  if (file.channels[0].type == NumberType::u32) {
+    const auto counts = file.channels[0].values<std::uint32_t>();
+    return place<std::uint32_t>(file, [&](std::size_t i) { return counts[i]; });
+  }
+  const auto counts = file.channels[0].values<float>();
+  const bool are_layers = last_name(file.channels[0].name) == layers_channel;  // and no mask
+  if (!are_layers || !std::ranges::all_of(counts, is_count)) refuse_counts(path);
+  return place<std::uint32_t>(file, [&](std::size_t i) { return std::uint32_t(counts[i]); });
 }
 
-void write_image(const fs::path& path, const Image& image) {
+void write_image(const fs::path& path, const Image& image, const PictureForm& form) {
   if (is_exr(path))
     return write_text(path, encode_exr(path, image.width, image.height, {"R", "G", "B", "A"},
-                                       Imf::FLOAT, image.pixels.data()));
-  write_text(path, encode_png(path, image));
+                                       Imf::FLOAT, image.pixels.data(), form.text));
+  write_text(path, encode_png(path, image, form));
 }
 
-std::string encode_png(const fs::path& path, const Image& image) {
-  return encode_png(path, image.width, image.height, 3, to_bytes(image));
+std::string encode_png(const fs::path& path, const Image& image, const PictureForm& form) {
+  return encode_png(path, image.width, image.height, form.is_premultiplied ? 4 : 3,
+                    to_bytes(image, form.is_premultiplied), form.text);
 }
 
 void write_counts(const fs::path& path, const CountImage& counts) {
-  if (is_exr(path))
-    return write_text(path, encode_exr(path, counts.width, counts.height, {"layers"}, Imf::UINT,
-                                       counts.pixels.data()));
+  if (is_exr(path)) {
+    const std::vector<float> values(counts.pixels.begin(), counts.pixels.end());
+    return write_text(path, encode_exr(path, counts.width, counts.height, {layers_channel},
+                                       Imf::FLOAT, values.data()));
+  }
   std::vector<std::uint8_t> bytes(counts.pixels.size());
   std::transform(counts.pixels.begin(), counts.pixels.end(), bytes.begin(),
                  [](std::uint32_t n) { return std::uint8_t(std::min<std::uint32_t>(n, 255)); });

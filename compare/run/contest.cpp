@@ -4,8 +4,15 @@
 #include <algorithm>
 #include <optional>
 
+#include "compare/timing/median_interval.h"
+
 namespace pellucid::compare {
 namespace {
+
+constexpr double far = 1.5;  // times the median of another one
+constexpr double confidence_if_near = 0.999;
+constexpr int times_if_near = 11;  // the fewest whose range holds the median with 1 - 2^-10
+constexpr int fewest_times = 5;
 
 class Contest {
  public:
@@ -22,23 +29,35 @@ class Contest {
 
   /// Puts those out whose interval does not overlap that of the least median, once there are both.
   void put_slower_out() {
-    std::vector<Spread> spreads(in_.size());
     std::optional<std::size_t> least;
-    for (std::size_t i = 0; i < in_.size(); ++i) {
-      if (!in_[i]) continue;
-      spreads[i] = spread_of(seconds_[i], rule_);
-      if (!least || spreads[i].median < spreads[*least].median) least = i;
-    }
-    if (!spreads[*least].interval) return;
     for (std::size_t i = 0; i < in_.size(); ++i)
-      if (in_[i] && spreads[i].interval)
-        in_[i] = overlap(*spreads[i].interval, *spreads[*least].interval);
+      if (in_[i] && (!least || median(i) < median(*least))) least = i;
+    for (std::size_t i = 0; i < in_.size(); ++i)
+      if (in_[i] && i != *least) in_[i] = !is_slower(i, *least);
+  }
+
+  double median(std::size_t contender) const {
+    return median_of({seconds_[contender].begin(), seconds_[contender].end()});
+  }
+
+  /// There is a look after every round, at every pair: the more often one looks, the likelier
+  /// chance parts two that are equal. Who is near has to be slower beyond most doubt.
+  bool is_slower(std::size_t contender, std::size_t than) const {
+    const bool is_near = median(contender) < far * median(than);
+    const double confidence = is_near ? confidence_if_near : usual_confidence;
+    const auto needed = std::size_t(is_near ? times_if_near : fewest_times);
+    if (std::min(seconds_[contender].size(), seconds_[than].size()) < needed) return false;
+    const auto interval = [&](std::size_t i) {
+      return *median_interval({seconds_[i].begin(), seconds_[i].end()}, confidence);
+    };
+    return !overlap(interval(contender), interval(than));
   }
 
   bool is_decided() const {
+    const auto enough = std::size_t(std::min(times_if_near, rule_.max));
     bool all_over = true;
     for (std::size_t i = 0; i < in_.size(); ++i)
-      if (in_[i]) all_over &= is_over(seconds_[i], rule_);
+      if (in_[i]) all_over &= seconds_[i].size() >= enough && is_over(seconds_[i], rule_);
     return all_over || std::ranges::count(in_, true) == 1;
   }
 

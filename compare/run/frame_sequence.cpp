@@ -25,12 +25,12 @@ std::optional<Change> change_of(const scene::FrameMemory& memory) {
 /// A frame's picture, and the reference's where there is one.
 struct Drawn {
   scene::Rendering rendering;
-  std::optional<Image> reference;
+  std::optional<scene::Rendering> reference;  // with layers
 };
 
 scene::Rendering draw(const scene::Scene& scene, const MethodCall& method,
-                      const scene::RenderContext& context) {
-  return method.row->make(scene, method.parameters, context)->render({});
+                      const scene::RenderContext& context, bool layers = false) {
+  return method.row->make(scene, method.parameters, context)->render({.layers = layers});
 }
 
 /// Only what chooses opacities remembers: the stage of its own, or the method.
@@ -41,7 +41,7 @@ Drawn draw_frame(const scene::Scene& scene, const MethodCall& method,
   forgetful.memory = nullptr;
   const auto draw_both = [&](const scene::Scene& seen, const scene::RenderContext& with) {
     Drawn drawn{draw(seen, method, with), std::nullopt};
-    if (reference) drawn.reference = draw(seen, *reference, forgetful).image;
+    if (reference) drawn.reference = draw(seen, *reference, forgetful, true);
     return drawn;
   };
   if (!opacities) return draw_both(scene, context);
@@ -53,10 +53,15 @@ Drawn draw_frame(const scene::Scene& scene, const MethodCall& method,
 /// Compares frames with the reference's, one after another.
 class FrameErrors {
  public:
-  FrameError next(const Image& reference, const Image& test) {
+  FrameError next(const scene::Rendering& reference, const Image& test) {
     Image error = test;
-    for (std::size_t i = 0; i < error.pixels.size(); ++i) error.pixels[i] -= reference.pixels[i];
-    FrameError found{compare_images(reference, test), std::nullopt};
+    for (std::size_t i = 0; i < error.pixels.size(); ++i)
+      error.pixels[i] -= reference.image.pixels[i];
+    const CountImage* layers = reference.layers.pixels.empty() ? nullptr : &reference.layers;
+    FrameError found{
+        compare_images(reference.image, test,
+                       {.mask = nullptr, .reference_layers = layers, .test_layers = nullptr}),
+        std::nullopt};
     if (!last_.pixels.empty()) found.flicker = rmse(last_, error);
     last_ = std::move(error);
     return found;

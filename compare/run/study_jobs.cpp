@@ -38,9 +38,10 @@ void write_at_once(const std::vector<std::function<void()>>& writes) {
   parallel_for(std::size_t(0), writes.size(), [&](std::size_t i) { writes[i](); });
 }
 
-void write_picture(const CellFiles& files, const CellMeasurement& measured) {
-  write_at_once({[&] { write_image(files.picture(), measured.image); },
-                 [&] { write_image(files.preview(), measured.image); },
+void write_picture(const CellFiles& files, const CellMeasurement& measured,
+                   const PictureForm& form) {
+  write_at_once({[&] { write_image(files.picture(), measured.image, form); },
+                 [&] { write_image(files.preview(), measured.image, form); },
                  [&] {
                    if (!measured.layers.pixels.empty())
                      write_counts(files.layers(), measured.layers);
@@ -131,7 +132,7 @@ void finish_view(const Job& job, CellMeasurement measured, SceneAtHand& at_hand,
   const bool beside_layers =
       job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
   if (makes_layers(job.cell.call) || beside_layers) add_layer_picture(measured);
-  write_picture(files, measured);
+  write_picture(files, measured, form_of_picture(at_hand.scene(), job.cell.call.text()));
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, files, measured, at_hand);
   if (makes_layers(job.cell.call) && !job.cell.reference && at_hand.has_reference_layers())

@@ -22,7 +22,9 @@ namespace pellucid::compare {
 namespace {
 
 constexpr int small_by = 4;             // a small picture has so many times fewer pixels on a side
-constexpr double contender_within = 2;  // a single picture's time is known to such a factor
+constexpr double contender_within = 2;  // the least of a few times is known to such a factor
+constexpr std::size_t quick_times = 9;  // of a picture until so many seconds are spent on it:
+constexpr double quick_seconds = 0.1;   // what delays a process for some ms hits not all of them
 constexpr std::size_t most_contenders = 12;  // they have their memory at once
 constexpr double narrow = 0.01;
 constexpr double drawing_part = 0.7;  // of the time; the rest is for the contenders
@@ -198,7 +200,11 @@ void Tuning::draw(Entrant& entrant) {
   entrant.meter->time_once();
   judge(entrant);
   if (!entrant.within) return finish(entrant, fixed_repeats(1));
-  entrant.meter->time_once();  // a second one, since chance may have delayed the first
+  double spent = 0;
+  do {  // a second one at least, since chance may have delayed the first
+    entrant.meter->time_once();
+    spent += entrant.meter->seconds().back();
+  } while (spent < quick_seconds && entrant.meter->seconds().size() < quick_times);
 }
 
 /// Compares the picture with the reference's.

@@ -66,8 +66,9 @@ struct TuneOutcome {
 ///    of what follows, the fastest first.
 /// 3. Each draws the whole picture, once. Its error is that against the reference's. Who took
 ///    longer for the small picture than the best yet within the bound for the whole is not drawn in
-///    full; who is beyond the bound, or took more than twice the time of the fastest, is not timed
-///    further. When the time is over none is drawn but the reference's own call.
+///    full; who is beyond the bound, or took more than twice the time of the fastest in each of
+///    some pictures, is not timed further. When the time is over none is drawn but the reference's
+///    own call.
 /// 4. The contenders that are left are timed in turn, at most `repeats` times. Who is slower than
 ///    the fastest by intervals that do not overlap is out. It ends when one is left, when the
 ///    intervals of all are within a hundredth of their medians, or when the time is over,

@@ -35,19 +35,20 @@ std::vector<std::string> option_values(const JsonNode& node) {
 
 /// Paths of files start at the catalogue's folder.
 void place_files(const scene::MethodRow& row, const std::filesystem::path& folder,
-                 RawOptions& options) {
+                 Parameters& parameters) {
   for (const ParameterSpec& spec : row.parameters)
-    if (const auto given = options.find(spec.name);
-        spec.kind == ParameterSpec::Kind::file && given != options.end())
-      given->second = (folder / given->second).lexically_normal().string();
+    if (spec.kind == ParameterSpec::Kind::file && parameters.is_set(spec.name))
+      parameters.place_file(spec.name,
+                            (folder / parameters.text(spec.name)).lexically_normal().string());
 }
 
-MethodCall make_call(const JsonNode& node, std::string_view name, RawOptions options,
+MethodCall make_call(const JsonNode& node, std::string_view name, const RawOptions& options,
                      const Catalogue& catalogue) {
   try {
     const scene::MethodRow& row = find_row(catalogue.kind, name, catalogue.rows);
-    place_files(row, catalogue.folder, options);
-    return {&row, Parameters(row.name, row.parameters, options)};
+    Parameters parameters(row.name, row.parameters, options);
+    place_files(row, catalogue.folder, parameters);
+    return {&row, std::move(parameters)};
   } catch (const InputError& error) {
     node.fail(error.what());
   }

@@ -2,6 +2,7 @@
 #include "compare/study/read_given.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -28,6 +29,19 @@ std::string read_name(const JsonNode& node, const Catalogue& catalogue) {
   return name;
 }
 
+/// {NAME} stands for something; of no other name is there a file.
+void refuse_unknown_marks(const JsonNode& node, std::initializer_list<std::string_view> known) {
+  const std::string text = node.string();
+  for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at) {
+    const std::size_t end = text.find('}', at);
+    if (end == text.npos) return;
+    const std::string name = text.substr(at + 1, end - at - 1);
+    if (std::ranges::find(known, name) == known.end())
+      node.fail(fmt::format("'{}': nothing is known as {{{}}}; accepted: {{{}}}", text, name,
+                            fmt::join(known, "}, {")));
+  }
+}
+
 MethodCall read_command(const JsonNode& node, const std::filesystem::path& base,
                         const Catalogue& catalogue) {
   node.accept_keys({"external", "command", "timeout", "output"});
@@ -47,6 +61,7 @@ MethodCall read_picture(const JsonNode& node, const std::filesystem::path& base,
                        .file = node["picture"].string(),
                        .milliseconds = {},
                        .bytes = {}};
+  refuse_unknown_marks(node["picture"], {"scene", "view"});
   if (node.has("ms")) picture.milliseconds = node["ms"].number(0, most);
   if (node.has("bytes")) picture.bytes = std::uint64_t(node["bytes"].number(0, most));
   picture.base = base;

@@ -2,6 +2,7 @@
 #include "compare/study/read_source.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -57,6 +58,13 @@ void refuse_beside(const JsonNode& node, std::string_view key,
       node[other].fail(fmt::format("beside '{}'; accepted: one of the two", key));
 }
 
+std::vector<std::string_view> columns_with_better() {
+  std::vector<std::string_view> names;
+  for (const Column& column : columns())
+    if (column.better != Better::neither) names.push_back(column.name);
+  return names;
+}
+
 ClaimedNumber read_number(const JsonNode& node) {
   refuse_beside(node, "by", {"measure", "better"});
   if (node.has("measure")) {
@@ -69,7 +77,8 @@ ClaimedNumber read_number(const JsonNode& node) {
     return find_row("number", node["by"].string(), columns());
   });
   if (column.better == Better::neither)
-    node["by"].fail(fmt::format("'{}': no way is better", column.name));
+    node["by"].fail(fmt::format("'{}': no way is better; accepted: {}", column.name,
+                                fmt::join(columns_with_better(), ", ")));
   return {&column, {}, column.better};
 }
 

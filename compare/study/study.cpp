@@ -60,6 +60,17 @@ void add_calls(const JsonNode& node, const Catalogue& catalogue, Study& study) {
           study.methods.push_back(std::move(call));
 }
 
+/// Cells of two calls whose files have one name would take each other's.
+void refuse_shared_files(const JsonNode& node, const Study& study) {
+  std::map<std::string, std::string> calls{{study.reference.slug(), study.reference.text()}};
+  for (const MethodCall& call : study.methods) {
+    const auto [other, is_new] = calls.emplace(call.slug(), call.text());
+    if (!is_new)
+      node.fail(fmt::format("'{}' and '{}' would share their files, {}; accepted: another name",
+                            other->second, call.text(), other->first));
+  }
+}
+
 /// A scene that is not there, or is something else, is found before hours of work.
 fs::path read_scene_path(const JsonNode& node, const fs::path& base) {
   fs::path path = (base / node.string()).lexically_normal();
@@ -78,6 +89,9 @@ std::vector<fs::path> read_scenes(const JsonNode& node, const fs::path& base) {
   std::set<std::string> names;
   for (const JsonNode& element : node.elements()) {
     scenes.push_back(read_scene_path(element, base));
+    if (const std::string name = scene_name(scenes.back()); name == "." || name == "..")
+      element.fail(
+          fmt::format("a scene named '{}'; accepted: a name that a folder may have", name));
     if (!names.insert(scene_name(scenes.back())).second)
       element.fail(fmt::format("a second scene named '{}'; accepted: scenes of different names",
                                scene_name(scenes.back())));
@@ -143,6 +157,22 @@ TimingRule read_timing(const JsonNode& node, int repeats) {
   return rule;
 }
 
+/// true, or {"sizes": [0.25], "margin": 2}.
+std::optional<ScreenRule> read_screen_rule(const JsonNode& node) {
+  constexpr double smallest = 1.0 / 64, largest = 0.9, largest_margin = 1000;
+  ScreenRule rule;
+  if (!node.is_object()) return node.boolean() ? std::optional(rule) : std::nullopt;
+  node.accept_keys({"sizes", "margin"});
+  if (node.has("sizes")) {
+    rule.sizes.clear();
+    for (const JsonNode& size : node["sizes"].elements())
+      rule.sizes.push_back(size.number(smallest, largest));
+    if (rule.sizes.empty()) node["sizes"].fail("[]; accepted: at least one part of the size");
+  }
+  if (node.has("margin")) rule.margin = node["margin"].number(1, largest_margin);
+  return rule;
+}
+
 /// true, or {"field": NAME, "samples": 4, "factor": 4}. Stages are refined towards the reference.
 std::optional<BudgetOptions> read_budget(const JsonNode& node, const Study& study) {
   constexpr int most_samples = 16;
@@ -169,8 +199,8 @@ std::optional<BudgetOptions> read_budget(const JsonNode& node, const Study& stud
 Views read_views(const JsonNode& node) {
   constexpr int most_views = 1000;
   Views views;
-  if (node.is_string()) {
-    views.path = !node.one_of({"path"}).empty();
+  if (node.is_string() && node.string() == "path") {
+    views.path = true;
   } else if (node.is_array()) {
     for (const JsonNode& element : node.elements()) {
       views.cameras.push_back(scene::read_camera(element));
@@ -243,12 +273,18 @@ constexpr StudyKey keys[] = {
      }},
     {"integrators",
      [](const JsonNode& value, Reading& to) { add_calls(value, to.integrators, to.study); }},
-    {"methods", [](const JsonNode& value, Reading& to) { add_calls(value, to.methods, to.study); },
+    {"methods",
+     [](const JsonNode& value, Reading& to) {
+       add_calls(value, to.methods, to.study);
+       refuse_shared_files(value, to.study);
+     },
      true, "integrators"},
     {"repeats",
      [](const JsonNode& value, Reading& to) { to.study.repeats = value.integer(1, max_repeats); }},
     {"timing", [](const JsonNode& value,
                   Reading& to) { to.study.timing = read_timing(value, to.study.repeats); }},
+    {"screen",
+     [](const JsonNode& value, Reading& to) { to.study.screen = read_screen_rule(value); }},
     {"views", [](const JsonNode& value, Reading& to) { to.study.views = read_views(value); }},
     {"crops", [](const JsonNode& value,
                  Reading& to) { to.study.crops = read_by_scene(value, to.scenes(), read_crop); }},

@@ -132,6 +132,18 @@ int Parameters::integer(std::string_view name) const { return static_cast<int>(r
 
 bool Parameters::flag(std::string_view name) const { return text(name) == "on"; }
 
+void Parameters::place_file(std::string_view name, std::string path) {
+  const auto found = values_.find(name);
+  assert(found != values_.end() && "places a file that was not given");
+  found->second = std::move(path);
+}
+
+RawOptions Parameters::all_as_given() const {
+  RawOptions all = values_;
+  for (const auto& [key, value] : given_) all[key] = value;
+  return all;
+}
+
 std::string Parameters::given() const {
   std::string joined;
   for (const auto& [key, value] : given_) {

@@ -72,11 +72,17 @@ class Parameters {
   bool flag(std::string_view name) const;
   const std::string& text(std::string_view name) const;
 
+  /// Says where the file of a parameter lies that was given by a path from elsewhere. given() keeps
+  /// the path as it was given, and so do all_as_given() and what is named by them.
+  void place_file(std::string_view name, std::string path);
+
   /// Returns what the caller gave, as "bands=5,clamp=0.99" in the order of the names; empty for
   /// defaults.
   std::string given() const;
   /// Returns every value by name, defaults included.
   const RawOptions& all() const { return values_; }
+  /// Returns every value by name as the caller gave it: the same wherever the program runs.
+  RawOptions all_as_given() const;
 
  private:
   std::string owner_;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/task_arena.h>
 
 #include <atomic>
 
@@ -65,10 +66,7 @@ class Raytracer : public TurningRaytracer {
       result.stats.max_layers = std::max(result.stats.max_layers, count);
     result.stats.fragments = result.stats.stored = fragments;
     result.stats.bytes = {{"hierarchy", finder_.bytes()}};
-    std::uint64_t hit_bytes = 0;
-    for (const Buffers& buffers : crossings)
-      for (const auto& buffer : buffers) hit_bytes += buffer.capacity() * sizeof(Crossing);
-    result.stats.bytes.push_back({"crossings", hit_bytes});
+    result.stats.bytes.push_back({"crossings", crossing_bytes(crossings)});
     return result;
   }
 
@@ -101,6 +99,16 @@ class Raytracer : public TurningRaytracer {
 
  private:
   using Buffers = std::array<std::vector<Crossing>, RayPacket::width>;
+
+  /// Of all threads that may take part, each with lists for the deepest ray: which threads did, and
+  /// which rays each met, is chance.
+  static std::uint64_t crossing_bytes(const tbb::enumerable_thread_specific<Buffers>& crossings) {
+    std::size_t longest = 0;
+    for (const Buffers& buffers : crossings)
+      for (const auto& buffer : buffers) longest = std::max(longest, buffer.capacity());
+    const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
+    return threads * RayPacket::width * longest * sizeof(Crossing);
+  }
 
   struct PixelSum {
     glm::dvec4 rgba{0};

@@ -31,6 +31,8 @@ std::string describe_context(const scene::Scene& scene) {
              : "opaque context: left out, no object is opaque";
 }
 
+const Vec2 pixel_centre(0.5);
+
 class OitRenderer final : public scene::Renderer {
  public:
   OitRenderer(const scene::Scene& scene, const scene::RenderContext& context,
@@ -67,7 +69,9 @@ class OitRenderer final : public scene::Renderer {
  private:
   /// Draws the picture once for each of a pixel's samples and averages.
   void draw_samples(Frame& frame, Image& mean);
-  CountImage count_layers();
+  CountImage count_layers(const Vec2& sample);
+  /// Of all of a pixel's samples, as they are all drawn.
+  std::uint64_t count_fragments(const CountImage& at_centre);
 
   const scene::Scene& scene_;
   Stage stage_;
@@ -86,10 +90,10 @@ scene::Rendering OitRenderer::render(const scene::RenderRequest& request) {
   rendering.stats.bytes = stage_.ledger().parts();
   if (!request.layers) return rendering;
   const std::optional<CountImage> of_method = method_->count_layers();
-  rendering.layers = of_method ? *of_method : count_layers();
+  rendering.layers = of_method ? *of_method : count_layers(pixel_centre);
   const auto& counts = rendering.layers.pixels;
   if (!of_method) {
-    rendering.stats.fragments = std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
+    rendering.stats.fragments = count_fragments(rendering.layers);
     method_->account(rendering.layers, rendering.stats);
   }
   rendering.stats.max_layers = *std::max_element(counts.begin(), counts.end());
@@ -110,12 +114,23 @@ void OitRenderer::draw_samples(Frame& frame, Image& mean) {
   }
 }
 
-// At the pixels' centres. Counts in float are exact up to 2^24 layers.
-CountImage OitRenderer::count_layers() {
+std::uint64_t OitRenderer::count_fragments(const CountImage& at_centre) {
+  const auto sum = [](const CountImage& counts) {
+    return std::accumulate(counts.pixels.begin(), counts.pixels.end(), std::uint64_t(0));
+  };
+  const std::vector<Vec2> samples = scene::pixel_samples(scene_.samples);
+  if (samples.size() == 1) return sum(at_centre);
+  std::uint64_t fragments = 0;
+  for (const Vec2& sample : samples) fragments += sum(count_layers(sample));
+  return fragments;
+}
+
+// Counts in float are exact up to 2^24 layers.
+CountImage OitRenderer::count_layers(const Vec2& sample) {
   const Texture counts(stage_.gl(), GL_R32F, stage_.width(), stage_.height());
   const Framebuffer target(stage_.gl(), {{counts}});
   const GeometryProgram program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
-  stage_.sample_at(Vec2(0.5));
+  stage_.sample_at(sample);
   stage_.draw_opaque_context();
   target.clear_all(0);
   const Pass pass(target, {Blend::add});

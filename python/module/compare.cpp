@@ -15,12 +15,14 @@ namespace pellucid::python {
 namespace {
 
 /// The picture that Python names: a Rendering, an array, or a file.
-Image picture_of(const py::object& value, std::string_view what) {
-  if (py::isinstance<Rendering>(value)) return *value.cast<Rendering&>().image;
+compare::PictureRead picture_of(const py::object& value, std::string_view what) {
+  if (py::isinstance<Rendering>(value)) return {*value.cast<Rendering&>().image};
   const bool is_file = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
-  if (!is_file) return image_of(value, what);
+  if (!is_file)
+    return {image_of(value, what),
+            py::len(value.attr("shape")) == 3 && value.attr("shape")[py::int_(2)].cast<int>() == 4};
   const std::string file = path_of(value, what);
-  return result_unlocked([&](const Progress&) { return compare::read_image(file); });
+  return result_unlocked([&](const Progress&) { return compare::read_picture(file); });
 }
 
 /// JSON has no infinity, which a metric of equal pictures may be.
@@ -38,7 +40,7 @@ py::dict metrics_dict(const nlohmann::json& json, const compare::Metrics& metric
 std::optional<compare::Mask> mask_of(const py::object& value) {
   if (value.is_none()) return std::nullopt;
   const bool is_flat = py::isinstance<py::array>(value) && value.cast<py::array>().ndim() == 2;
-  if (!is_flat) return compare::mask_of(picture_of(value, "compare: mask"));
+  if (!is_flat) return compare::mask_of(picture_of(value, "compare: mask").image);
   if (std::string_view("biuf").find(value.cast<py::array>().dtype().kind()) ==
       std::string_view::npos)
     throw InputError("compare: mask: accepted: truth values or real numbers");
@@ -59,7 +61,9 @@ const CountImage* layers_of(const py::object& value) {
 
 py::dict compare_pictures(const py::object& reference, const py::object& test,
                           const py::object& where) {
-  const Image a = picture_of(reference, "compare: a"), b = picture_of(test, "compare: b");
+  const compare::PictureRead a_read = picture_of(reference, "compare: a");
+  const compare::PictureRead b_read = picture_of(test, "compare: b");
+  const Image &a = a_read.image, &b = b_read.image;
   const std::optional<compare::Mask> mask = mask_of(where);
   const compare::PairRegions regions{mask ? &*mask : nullptr, layers_of(reference),
                                      layers_of(test)};
@@ -67,7 +71,8 @@ py::dict compare_pictures(const py::object& reference, const py::object& test,
       result_unlocked([&](const Progress&) { return compare::compare_images(a, b, regions); });
   const nlohmann::json json = compare::to_json(comparison);
   py::dict dict = metrics_dict(json, comparison.linear);
-  dict["max_alpha_error"] = compare::max_alpha_error(a, b);
+  if (a_read.has_alpha && b_read.has_alpha)
+    dict["max_alpha_error"] = compare::max_alpha_error(a, b);
   dict["displayed"] = metrics_dict(json.at("displayed"), comparison.displayed);
   return dict;
 }

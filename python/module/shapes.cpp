@@ -73,10 +73,13 @@ void set_vertices(const py::handle& positions, const Attributes& attributes,
   if (!attributes.scalars.is_none()) set_scalars(attributes.scalars, vertices, kind);
 }
 
-/// A number that is no index of 32 bits becomes one that no vertex has.
-std::uint32_t index_of(std::int64_t number) {
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  return number >= 0 && number < none ? std::uint32_t(number) : none;
+std::uint32_t index_of(std::int64_t number, std::size_t vertices, std::size_t triangle) {
+  constexpr auto most = std::int64_t(std::numeric_limits<std::uint32_t>::max());
+  const std::int64_t end = std::min(std::int64_t(vertices), most);
+  if (number < 0 || number >= end)
+    throw InputError(
+        fmt::format("Mesh: triangles[{}]: vertex {}; accepted: 0 … {}", triangle, number, end - 1));
+  return std::uint32_t(number);
 }
 
 Mesh make_mesh(const py::object& vertices, const py::object& triangles, const py::object& normals,
@@ -86,7 +89,8 @@ Mesh make_mesh(const py::object& vertices, const py::object& triangles, const py
   const auto corners = integers_of(triangles, 3, "Mesh: triangles");
   mesh.triangles.resize(std::size_t(corners.shape(0)));
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) mesh.triangles[i][k] = index_of(corners.data()[3 * i + k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      mesh.triangles[i][k] = index_of(corners.data()[3 * i + k], mesh.positions.size(), i);
   geometry::check_mesh("Mesh", mesh);
   geometry::mend_normals(mesh);
   return shape_of<Mesh>(std::move(mesh));

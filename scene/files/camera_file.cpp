@@ -36,6 +36,9 @@ std::map<std::string_view, std::vector<std::string_view>> words_of(std::string_v
       word.remove_prefix(equals + 1);
       if (words.contains(key)) throw InputError(fmt::format("--camera: '{}' is given twice", key));
     }
+    if (key.empty())
+      throw InputError(
+          fmt::format("--camera: '{}'; accepted: KEY=NUMBERS, such as eye=0,0,5", word));
     if (std::ranges::find(keys, key) == keys.end())
       throw InputError("--camera: " + unknown_name("key", key, keys));
     words[key].push_back(word);

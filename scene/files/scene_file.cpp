@@ -86,6 +86,7 @@ struct Loader {
     if (view.resolution) scene.width = (*view.resolution)[0];
     if (view.resolution) scene.height = (*view.resolution)[1];
     if (view.samples) scene.samples = {.per_axis = *view.samples};
+    if (view.background) scene.background = *view.background;
   }
 
   /// What is wrong with the call is told before anything is integrated. A fit needs to know the
@@ -128,8 +129,8 @@ struct Loader {
   void read(const JsonNode& root) {
     std::vector<std::string_view> keys{"format", "version", "camera_path", "objects"};
     keys.insert(keys.end(), view_keys.begin(), view_keys.end());
+    root["format"].one_of({"pellucid-scene"});  // of another kind of file all keys are unknown
     root.accept_keys(keys);
-    root["format"].one_of({"pellucid-scene"});
     root["version"].integer(1, 1);
     read_view(root, scene);  // a wrong camera is refused before anything is integrated
     take_size();

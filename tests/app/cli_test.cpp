@@ -109,6 +109,27 @@ TEST_F(UnitCommandLine, EndingsAreCheckedBeforeAnyWork) {
               HasSubstr("'.jpg'; accepted: .exr, .png"));
 }
 
+/// NaN is above no bound and below none: it would switch off what it is given for.
+TEST_F(UnitCommandLine, NoOptionTakesWhatIsNoNumber) {
+  const std::string seed = " --seed 0,0,0:1,0,0 -o x.ply",
+                    trace = "trace --field abc --integrator ";
+  for (const std::string& call : {std::string("conform -m raytrace --tolerance"),
+                                  std::string("conform -m raytrace --timeout"),
+                                  std::string("figure results -o x.pdf --font-size"),
+                                  "tune " + scene().string() + " --max-rmse",
+                                  "tune " + scene().string() + " --max-rmse 0.1 --max-seconds",
+                                  trace + "hultquist" + seed + " --duration",
+                                  trace + "hultquist" + seed + " --duration 1 --start-time",
+                                  "frames " + scene().string() + " -m raytrace -o x --orbit",
+                                  std::string("compare a b --fail-rmse")})
+    for (const char* number : {"nan", "inf"}) EXPECT_NE(refusal(call + " " + number), "") << call;
+}
+
+TEST_F(UnitCommandLine, NamesAProgramThatIsNotThere) {
+  EXPECT_THAT(refusal("conform --command 'no-such-program {output}'"),
+              HasSubstr("no-such-program"));
+}
+
 TEST_F(UnitCommandLine, UnknownNamesOfferTheNearest) {
   EXPECT_THAT(refusal(render("furier")), HasSubstr("unknown method 'furier'; known: fourier"));
   EXPECT_THAT(refusal(render("fourier:band=3")), HasSubstr("unknown key 'band'; known: bands"));

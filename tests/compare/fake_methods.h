@@ -25,10 +25,11 @@ struct RenderCounter {
   }
 };
 
-/// A picture that depends on the pixel alone, plus `offset`.
+/// A picture that depends on the pixel alone, plus `offset`; it takes ¾ s, `times` over.
 class FakeRenderer : public scene::Renderer {
  public:
-  FakeRenderer(const scene::Scene& scene, double offset) : scene_(scene), offset_(float(offset)) {}
+  FakeRenderer(const scene::Scene& scene, double offset, int times = 1)
+      : scene_(scene), offset_(float(offset)), times_(times) {}
 
   scene::Rendering render(const scene::RenderRequest& request) override {
     RenderCounter::count();
@@ -37,7 +38,7 @@ class FakeRenderer : public scene::Renderer {
     for (int y = 0; y < scene_.height; ++y)
       for (int x = 0; x < scene_.width; ++x)
         rendering.image.at(x, y) = Rgba(float(x * y % 64) / 128.f + offset_);
-    rendering.stats.steps = {{"first", 0.25}, {"second", 0.5}};
+    rendering.stats.steps = {{"first", 0.25 * times_}, {"second", 0.5 * times_}};
     rendering.stats.bytes = {{"list", 1000}, {"heads", 24}};
     if (request.layers) count_layers(rendering);
     return rendering;
@@ -56,6 +57,7 @@ class FakeRenderer : public scene::Renderer {
 
   const scene::Scene& scene_;
   float offset_;
+  int times_;
 };
 
 inline constexpr ParameterSpec shifted_parameters[] = {
@@ -70,6 +72,9 @@ inline constexpr ParameterSpec shifted_parameters[] = {
      .min = 1,
      .max = 9},
     {.name = "often", .kind = ParameterSpec::Kind::flag, .default_value = "off"}};
+
+inline constexpr ParameterSpec filed_parameters[] = {
+    {.name = "file", .kind = ParameterSpec::Kind::file}};
 
 using Made = std::unique_ptr<scene::Renderer>;
 
@@ -92,7 +97,7 @@ Made make_fake(const scene::Scene& scene, const Parameters&, const scene::Render
 
 inline Made make_shifted(const scene::Scene& scene, const Parameters& p,
                          const scene::RenderContext&) {
-  return std::make_unique<FakeRenderer>(scene, p.real("by"));
+  return std::make_unique<FakeRenderer>(scene, p.real("by"), int(p.integer("times")));
 }
 
 /// Knows more than its picture.
@@ -134,6 +139,7 @@ inline std::span<const scene::MethodRow> fake_methods() {
       fake_row("exact-shifted", true, make_fake<125>),
       fake_row("measuring", false, make_measuring),
       layering_row(),
+      fake_row("filed", false, make_fake<250>, filed_parameters),
       fake_row("broken", false, make_broken),
       fake_row("not-a-number", false, make_not_a_number)};
   return rows;

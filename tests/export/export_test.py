@@ -112,6 +112,17 @@ class Exported(unittest.TestCase):
         self.assertFalse(scene["objects"][0]["lit"])
         self.assert_draws_the_same()
 
+    def test_ribbons_and_discs_are_lit_as_what_they_stand_for(self):
+        line = numpy.stack([numpy.linspace(-1, 1, 30), numpy.sin(numpy.linspace(0, 9, 30)), numpy.cos(numpy.linspace(0, 7, 30))], 1)
+        write_ply(self.folder / "lines.ply", numpy.concatenate([line, colors(30)], 1), NAMES, edges=[(i, i + 1) for i in range(29)])
+        write_ply(self.folder / "points.ply", numpy.concatenate([RANDOM.uniform(-1, 1, (20, 3)), colors(20)], 1), NAMES)
+        for lighting in "headlight", "phong":
+            for camera in PERSPECTIVE, ORTHOGRAPHIC:
+                scene = self.export(camera, [{"lines": "lines.ply", "radius": 0.1}, {"points": "points.ply", "radius": 0.2}],
+                                    lighting=lighting)
+                self.assertEqual([thing["lit"] for thing in scene["objects"]], [False, False])
+                self.assert_draws_the_same(0.1)
+
     def test_light_that_is_the_same_all_over_is_in_the_colours(self):
         random_mesh(self.folder / "mesh.ply", 40, "flat")
         for lighting in "headlight", "phong":

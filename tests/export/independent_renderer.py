@@ -92,10 +92,13 @@ class Fragments:
         depth = weights @ numpy.array(corners)[:, 2]
         self.add(inside, depth, shade(weights @ colors, weights, d), order, opaque)
 
-    def add_disc(self, center, radius, color, order, opaque):
+    def add_disc(self, center, radius, color, order, opaque, light):
         at = self.origins + self.directions * center[2]
-        inside = ((at - center) ** 2).sum(-1) < radius ** 2
-        self.add(inside, numpy.full(inside.shape, center[2]), numpy.broadcast_to(color, (*inside.shape, 4)), order, opaque)
+        fraction2 = ((at - center) ** 2).sum(-1) / radius ** 2  # of the radius, squared
+        inside = fraction2 < 1
+        facing = numpy.sqrt(numpy.maximum(1 - fraction2, 0))  # of the sphere that it stands for
+        colors = light(numpy.broadcast_to(color, (*inside.shape, 4)), facing)
+        self.add(inside, numpy.full(inside.shape, center[2]), colors, order, opaque)
 
     def composite(self, background):
         """Front to back; nothing shows behind what is opaque."""
@@ -109,10 +112,19 @@ class Fragments:
         return picture.reshape(self.view.height, self.view.width, 4)
 
 
-def ribbon(points, radius, view):
-    """The rims of a strip that faces the eye: x ± radius · (t × v) / |t × v|, t by central differences."""
+def unit(vectors):
+    return vectors / numpy.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+def directions_of(points):
+    """Of a line at its points, by central differences."""
     steps = numpy.diff(points, axis=0)
-    t = numpy.concatenate([steps[:1], points[2:] - points[:-2], steps[-1:]])
+    return numpy.concatenate([steps[:1], points[2:] - points[:-2], steps[-1:]])
+
+
+def ribbon(points, radius, view):
+    """The rims of a strip that faces the eye: x ± radius · (t × v) / |t × v|."""
+    t = directions_of(points)
     # The world is right-handed and this view is not, which turns a product round.
     across = -numpy.cross(t, points if view.perspective else numpy.broadcast_to([0.0, 0, 1], t.shape))
     across *= radius / numpy.linalg.norm(across, axis=1, keepdims=True)
@@ -121,18 +133,45 @@ def ribbon(points, radius, view):
     return points - across, points + across
 
 
+def facing_of_mesh(normals):
+    """|n · v| of a triangle with these corners' normals, by the weights of its corners and the ray's direction."""
+    return lambda weights, d: abs((unit(weights @ normals) * unit(d)).sum(-1))
+
+
+def facing_of_tube(across, t):
+    """The same of the tube that a ribbon stands for: √(1 - c²) |t × v|, c the place across, t the line's direction."""
+    return lambda weights, d: (numpy.sqrt(numpy.maximum(1 - (weights @ across) ** 2, 0)) *
+                               numpy.linalg.norm(numpy.cross(unit(weights @ t), unit(d)), axis=-1))
+
+
 def triangles_of(thing, ply, positions, colors, view):
-    """Corners and colours, triangle by triangle, and the indices of the vertices."""
+    """Corners and colours, triangle by triangle, and how it faces the eye where that matters."""
     if thing["kind"] == "triangles":
+        normals = None if thing["lit"] else columns(ply["vertex"], "nx", "ny", "nz") @ view.turn.T
         for t in ply["face"]["corners"]:
-            yield positions[t], colors[t], t
+            yield positions[t], colors[t], None if normals is None else facing_of_mesh(normals[t])
     elif thing["kind"] == "lines":
         for line in numpy.unique(ply["vertex"]["line"]):
             i = numpy.flatnonzero(ply["vertex"]["line"] == line)
             low, high = ribbon(positions[i], thing["radius"], view)
+            t = unit(directions_of(positions[i]))
             for k, (p, q) in enumerate(zip(i, i[1:])):
-                yield (low[k], high[k], high[k + 1]), colors[[p, p, q]], None
-                yield (low[k], high[k + 1], low[k + 1]), colors[[p, q, q]], None
+                yield (low[k], high[k], high[k + 1]), colors[[p, p, q]], facing_of_tube(numpy.array([-1, 1, 1]), t[[k, k, k + 1]])
+                yield (low[k], high[k + 1], low[k + 1]), colors[[p, q, q]], facing_of_tube(numpy.array([-1, 1, -1]), t[[k, k + 1, k + 1]])
+
+
+def light_of(scene, lit):
+    """What the light makes of a colour that faces the eye by c = |n · v|."""
+    def headlight(color, c):
+        return numpy.concatenate([color[..., :3] * c[..., None], color[..., 3:]], -1)
+
+    def phong(color, c):
+        shine = 0.35 * numpy.maximum(0, 2 * c * c - 1) ** 24
+        return numpy.concatenate([numpy.minimum(color[..., :3] * (0.15 + 0.85 * c)[..., None] + shine[..., None], 1), color[..., 3:]], -1)
+
+    if lit:
+        return lambda color, c: color
+    return {"headlight": headlight, "phong": phong}[scene["lighting"]]
 
 
 def render(path, fragments_of=Fragments):
@@ -143,21 +182,13 @@ def render(path, fragments_of=Fragments):
         ply = read_ply(Path(path).parent / thing["file"])
         positions = view.of_world(columns(ply["vertex"], "x", "y", "z"))
         colors = columns(ply["vertex"], "red", "green", "blue", "alpha")
-        shade = lambda color, weights, d: color
-        for corners, corner_colors, t in triangles_of(thing, ply, positions, colors, view):
-            if not thing["lit"]:
-                assert scene["lighting"] == "headlight"
-                normals = columns(ply["vertex"], "nx", "ny", "nz")[t] @ view.turn.T
-
-                def shade(color, weights, d, normals=normals):
-                    n = weights @ normals
-                    c = abs((n * d).sum(-1)) / numpy.linalg.norm(n, axis=-1) / numpy.linalg.norm(d, axis=-1)
-                    return numpy.concatenate([color[..., :3] * c[..., None], color[..., 3:]], -1)
-
+        light = light_of(scene, thing["lit"])
+        for corners, corner_colors, facing in triangles_of(thing, ply, positions, colors, view):
+            shade = lambda color, weights, d: light(color, facing(weights, d) if facing else None)
             fragments.add_triangle(corners, corner_colors, order, thing["opaque"], shade)
         if thing["kind"] == "points":
             for center, color in zip(positions, colors):
-                fragments.add_disc(center, thing["radius"], color, order, thing["opaque"])
+                fragments.add_disc(center, thing["radius"], color, order, thing["opaque"], light)
     return fragments.composite(scene["background"])
 
 

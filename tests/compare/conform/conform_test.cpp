@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <glm/gtc/packing.hpp>
+
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -111,6 +113,17 @@ TEST_F(UnitVerdict, OfTheRightPictureIsThatItPasses) {
 TEST_F(UnitVerdict, NamesAResultOfEightBitsInAFileOfFloats) {
   const ConformanceCase& c = named("layers-10");
   EXPECT_EQ(judge(c, displayed_values(expected_picture(c)), false).fault, Fault::eight_bits);
+}
+
+/// Half floats err by as little as 8 bits do, but otherwise.
+TEST_F(UnitVerdict, TakesNoHalfFloatsForEightBits) {
+  const ConformanceCase& c = named("layers-10");
+  Image halves = expected_picture(c);
+  for (Rgba& pixel : halves.pixels)
+    for (int k = 0; k < 3; ++k) pixel[k] = glm::unpackHalf1x16(glm::packHalf1x16(pixel[k]));
+  const Verdict verdict = judge(c, halves, false, 1e-6);
+  EXPECT_FALSE(verdict.passed);
+  EXPECT_NE(verdict.fault, Fault::eight_bits);
 }
 
 TEST_F(UnitVerdict, NamesTheCap) {

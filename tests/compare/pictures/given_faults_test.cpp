@@ -111,6 +111,12 @@ TEST_P(PropertyGivenFaults, AlphaAndBackgroundsAreNamed) {
   EXPECT_THAT(faults(without_alpha(other)), ElementsAre(HasSubstr("another background")));
 }
 
+TEST_P(PropertyGivenFaults, BytesTakenForFloatsAreNamed) {
+  Image bytes = right_;
+  for (Rgba& pixel : bytes.pixels) pixel = Rgba(255.f * glm::vec3(pixel), pixel.a);
+  EXPECT_THAT(faults(bytes), ElementsAre(HasSubstr("255 times too bright")));
+}
+
 TEST_P(PropertyGivenFaults, CurvesAreNamed) {
   // sRGB's curve is nearly a power of 2.2.
   EXPECT_THAT(faults(curved(right_, 1 / 2.2)), ElementsAre(HasSubstr("sRGB-encoded")));

@@ -54,7 +54,13 @@ TEST(UnitContest, TheFasterOneIsAloneOnceThereAreIntervals) {
 TEST(UnitContest, EqualsAreTiedAndEndOnceTheyAreKnown) {
   Contenders three({always(1), always(1.5), always(1)});
   EXPECT_THAT(three.compete({5, 30, 0.01}), ElementsAre(true, false, true));
-  EXPECT_EQ(three.order.size(), 15u);
+  EXPECT_EQ(three.order.size(), 11u + 5 + 11);
+}
+
+TEST(UnitContest, ANearOneIsOutAfterElevenTimes) {
+  Contenders two({always(1), always(1.2)});
+  EXPECT_THAT(two.compete({5, 30, 0.01}), ElementsAre(true, false));
+  EXPECT_EQ(two.order.size(), 22u);
 }
 
 TEST(UnitContest, WithoutIntervalsAllAreTied) {

@@ -36,6 +36,16 @@ class UnitGivenStudy : public ::testing::Test {
     write_image(folder_ / (scene + ".exr"), image);
   }
 
+  /// Why a study of these methods is refused.
+  std::string refusal(const std::string& methods) const {
+    try {
+      load_study(folder_.study(methods), fake_methods());
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+
   /// A command of this script. $1 is the scene, $2 the camera, $3 the output.
   std::string command(const std::string& script, const std::string& more = "") const {
     write_text(folder_ / "mine.sh", script + "\n");
@@ -57,6 +67,31 @@ class UnitGivenStudy : public ::testing::Test {
 
   StudyFolder folder_;
 };
+
+/// Each cell has files of its own, whatever its name.
+TEST_F(UnitGivenStudy, NamesWhoseFilesWouldBeThoseOfAnotherCallAreRefused) {
+  EXPECT_THAT(refusal(R"(["shifted:by=0.5", {"picture": "a.exr", "name": "shifted-by-0.5"}])"),
+              HasSubstr("'shifted:by=0.5' and 'shifted-by-0.5' would share their files"));
+  EXPECT_THAT(
+      refusal(R"([{"picture": "a.exr", "name": "a=b"}, {"picture": "a.exr", "name": "a-b"}])"),
+      HasSubstr("another name"));
+  EXPECT_EQ(
+      refusal(R"([{"picture": "a.exr", "name": "VTK 9.1"}, {"picture": "a.exr", "name": "VTK"}])"),
+      "");
+}
+
+TEST_F(UnitGivenStudy, MarksThatStandForNothingAreRefused) {
+  EXPECT_THAT(refusal(R"([{"picture": "{scene}-{veiw}.exr", "name": "theirs"}])"),
+              HasSubstr("nothing is known as {veiw}; accepted: {scene}, {view}"));
+}
+
+TEST(UnitSlug, IsNeverAnotherCallsEnding) {
+  EXPECT_EQ(slug_of("fourier:bands=5,clamp=0.5"), "fourier-bands-5-clamp-0.5");
+  for (const char* name : {"truth.layers", "truth.view-2", "..", ".", "a."})
+    EXPECT_NE(slug_of(name), name);
+  EXPECT_LT(slug_of(std::string(300, 'a')).size(), 120u);
+  EXPECT_NE(slug_of(std::string(300, 'a')), slug_of(std::string(301, 'a')));
+}
 
 TEST_F(UnitGivenStudy, ACommandDrawsTheExportedSceneInAFolderOfItsOwn) {
   const StudyOutcome outcome =

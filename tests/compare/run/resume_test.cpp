@@ -198,5 +198,28 @@ TEST_P(SlowKilledStudy, IsCompletedToTheSameNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(AtRendering, SlowKilledStudy, ::testing::Values(1, 2, 3, 4, 9, 18));
 
+/// A file that a call names is found from the study on; the call's name is the same from anywhere.
+TEST(UnitResume, ACallWithAFileIsTheSameFromAnotherFolder) {
+  const StudyFolder folder;
+  const fs::path study = folder.study(R"(["filed:file=own/it.json"])");
+  const fs::path here = fs::current_path();
+  const auto run_from = [&](const fs::path& place, bool resume) {
+    fs::current_path(place);
+    const Study loaded = load_study(fs::relative(study), fake_methods());
+    EXPECT_EQ(loaded.methods[0].text(), "filed:file=own/it.json");
+    EXPECT_EQ(fs::weakly_canonical(fs::absolute(loaded.methods[0].parameters.text("file"))),
+              fs::weakly_canonical(folder / "own/it.json"));
+    StudyOptions options;
+    options.folder = folder / "results";
+    options.resume = resume;
+    return run_study(loaded, options);
+  };
+  fs::create_directory(folder / "own");
+  run_from(folder.path(), false);
+  const StudyOutcome again = run_from(folder / "own", true);
+  fs::current_path(here);
+  EXPECT_EQ(again.computed, 0u);
+}
+
 }  // namespace
 }  // namespace pellucid::compare

@@ -259,9 +259,10 @@ TEST(PropertyMethodSweep, EveryRowsValuesAreAccepted) {
 TEST(UnitSweep, AStarInAStudyIsEveryMethodInAllItsSettings) {
   const StudyFolder folder;
   const Study study = load_study(folder.study(R"(["*"])"), fake_methods());
-  EXPECT_EQ(study.methods.size() + 1, fake_methods().size());  // the reference has its own cell
+  // The reference has its own cell, and a row with a file does nothing without one.
+  EXPECT_EQ(study.methods.size() + 2, fake_methods().size());
   const std::string but = R"([{"method": "*", "except": ["broken", "truth"]}])";
-  EXPECT_EQ(load_study(folder.study(but), fake_methods()).methods.size() + 2,
+  EXPECT_EQ(load_study(folder.study(but), fake_methods()).methods.size() + 3,
             fake_methods().size());
   EXPECT_THROW(
       load_study(folder.study(R"([{"method": "*", "except": ["brken"]}])"), fake_methods()),

@@ -189,7 +189,8 @@ std::string views_error(const std::string& views) {
 
 TEST(UnitViews, WhatIsNoViewIsRefused) {
   EXPECT_THAT(views_error("1"), HasSubstr("views: 1; accepted: an integer, 2"));
-  EXPECT_THAT(views_error(R"("way")"), HasSubstr("views: \"way\"; accepted: path"));
+  EXPECT_THAT(views_error(R"("way")"),
+              HasSubstr("views: accepted: a number of views on an orbit, \"path\""));
   EXPECT_THAT(views_error("[]"), HasSubstr("0 cameras; accepted: 1 to 1000"));
   EXPECT_THAT(views_error("true"), HasSubstr("views: accepted: a number of views"));
   EXPECT_THAT(views_error(R"([{"eye": [0, 0, 1], "tarjet": [0, 0, 0]}])"),

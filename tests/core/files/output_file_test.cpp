@@ -61,6 +61,14 @@ TEST_F(UnitOutputFile, ALinkStaysALinkToWhatIsWritten) {
   EXPECT_EQ(read_text(folder_ / "none.txt"), "made");
 }
 
+TEST_F(UnitOutputFile, ALoopOfLinksIsRefusedAndStays) {
+  std::filesystem::create_symlink("b", folder_ / "a");
+  std::filesystem::create_symlink("a", folder_ / "b");
+  EXPECT_THROW(write_text(folder_ / "a", "x"), InputError);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "a"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "b"));
+}
+
 TEST_F(UnitOutputFile, ADeviceIsWrittenIntoAndStays) {
   write_text("/dev/null", "nothing");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
