@@ -6,8 +6,6 @@
 #include <vtkHDFReader.h>
 #include <vtkMRCReader.h>
 #include <vtkMultiBlockPLOT3DReader.h>
-#include <vtkNIFTIImageReader.h>
-#include <vtkNetCDFCFReader.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkSTLReader.h>
 #include <vtkTecplotReader.h>
@@ -25,6 +23,8 @@
 #include <string>
 
 #include "core/error.h"
+#include "readers/vtk/make_netcdf.h"
+#include "readers/vtk/make_nifti.h"
 #include "readers/vtk/parse_file.h"
 
 namespace pellucid::readers {
@@ -109,14 +109,6 @@ vtkSmartPointer<vtkAlgorithm> make_plot3d(const Path& path) {
   return reader;
 }
 
-/// On axes as the file has them; values that are missing are no numbers.
-vtkSmartPointer<vtkAlgorithm> make_netcdf(const Path& path) {
-  const auto reader = reader_of<vtkNetCDFCFReader>(path);
-  reader->SphericalCoordinatesOff();
-  reader->ReplaceFillValueWithNanOn();
-  return reader;
-}
-
 /// VTK takes what is there of a file that was cut off. Binary ones are as long as their number of
 /// facets, 50 bytes each behind a head of 84, asks for; texts have their end.
 vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
@@ -152,8 +144,8 @@ constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".tec", make<vtkTecplotReader>},
                                  {".nc", make_netcdf},
                                  {".cdf", make_netcdf},
-                                 {".nii", make<vtkNIFTIImageReader>},
-                                 {".nii.gz", make<vtkNIFTIImageReader>},
+                                 {".nii", make_nifti},
+                                 {".nii.gz", make_nifti},
                                  {".stl", make_stl},
                                  {".mrc", make<vtkMRCReader>},
                                  {".rec", make<vtkMRCReader>}};

@@ -68,14 +68,16 @@ constexpr VtkFormat table[] = {
      simulation,
      Beside::nothing,
      {},
-     "variables are scalars: array=u,v; axes are degrees where the file's are"},
+     "variables are scalars: array=u,v; axes are degrees where the file's are; samples that are "
+     "missing, filled or not valid are absent"},
     {".cdf", "NetCDF, with the CF conventions", simulation, Beside::nothing, {}, "as .nc"},
     {".nii",
      "NIfTI image",
      simulation,
      Beside::nothing,
      {},
-     "the file's matrix is not applied: origin and spacing alone"},
+     "scaled by its slope and intercept; one volume; the file's matrix is not applied: origin and "
+     "spacing alone"},
     {".nii.gz", "NIfTI image, compressed", simulation, Beside::nothing, {}, "as .nii"},
     {".stl",
      "stereolithography, text or binary",

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What VTK's readers of NetCDF and NIfTI leave to their caller: missing samples, scales.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <netcdf.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkPointData.h>
+
+#include <cstring>
+#include <functional>
+#include <limits>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "readers/vtk/vtk_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pellucid::readers {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsNan;
+
+class UnitScaledValues : public ::testing::Test {
+ protected:
+  /// The first `count` numbers of the only point array.
+  std::vector<double> values(const std::filesystem::path& file, int count) const {
+    const auto data = read_vtk_data_set(file);
+    vtkDataArray* array = data->GetPointData()->GetArray(0);
+    std::vector<double> result;
+    for (int i = 0; i < count; ++i)
+      result.push_back(array->GetComponent(i / array->GetNumberOfComponents(),
+                                           i % array->GetNumberOfComponents()));
+    return result;
+  }
+  std::string complaint(const std::filesystem::path& file) const {
+    try {
+      read_vtk_data_set(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+
+  /// A file of 2 × 2 × 2 samples q: the four that are given, and then ones.
+  std::filesystem::path netcdf(nc_type type, std::vector<double> samples,
+                               const std::function<void(int file, int q)>& describe) const {
+    const auto path = folder_ / "q.nc";
+    samples.resize(8, 1);
+    int file = 0, dims[3], q = 0;
+    nc_create(path.c_str(), NC_CLOBBER, &file);
+    for (int a = 0; a < 3; ++a) {
+      int axis = 0;
+      const char name[] = {"zyx"[a], 0};
+      nc_def_dim(file, name, 2, &dims[a]);
+      nc_def_var(file, name, NC_DOUBLE, 1, &dims[a], &axis);
+    }
+    nc_def_var(file, "q", type, 3, dims, &q);
+    describe(file, q);
+    nc_enddef(file);
+    const double ends[] = {0, 1};
+    for (int axis = 0; axis < 3; ++axis) nc_put_var_double(file, axis, ends);
+    EXPECT_EQ(nc_put_var_double(file, q, samples.data()), NC_NOERR);
+    nc_close(file);
+    return path;
+  }
+
+  /// A NIfTI image of 2 × 2 × 2 voxels of 16 bits: 0, 1, 2, …
+  std::filesystem::path nifti(float slope, float intercept, std::int16_t times = 1) const {
+    std::string bytes(352, '\0');
+    const auto put = [&](std::size_t at, auto number) {
+      std::memcpy(&bytes[at], &number, sizeof number);
+    };
+    put(0, std::int32_t(348));
+    const std::int16_t sizes[8] = {4, 2, 2, 2, times, 1, 1, 1};
+    for (std::size_t k = 0; k < 8; ++k) put(40 + 2 * k, sizes[k]);
+    put(70, std::int16_t(4)), put(72, std::int16_t(16));
+    for (std::size_t k = 0; k < 8; ++k) put(76 + 4 * k, 1.0f);
+    put(108, 352.0f), put(112, slope), put(116, intercept);
+    std::memcpy(&bytes[344], "n+1", 4);
+    for (std::int16_t i = 0; i < 8 * times; ++i)
+      bytes.append(reinterpret_cast<const char*>(&i), sizeof i);
+    write_text(folder_ / "i.nii", bytes);
+    return folder_ / "i.nii";
+  }
+
+  testing::TemporaryFolder folder_;
+};
+
+void put(int file, int q, const char* name, nc_type type, std::vector<double> values) {
+  EXPECT_EQ(nc_put_att_double(file, q, name, type, values.size(), values.data()), NC_NOERR);
+}
+
+TEST_F(UnitScaledValues, MissingSamplesOfNetcdfByAttribute) {
+  const std::vector<double> samples{-999, 5, 100, 7};
+  for (const nc_type type : {NC_FLOAT, NC_DOUBLE, NC_SHORT, NC_INT})
+    for (const char* fill : {"_FillValue", "missing_value"})
+      EXPECT_THAT(values(netcdf(type, samples,
+                                [&](int file, int q) { put(file, q, fill, type, {-999}); }),
+                         4),
+                  ElementsAre(IsNan(), 5, 100, 7))
+          << fill << " of type " << type;
+  const auto of = [&](const char* name, std::vector<double> ends) {
+    return values(
+        netcdf(NC_FLOAT, samples, [&](int file, int q) { put(file, q, name, NC_FLOAT, ends); }), 4);
+  };
+  EXPECT_THAT(of("missing_value", {100, 7}), ElementsAre(-999, 5, IsNan(), IsNan()));
+  EXPECT_THAT(of("valid_min", {5}), ElementsAre(IsNan(), 5, 100, 7));
+  EXPECT_THAT(of("valid_max", {7}), ElementsAre(-999, 5, IsNan(), 7));
+  EXPECT_THAT(of("valid_range", {5, 7}), ElementsAre(IsNan(), 5, IsNan(), 7));
+}
+
+/// 0.1 has no exact float: an attribute of doubles still means the sample of floats.
+TEST_F(UnitScaledValues, AnAttributeOfAnotherTypeMeansTheSample) {
+  EXPECT_THAT(values(netcdf(NC_FLOAT, {0.1, 2},
+                            [](int file, int q) { put(file, q, "missing_value", NC_DOUBLE, {0.1}); }),
+                     2),
+              ElementsAre(IsNan(), 2));
+}
+
+TEST_F(UnitScaledValues, SamplesThatWereNeverWritten) {
+  const auto plain = [](int, int) {};
+  EXPECT_THAT(values(netcdf(NC_FLOAT, {NC_FILL_FLOAT, 2}, plain), 2), ElementsAre(IsNan(), 2));
+  EXPECT_THAT(values(netcdf(NC_DOUBLE, {NC_FILL_DOUBLE, 2}, plain), 2), ElementsAre(IsNan(), 2));
+  EXPECT_THAT(values(netcdf(NC_SHORT, {-32767, 2}, plain), 2), ElementsAre(IsNan(), 2));
+  EXPECT_THAT(values(netcdf(NC_INT, {-2147483647, 2}, plain), 2), ElementsAre(IsNan(), 2));
+  EXPECT_THAT(values(netcdf(NC_SHORT, {-32767, -1, 2},
+                            [](int file, int q) { put(file, q, "_FillValue", NC_SHORT, {-1}); }),
+                     3),
+              ElementsAre(-32767, IsNan(), 2));  // who names a value of his own has no other
+}
+
+/// q = packed / 10 + 300. A valid range of the packed type is packed, of a wider one it is not.
+TEST_F(UnitScaledValues, PackedSamples) {
+  const auto packed = [&](nc_type range_type, std::vector<double> range, double scale = 0.1) {
+    return values(netcdf(NC_SHORT, {-32767, 10, 20, 30},
+                         [&](int file, int q) {
+                           put(file, q, "scale_factor", NC_DOUBLE, {scale});
+                           put(file, q, "add_offset", NC_DOUBLE, {300});
+                           if (!range.empty()) put(file, q, "valid_range", range_type, range);
+                         }),
+                  4);
+  };
+  EXPECT_THAT(packed(NC_SHORT, {}), ElementsAre(IsNan(), 301, 302, 303));
+  EXPECT_THAT(packed(NC_SHORT, {10, 20}), ElementsAre(IsNan(), 301, 302, IsNan()));
+  EXPECT_THAT(packed(NC_DOUBLE, {302, 303}), ElementsAre(IsNan(), IsNan(), 302, 303));
+  EXPECT_THAT(packed(NC_SHORT, {10, 20}, -0.1), ElementsAre(IsNan(), 299, 298, IsNan()));
+}
+
+TEST_F(UnitScaledValues, NumbersCalledUnsignedAreRefused) {
+  EXPECT_THAT(complaint(netcdf(NC_SHORT, {1},
+                               [](int file, int q) {
+                                 nc_put_att_text(file, q, "_Unsigned", 4, "true");
+                               })),
+              HasSubstr("'q' has the attribute _Unsigned"));
+}
+
+TEST_F(UnitScaledValues, NiftiIsScaled) {
+  EXPECT_THAT(values(nifti(0.5f, 0), 3), ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(values(nifti(0.5f, -3), 3), ElementsAre(-3, -2.5, -2));
+  EXPECT_THAT(values(nifti(1, 7), 3), ElementsAre(7, 8, 9));
+  for (const float none : {0.0f, std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_THAT(values(nifti(none, 7), 3), ElementsAre(0, 1, 2));
+  EXPECT_THAT(complaint(nifti(2, std::numeric_limits<float>::infinity())),
+              HasSubstr("scl_inter is inf"));
+}
+
+TEST_F(UnitScaledValues, VolumesOverTimeAreRefused) {
+  EXPECT_THAT(complaint(nifti(1, 0, 3)), HasSubstr("3 volumes over time"));
+}
+
+}  // namespace
+}  // namespace pellucid::readers
