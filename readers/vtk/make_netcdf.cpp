@@ -186,9 +186,10 @@ class NetcdfReader : public vtkNetCDFCFReader {
  private:
   void refuse_unsigned(const Variable& variable, const char* name) {
     if (variable.is_called_unsigned())
-      throw InputError(fmt::format("{}: '{}' has the attribute _Unsigned, which VTK does not know; "
-                                   "accepted: a variable of an unsigned or a wider type",
-                                   GetFileName(), name));
+      throw InputError(
+          fmt::format("{}: '{}' has the attribute _Unsigned, which VTK does not know; "
+                      "accepted: a variable of an unsigned or a wider type",
+                      GetFileName(), name));
   }
 };
 

@@ -67,9 +67,10 @@ class NiftiReader : public vtkNIFTIImageReader {
   }
   void refuse_times() {
     if (GetTimeDimension() > 1)
-      throw InputError(fmt::format("{}: {} volumes over time; accepted: one, of one number per "
-                                   "voxel or of vectors along the fifth dimension",
-                                   GetFileName(), GetTimeDimension()));
+      throw InputError(
+          fmt::format("{}: {} volumes over time; accepted: one, of one number per "
+                      "voxel or of vectors along the fifth dimension",
+                      GetFileName(), GetTimeDimension()));
   }
 };
 

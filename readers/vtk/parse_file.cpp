@@ -18,6 +18,7 @@
 #include "readers/vtk/times.h"
 #include "readers/vtk/vtk_formats.h"
 #include "readers/vtk/vtk_messages.h"
+#include "readers/vtk/xml_checks.h"
 
 namespace pellucid::readers {
 namespace {
@@ -78,11 +79,6 @@ void require_closing_tag(const std::filesystem::path& path) {
     fail(path, "it does not end with </VTKFile>: truncated?");
 }
 
-bool is_xml(std::string_view ending) {
-  return (ending.starts_with(".vt") || ending.starts_with(".pvt")) && ending != ".vtk" &&
-         ending != ".vtkhdf";
-}
-
 std::vector<double> times_of(vtkAlgorithm& reader) {
   vtkInformation* about = reader.GetOutputInformation(0);
   const auto key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
@@ -123,8 +119,10 @@ vtkSmartPointer<vtkAlgorithm> reader_of(const std::filesystem::path& path,
 std::vector<double> parse_vtk_file(const std::filesystem::path& path,
                                    std::span<const VtkReader> readers, const VtkRequest& request,
                                    const std::function<void(const ParsedTime&)>& take) {
-  if (const VtkFormat* format = vtk_format(path); format && is_xml(format->ending))
+  if (const VtkFormat* format = vtk_format(path); format && is_xml(*format)) {
     require_closing_tag(path);
+    check_xml(path);
+  }
   const VtkMessages messages;
   const auto reader = reader_of(path, readers);
   reader->UpdateInformation();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/vtk/xml_tags.h"
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <utility>
@@ -65,20 +66,25 @@ std::size_t end_of_tag(std::string_view text) {
   return std::string_view::npos;
 }
 
+/// Appends the tags of a text; what begins a tag that does not end is left in it.
+void take_tags(std::string_view& text, std::vector<XmlTag>& tags) {
+  for (std::size_t begin; (begin = text.find('<')) != std::string_view::npos;) {
+    text.remove_prefix(begin);
+    const bool is_comment = text.starts_with("<!--");
+    const std::size_t end = is_comment ? text.find("-->") : end_of_tag(text);
+    if (end == std::string_view::npos) return;
+    if (std::string_view("!?/").find(text[1]) == std::string_view::npos)
+      tags.push_back(tag_of(text.substr(1, end - 1)));
+    text.remove_prefix(end);
+  }
+  text = {};
+}
+
 }  // namespace
 
 std::vector<XmlTag> xml_tags(std::string_view text) {
   std::vector<XmlTag> tags;
-  for (std::size_t begin = text.find('<'); begin != std::string_view::npos;
-       begin = text.find('<')) {
-    text.remove_prefix(begin + 1);
-    const bool is_comment = text.starts_with("!--");
-    const std::size_t end = is_comment ? text.find("-->") : end_of_tag(text);
-    if (end == std::string_view::npos) break;
-    if (std::string_view("!?/").find(text.front()) == std::string_view::npos)
-      tags.push_back(tag_of(text.substr(0, end)));
-    text.remove_prefix(end);
-  }
+  take_tags(text, tags);
   return tags;
 }
 
@@ -89,6 +95,30 @@ std::vector<XmlTag> xml_tags(const std::filesystem::path& file) {
   stream.read(text.data(), std::streamsize(most));
   text.resize(std::size_t(std::max<std::streamsize>(0, stream.gcount())));
   return xml_tags(std::string_view(text));
+}
+
+std::vector<XmlTag> xml_tags_before_data(const std::filesystem::path& file) {
+  constexpr std::size_t piece = 1 << 20, longest_tag = 1 << 20;
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<XmlTag> tags;
+  std::string text;  // that began a tag, and what follows
+  while (stream && text.size() <= longest_tag) {
+    const std::size_t kept = text.size();
+    text.resize(kept + piece);
+    stream.read(text.data() + kept, std::streamsize(piece));
+    text.resize(kept + std::size_t(std::max<std::streamsize>(0, stream.gcount())));
+    std::string_view rest = text;
+    const std::size_t before = tags.size();
+    take_tags(rest, tags);
+    const auto data = std::find_if(tags.begin() + std::ptrdiff_t(before), tags.end(),
+                                   [](const XmlTag& tag) { return tag.name == "AppendedData"; });
+    if (data != tags.end()) {
+      tags.erase(data + 1, tags.end());
+      break;
+    }
+    text = std::string(rest);
+  }
+  return tags;
 }
 
 }  // namespace pellucid::readers

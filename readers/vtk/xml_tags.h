@@ -22,4 +22,8 @@ std::vector<XmlTag> xml_tags(std::string_view text);
 /// The same of the first MiB of a file: a list of other files is no longer.
 std::vector<XmlTag> xml_tags(const std::filesystem::path& file);
 
+/// The same of a file of any length up to its appended data, whose bytes may look like tags. The
+/// texts between the tags are not kept.
+std::vector<XmlTag> xml_tags_before_data(const std::filesystem::path& file);
+
 }  // namespace pellucid::readers

@@ -98,10 +98,10 @@ TEST_F(UnitScaledValues, MissingSamplesOfNetcdfByAttribute) {
   const std::vector<double> samples{-999, 5, 100, 7};
   for (const nc_type type : {NC_FLOAT, NC_DOUBLE, NC_SHORT, NC_INT})
     for (const char* fill : {"_FillValue", "missing_value"})
-      EXPECT_THAT(values(netcdf(type, samples,
-                                [&](int file, int q) { put(file, q, fill, type, {-999}); }),
-                         4),
-                  ElementsAre(IsNan(), 5, 100, 7))
+      EXPECT_THAT(
+          values(netcdf(type, samples, [&](int file, int q) { put(file, q, fill, type, {-999}); }),
+                 4),
+          ElementsAre(IsNan(), 5, 100, 7))
           << fill << " of type " << type;
   const auto of = [&](const char* name, std::vector<double> ends) {
     return values(
@@ -115,10 +115,11 @@ TEST_F(UnitScaledValues, MissingSamplesOfNetcdfByAttribute) {
 
 /// 0.1 has no exact float: an attribute of doubles still means the sample of floats.
 TEST_F(UnitScaledValues, AnAttributeOfAnotherTypeMeansTheSample) {
-  EXPECT_THAT(values(netcdf(NC_FLOAT, {0.1, 2},
-                            [](int file, int q) { put(file, q, "missing_value", NC_DOUBLE, {0.1}); }),
-                     2),
-              ElementsAre(IsNan(), 2));
+  EXPECT_THAT(
+      values(netcdf(NC_FLOAT, {0.1, 2},
+                    [](int file, int q) { put(file, q, "missing_value", NC_DOUBLE, {0.1}); }),
+             2),
+      ElementsAre(IsNan(), 2));
 }
 
 TEST_F(UnitScaledValues, SamplesThatWereNeverWritten) {
@@ -151,11 +152,10 @@ TEST_F(UnitScaledValues, PackedSamples) {
 }
 
 TEST_F(UnitScaledValues, NumbersCalledUnsignedAreRefused) {
-  EXPECT_THAT(complaint(netcdf(NC_SHORT, {1},
-                               [](int file, int q) {
-                                 nc_put_att_text(file, q, "_Unsigned", 4, "true");
-                               })),
-              HasSubstr("'q' has the attribute _Unsigned"));
+  EXPECT_THAT(
+      complaint(netcdf(NC_SHORT, {1},
+                       [](int file, int q) { nc_put_att_text(file, q, "_Unsigned", 4, "true"); })),
+      HasSubstr("'q' has the attribute _Unsigned"));
 }
 
 TEST_F(UnitScaledValues, NiftiIsScaled) {
