@@ -45,6 +45,12 @@ constexpr ComponentType component_types[] = {
     {5122, 2, read<std::int16_t>, 32767}, {5123, 2, read<std::uint16_t>, 65535},
     {5125, 4, read<std::uint32_t>, 1},    {5126, 4, read<float>, 1}};
 
+const ComponentType* component_type(std::size_t code) {
+  const auto found = std::ranges::find(
+      component_types, code, [](const ComponentType& type) { return std::size_t(type.code); });
+  return found == std::end(component_types) ? nullptr : found;
+}
+
 int components_of(const std::string& type) {
   if (type == "SCALAR") return 1;
   if (type == "VEC2") return 2;
@@ -74,6 +80,23 @@ std::string decoded_base64(std::string_view text) {
     bytes += char(bits >> count & 255);
   }
   return bytes;
+}
+
+int hexadecimal_digit(char c) {
+  const std::size_t place = std::string_view("0123456789abcdef0123456789ABCDEF").find(c);
+  return place == std::string_view::npos ? -1 : int(place % 16);
+}
+
+/// "a%20b" is "a b"; what only looks like such a code stays.
+std::string decoded_percents(std::string_view text) {
+  std::string decoded;
+  for (; !text.empty(); text.remove_prefix(1)) {
+    const int high = text[0] == '%' && text.size() > 2 ? hexadecimal_digit(text[1]) : -1;
+    const int low = high >= 0 ? hexadecimal_digit(text[2]) : -1;
+    decoded += low >= 0 ? char(high * 16 + low) : text[0];
+    if (low >= 0) text.remove_prefix(2);
+  }
+  return decoded;
 }
 
 /// Extensions without which triangles, lines and points come out as they are.
@@ -130,6 +153,9 @@ void GltfDocument::check() const {
   const nlohmann::json& version = member(member(root_, "asset"), "version");
   if (!version.is_string() || !version.get<std::string>().starts_with("2"))
     fail("asset.version: accepted: 2.0");
+  const nlohmann::json& least = member(member(root_, "asset"), "minVersion");
+  if (!least.is_null() && least != "2.0")
+    fail(fmt::format("asset.minVersion: {}; accepted: 2.0", least.dump()));
   for (const nlohmann::json& name : member(root_, "extensionsRequired"))
     if (!name.is_string() || !may_be_ignored(name.get<std::string>()))
       fail(fmt::format("it needs the extension {}, which is not read; write it without compression",
@@ -169,7 +195,7 @@ std::string_view GltfDocument::buffer(const nlohmann::json& index) {
     bytes = decoded_base64(std::string_view(text).substr(comma + 8));
   else
     try {
-      bytes = read_text(path_.parent_path() / text);
+      bytes = read_text(path_.parent_path() / decoded_percents(text));
     } catch (const InputError& error) {
       fail(fmt::format("buffers[{}].uri: {}", number, error.what()));
     }
@@ -188,35 +214,76 @@ std::string_view GltfDocument::view(const nlohmann::json& index, std::size_t& st
   return bytes.substr(offset, length);
 }
 
-AccessorData GltfDocument::accessor(const nlohmann::json& index) {
-  const nlohmann::json& object = element("accessors", index);
-  const std::string place = fmt::format("accessors[{}]", index.dump());
-  const nlohmann::json& type = member(object, "type");
-  AccessorData data;
-  data.components = type.is_string() ? components_of(type.get<std::string>()) : 0;
-  const auto component =
-      std::ranges::find(component_types, whole(object, "componentType", 0),
-                        [](const ComponentType& t) { return std::size_t(t.code); });
-  if (data.components == 0 || component == std::end(component_types))
-    fail(place + ": accepted: SCALAR to VEC4 of the six types of components");
-  if (object.contains("sparse")) fail(place + ": sparse ones are not read");
-  data.count = whole(object, "count", 0);
-  const std::size_t each = component->size * std::size_t(data.components);
+/// Zeros where there is no view: an accessor may then be sparse, or stand for nothing.
+void GltfDocument::read_dense(const nlohmann::json& object, const Layout& layout,
+                              AccessorData& data) {
+  const std::size_t numbers = layout.count * std::size_t(data.components);
+  if (member(object, "bufferView").is_null()) {
+    constexpr std::size_t most = std::size_t(1) << 22;  // which no byte of a file answers for
+    if (layout.count > most)
+      fail(fmt::format("{}: {} tuples of zeros; accepted: {}", layout.place, layout.count, most));
+    data.numbers.assign(numbers, 0.0);
+    return;
+  }
+  data.numbers = read_numbers(object, layout);
+}
+
+std::vector<double> GltfDocument::read_numbers(const nlohmann::json& object, const Layout& layout) {
+  const ComponentType* const type = component_type(layout.component_code);
+  if (!type) fail(layout.place + ": accepted: the six types of components");
+  const std::size_t count = layout.count, each = type->size * layout.components;
   std::size_t stride = each;
   const std::string_view bytes = view(member(object, "bufferView"), stride);
   const std::size_t first = whole(object, "byteOffset", 0);
-  const bool fits = data.count == 0 || (stride >= each && first + each <= bytes.size() &&
-                                        (data.count - 1) <= (bytes.size() - first - each) / stride);
+  const bool fits = count == 0 || (stride >= each && first + each <= bytes.size() &&
+                                   (count - 1) <= (bytes.size() - first - each) / stride);
   if (!fits)
-    fail(fmt::format("{}: {} × {} bytes, but its view has {}", place, data.count, each,
+    fail(fmt::format("{}: {} × {} bytes, but its view has {}", layout.place, count, each,
                      bytes.size()));
-  const bool normalized = member(object, "normalized") == true;
-  data.numbers.reserve(data.count * std::size_t(data.components));
-  for (std::size_t i = 0; i < data.count; ++i)
-    for (std::size_t c = 0; c < std::size_t(data.components); ++c) {
-      const double value = component->read(bytes.data() + first + i * stride + c * component->size);
-      data.numbers.push_back(normalized ? std::max(value / component->one, -1.0) : value);
+  std::vector<double> numbers;
+  numbers.reserve(count * layout.components);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < layout.components; ++c) {
+      const double value = type->read(bytes.data() + first + i * stride + c * type->size);
+      numbers.push_back(layout.normalized ? std::max(value / type->one, -1.0) : value);
     }
+  return numbers;
+}
+
+/// Puts other tuples in the place of some.
+void GltfDocument::read_sparse(const nlohmann::json& sparse, const Layout& layout,
+                               AccessorData& data) {
+  const nlohmann::json &where = member(sparse, "indices"), &what = member(sparse, "values");
+  Layout of_indices{layout.place + ".sparse.indices", whole(where, "componentType", 0), 1,
+                    whole(sparse, "count", 0), false};
+  Layout of_values = layout;
+  of_values.place += ".sparse.values";
+  of_values.count = of_indices.count;
+  const std::vector<double> indices = read_numbers(where, of_indices);
+  const std::vector<double> values = read_numbers(what, of_values);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (!(indices[i] >= 0 && indices[i] < double(layout.count)) ||
+        indices[i] != std::floor(indices[i]))
+      fail(fmt::format("{}: {} of {} tuples", of_indices.place, indices[i], layout.count));
+    std::copy_n(values.begin() + std::ptrdiff_t(i * layout.components), layout.components,
+                data.numbers.begin() + std::ptrdiff_t(std::size_t(indices[i]) * layout.components));
+  }
+}
+
+AccessorData GltfDocument::accessor(const nlohmann::json& index) {
+  const nlohmann::json& object = element("accessors", index);
+  const nlohmann::json& type = member(object, "type");
+  AccessorData data;
+  data.components = type.is_string() ? components_of(type.get<std::string>()) : 0;
+  data.count = whole(object, "count", 0);
+  const Layout layout{fmt::format("accessors[{}]", index.dump()), whole(object, "componentType", 0),
+                      std::size_t(data.components), data.count,
+                      member(object, "normalized") == true};
+  if (data.components == 0 || !component_type(layout.component_code))
+    fail(layout.place + ": accepted: SCALAR to VEC4 of the six types of components");
+  read_dense(object, layout, data);
+  if (const nlohmann::json& sparse = member(object, "sparse"); !sparse.is_null())
+    read_sparse(sparse, layout, data);
   return data;
 }
 

@@ -41,10 +41,20 @@ class GltfDocument {
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
+  /// How an accessor's numbers lie in a view, and its name for messages.
+  struct Layout {
+    std::string place;
+    std::size_t component_code, components, count;
+    bool normalized;
+  };
+
   void read_glb(std::string_view content);
   void check() const;
   std::string_view buffer(const nlohmann::json& index);
   std::string_view view(const nlohmann::json& index, std::size_t& stride);
+  void read_dense(const nlohmann::json& object, const Layout& layout, AccessorData& data);
+  void read_sparse(const nlohmann::json& sparse, const Layout& layout, AccessorData& data);
+  std::vector<double> read_numbers(const nlohmann::json& object, const Layout& layout);
   std::size_t whole(const nlohmann::json& object, const char* key, std::size_t otherwise) const;
 
   std::filesystem::path path_;

@@ -2,8 +2,9 @@
 // .gltf and .glb as triangles, lines and points of the world: the nodes of the document's scene
 // with their transforms. Of each primitive POSITION, NORMAL, COLOR_0 times the material's base
 // colour factor, and attributes of one number of one's own, "_SPEED", which become scalars,
-// "speed". As the format says, alpha counts where the material's alphaMode is BLEND or MASK, and is
-// 1 where it is OPAQUE, as it is by default. Textures, skins and morph targets are left out.
+// "speed". As the format says, alpha counts where the material's alphaMode is BLEND, is 0 or 1 at
+// MASK, and 1 at OPAQUE, which is the default. Morph targets have the weights that the document
+// gives them. Textures and animations are left out, skins are refused.
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include <glm/matrix.hpp>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "core/error.h"
 #include "geometry/files/gltf_document.h"
@@ -99,7 +101,7 @@ class GltfReader {
       for (const Json& node : scene.value("nodes", Json::array())) read_node(node, Mat4(1), 0);
     } else {  // a library of meshes
       for (std::size_t i = 0; i < root.value("meshes", Json::array()).size(); ++i)
-        read_mesh(Json(i), Mat4(1));
+        read_mesh(Json(i), Json::object(), Mat4(1));
     }
     finish_attributes();
     return std::move(collected_);
@@ -112,13 +114,19 @@ class GltfReader {
       document_.fail(fmt::format("nodes[{}] has two parents, or more than {} levels above it",
                                  index.dump(), deepest));
     const Mat4 world_from_node = world_from_parent * transform_of(node, document_);
-    if (node.contains("mesh")) read_mesh(node["mesh"], world_from_node);
+    if (node.contains("mesh") && node.contains("skin"))
+      document_.fail(
+          fmt::format("nodes[{}] has a skin, which is not read; accepted: meshes as they stand, "
+                      "with the pose applied",
+                      index.dump()));
+    if (node.contains("mesh")) read_mesh(node["mesh"], node, world_from_node);
     if (const auto children = node.find("children"); children != node.end())
       for (const Json& child : *children) read_node(child, world_from_node, depth + 1);
   }
 
-  void read_mesh(const Json& index, const Mat4& world) {
+  void read_mesh(const Json& index, const Json& node, const Mat4& world) {
     const Json& mesh = document_.element("meshes", index);
+    weights_ = node.value("weights", mesh.value("weights", Json::array()));
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end()) return;
     for (const Json& primitive : *primitives) {
@@ -135,12 +143,12 @@ class GltfReader {
     if (!attributes.is_object() || !attributes.contains("POSITION")) return;
     Vertices& all = collected_.vertices;
     const std::size_t first = all.positions.size();
-    const AccessorData positions = vectors(attributes["POSITION"], 3, 3);
+    const AccessorData positions = morphed("POSITION", primitive, 3, 3);
     for (std::size_t i = 0; i < positions.count; ++i)
       all.positions.emplace_back(
           world * glm::dvec4(positions.at(i, 0), positions.at(i, 1), positions.at(i, 2), 1));
-    add_normals(attributes, positions.count, world);
-    add_colors(attributes, positions.count, primitive);
+    add_normals(primitive, positions.count, world);
+    add_colors(primitive, positions.count);
     for (const auto& [name, accessor] : attributes.items())
       if (name.starts_with('_')) add_scalar(name, accessor, first, positions.count);
     join(mode, indices(primitive, positions.count), std::uint32_t(first));
@@ -154,19 +162,37 @@ class GltfReader {
     return data;
   }
 
+  /// The vertices' numbers, and those that the targets add, each times its weight.
+  AccessorData morphed(const char* name, const Json& primitive, int least, int most) {
+    AccessorData data = vectors(primitive["attributes"][name], least, most);
+    const Json targets = primitive.value("targets", Json::array());
+    if (!weights_.empty() && weights_.size() != targets.size())
+      document_.fail(
+          fmt::format("{} weights of {} morph targets", weights_.size(), targets.size()));
+    for (std::size_t t = 0; t < weights_.size(); ++t) {
+      const double weight = weights_[t];
+      if (weight == 0 || !targets[t].contains(name)) continue;
+      const AccessorData more = vectors(targets[t][name], data.components, data.components);
+      check_count(more, data.count, fmt::format("a morph target's {}", name));
+      for (std::size_t i = 0; i < data.numbers.size(); ++i)
+        data.numbers[i] += weight * more.numbers[i];
+    }
+    return data;
+  }
+
   void check_count(const AccessorData& data, std::size_t count, const std::string& name) const {
     if (data.count != count)
       document_.fail(fmt::format("{} has {} values for {} vertices", name, data.count, count));
   }
 
   /// Of vertices without a normal it is (0, 0, 0), which is none.
-  void add_normals(const Json& attributes, std::size_t count, const Mat4& world) {
+  void add_normals(const Json& primitive, std::size_t count, const Mat4& world) {
     std::vector<Vec3>& normals = collected_.vertices.normals;
     const std::size_t first = normals.size();
     normals.resize(first + count, Vec3(0));
-    if (!attributes.contains("NORMAL")) return;
+    if (!primitive["attributes"].contains("NORMAL")) return;
     has_normals_ = true;
-    const AccessorData data = vectors(attributes["NORMAL"], 3, 3);
+    const AccessorData data = morphed("NORMAL", primitive, 3, 3);
     check_count(data, count, "NORMAL");
     const Mat3 of_normals = glm::transpose(glm::inverse(Mat3(world)));
     for (std::size_t i = 0; i < count; ++i) {
@@ -176,39 +202,68 @@ class GltfReader {
     }
   }
 
+  enum class Alpha { opaque, mask, blend };
   struct Material {
     glm::dvec4 factor{1};
-    bool opaque = true;
+    Alpha alpha = Alpha::opaque;
+    double cutoff = 0.5;  // of a mask: the least alpha that is there
     bool is_given = false;
   };
+
+  Alpha alpha_of(const Json& material) const {
+    const Json mode = material.value("alphaMode", Json("OPAQUE"));
+    if (mode == "OPAQUE") return Alpha::opaque;
+    if (mode == "MASK") return Alpha::mask;
+    if (mode != "BLEND")
+      document_.fail(fmt::format("alphaMode {}; accepted: OPAQUE, MASK, BLEND", mode.dump()));
+    return Alpha::blend;
+  }
 
   Material material_of(const Json& primitive) const {
     Material material;
     if (!primitive.contains("material")) return material;
     material.is_given = true;
     const Json& given = document_.element("materials", primitive["material"]);
-    if (const auto mode = given.find("alphaMode"); mode != given.end())
-      material.opaque = *mode == "OPAQUE";
+    material.alpha = alpha_of(given);
+    material.cutoff = given.value("alphaCutoff", 0.5);
     if (const auto pbr = given.find("pbrMetallicRoughness"); pbr != given.end() && pbr->is_object())
       if (const auto factor = numbers_of<4>(*pbr, "baseColorFactor", document_))
         material.factor = {(*factor)[0], (*factor)[1], (*factor)[2], (*factor)[3]};
     return material;
   }
 
-  void add_colors(const Json& attributes, std::size_t count, const Json& primitive) {
+  void add_colors(const Json& primitive, std::size_t count) {
     const Material material = material_of(primitive);
     AccessorData data;
-    if (attributes.contains("COLOR_0")) {
-      data = vectors(attributes["COLOR_0"], 3, 4);
+    if (primitive["attributes"].contains("COLOR_0")) {
+      data = morphed("COLOR_0", primitive, 3, 4);
+      if (!weights_.empty())
+        for (double& channel : data.numbers) channel = std::clamp(channel, 0.0, 1.0);
       check_count(data, count, "COLOR_0");
     }
     has_colors_ = has_colors_ || data.count > 0 || material.is_given;
     for (std::size_t i = 0; i < count; ++i) {
       glm::dvec4 color = material.factor;
       for (int c = 0; c < data.components && data.count > 0; ++c) color[c] *= data.at(i, c);
-      if (material.opaque) color.a = 1;
+      if (material.alpha == Alpha::opaque) color.a = 1;
       collected_.vertices.colors.emplace_back(color);
     }
+    if (material.alpha == Alpha::mask) mask(material.cutoff, count);
+  }
+
+  /// Makes the alpha of the last `count` vertices 0 or 1. Where it lies on both sides of the cutoff
+  /// the edge would run across triangles, which vertices cannot have.
+  void mask(double cutoff, std::size_t count) {
+    auto& colors = collected_.vertices.colors;
+    const std::span<Rgba> some(colors.data() + colors.size() - count, count);
+    const auto shown =
+        std::ranges::count_if(some, [&](const Rgba& c) { return c.a >= float(cutoff); });
+    if (shown != 0 && shown != std::ptrdiff_t(count))
+      document_.fail(
+          fmt::format("alphaMode MASK: the alpha of {} of {} vertices is below the cutoff of {}; "
+                      "accepted: all or none of a primitive",
+                      std::ptrdiff_t(count) - shown, count, cutoff));
+    for (Rgba& color : some) color.a = shown > 0 ? 1.f : 0.f;
   }
 
   /// A scalar that other primitives do not have is NaN at their vertices.
@@ -274,6 +329,7 @@ class GltfReader {
 
   GltfDocument document_;
   int first_mode_, last_mode_;
+  Json weights_;                   // of the mesh's morph targets; none: of all 0
   std::set<std::size_t> visited_;  // nodes: each has one parent at most
   bool has_normals_ = false, has_colors_ = false;
   VertexAttributes attributes_;
@@ -313,14 +369,16 @@ PointSet read_gltf_points(const std::filesystem::path& path) {
 }
 
 FormatRow row(std::string_view ending, std::string_view title) {
-  return {.ending = ending,
-          .title = title,
-          .traps =
-              "alpha counts where the material's alphaMode is not OPAQUE; attributes _NAME of one "
-              "number are scalars; no textures, no compression",
-          .read_mesh = read_gltf,
-          .read_lines = read_gltf_lines,
-          .read_points = read_gltf_points};
+  return {
+      .ending = ending,
+      .title = title,
+      .traps =
+          "alpha counts where the material's alphaMode is BLEND, and is 0 or 1 at MASK; attributes "
+          "_NAME of one number are scalars; morph targets by their weights; no textures, no "
+          "compression; skins are refused",
+      .read_mesh = read_gltf,
+      .read_lines = read_gltf_lines,
+      .read_points = read_gltf_points};
 }
 
 }  // namespace

@@ -32,15 +32,21 @@ struct NumbersRow {
   std::size_t how_many;
   Kind kind;
 };
-constexpr NumbersRow numbers_table[] = {
-    {"WholeExtent", 6, Kind::whole},      {"Extent", 6, Kind::whole},
-    {"Origin", 3, Kind::number},          {"Spacing", 3, Kind::number},
-    {"Direction", 9, Kind::number},       {"NumberOfPoints", 1, Kind::count},
-    {"NumberOfCells", 1, Kind::count},    {"NumberOfVerts", 1, Kind::count},
-    {"NumberOfLines", 1, Kind::count},    {"NumberOfStrips", 1, Kind::count},
-    {"NumberOfPolys", 1, Kind::count},    {"NumberOfTuples", 1, Kind::count},
-    {"NumberOfComponents", 1, Kind::positive}, {"offset", 1, Kind::count},
-    {"GhostLevel", 1, Kind::count}};
+constexpr NumbersRow numbers_table[] = {{"WholeExtent", 6, Kind::whole},
+                                        {"Extent", 6, Kind::whole},
+                                        {"Origin", 3, Kind::number},
+                                        {"Spacing", 3, Kind::number},
+                                        {"Direction", 9, Kind::number},
+                                        {"NumberOfPoints", 1, Kind::count},
+                                        {"NumberOfCells", 1, Kind::count},
+                                        {"NumberOfVerts", 1, Kind::count},
+                                        {"NumberOfLines", 1, Kind::count},
+                                        {"NumberOfStrips", 1, Kind::count},
+                                        {"NumberOfPolys", 1, Kind::count},
+                                        {"NumberOfTuples", 1, Kind::count},
+                                        {"NumberOfComponents", 1, Kind::positive},
+                                        {"offset", 1, Kind::count},
+                                        {"GhostLevel", 1, Kind::count}};
 
 struct WordsRow {
   std::string_view attribute;
@@ -63,8 +69,8 @@ std::string accepted_by(const NumbersRow& row) {
 [[noreturn]] void refuse(const Path& path, const XmlTag& tag, std::string_view attribute,
                          const std::string& value, const std::string& accepted) {
   throw InputError(fmt::format("{}: not a valid {} file: <{}>: {}=\"{}\"; accepted: {}",
-                               path.string(), path.extension().string(), tag.name, attribute,
-                               value, accepted));
+                               path.string(), path.extension().string(), tag.name, attribute, value,
+                               accepted));
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -91,8 +97,7 @@ void check_attributes(const XmlTag& tag, const Path& path) {
     const auto words = words_of(found->second);
     if (words.size() != row.how_many ||
         !std::ranges::all_of(words, [&](const auto& word) { return is_of(row.kind, word); }))
-      refuse(path, tag, row.attribute, found->second,
-             accepted_by(row));
+      refuse(path, tag, row.attribute, found->second, accepted_by(row));
   }
   for (const WordsRow& row : words_table)
     if (const auto found = tag.attributes.find(row.attribute);
@@ -155,8 +160,9 @@ class Covering {
     for (const std::int64_t z : begins[2])
       for (const std::int64_t y : begins[1])
         for (const std::int64_t x : begins[0])
-          if (std::ranges::none_of(pieces,
-                                   [&](const Extent& piece) { return holds(piece, {x, y, z}); }))
+          if (std::ranges::none_of(pieces, [&](const Extent& piece) {
+                return holds(piece, {x, y, z});
+              }))
             return std::array{x, y, z};
     return std::nullopt;
   }
@@ -221,13 +227,13 @@ void check_pieces(const std::vector<XmlTag>& tags, const Path& path) {
   if (cells.is_once(pieces.extents)) return;
   if (!pieces.has_cell_data && points.is_once(pieces.extents)) return;
   const auto missing = cells.first_missing(pieces.extents);
-  throw InputError(fmt::format(
-      "{}: not a valid {} file: its {} {} {} of the {} cells of WholeExtent=\"{}\"{}; "
-      "accepted: pieces that hold each once",
-      path.string(), path.extension().string(), pieces.extents.size(),
-      pieces.extents.size() == 1 ? "piece holds" : "pieces hold", cells.covered_by(pieces.extents),
-      cells.size_of(*pieces.whole), whole,
-      missing ? fmt::format(", not the one at {}", fmt::join(*missing, " ")) : ""));
+  throw InputError(
+      fmt::format("{}: not a valid {} file: its {} {} {} of the {} cells of WholeExtent=\"{}\"{}; "
+                  "accepted: pieces that hold each once",
+                  path.string(), path.extension().string(), pieces.extents.size(),
+                  pieces.extents.size() == 1 ? "piece holds" : "pieces hold",
+                  cells.covered_by(pieces.extents), cells.size_of(*pieces.whole), whole,
+                  missing ? fmt::format(", not the one at {}", fmt::join(*missing, " ")) : ""));
 }
 
 bool is_structured(std::string_view ending) {

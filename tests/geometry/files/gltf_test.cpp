@@ -105,5 +105,113 @@ TEST_F(UnitGltf, GltfRefusesWhatDoesNotFit) {
   }
 }
 
+/// Triangles of four points, which the text may say more about: floats of the points 0 to 3 along x
+/// (bytes 0 to 47), then whatever follows.
+std::string gltf_of(const std::string& position, const std::string& more, const std::string& rest) {
+  return R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "a%20b%.bin", "byteLength": 112}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 2},
+   {"buffer": 0, "byteOffset": 52, "byteLength": 24}],
+ "accessors": [{"componentType": 5126, "count": 4, "type": "VEC3")" +
+         position +
+         R"(}, {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"},
+   {"componentType": 5126, "count": 4, "type": "VEC3", "sparse": {"count": 2,
+    "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 2}}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 5)" +
+         more + "}]" + rest + "}";
+}
+
+const std::string dense = ", \"bufferView\": 0";
+const std::string sparse =
+    R"(, "sparse": {"count": 2, "indices": {"bufferView": 1, "componentType": 5121},
+        "values": {"bufferView": 2}})";
+
+class UnitGltfMore : public FormatFiles {
+ protected:
+  UnitGltfMore() {
+    write_text(folder_ / "a b%.bin", bytes_of<float>({0, 0, 0, 1, 0, 0, 2, 1, 0, 3, 0, 0}) +
+                                         bytes_of<std::uint8_t>({1, 3, 0, 0}) +
+                                         bytes_of<float>({5, 6, 7, 8, 9, 10}) +
+                                         std::string(36, '\0'));
+  }
+  std::vector<Vec3> positions(const std::string& text) const {
+    return read_mesh(file("m.gltf", text)).positions;
+  }
+  std::string complaint(const std::string& text) const {
+    return refusal([&] { read_mesh(file("m.gltf", text)); });
+  }
+};
+
+TEST_F(UnitGltfMore, SparseAccessorsReplaceSomeTuples) {
+  EXPECT_EQ(positions(gltf_of(dense + sparse, "", "}]")),
+            (std::vector<Vec3>{{0, 0, 0}, {5, 6, 7}, {2, 1, 0}, {8, 9, 10}}));
+  EXPECT_EQ(positions(gltf_of(sparse, "", "}]")),
+            (std::vector<Vec3>{{0, 0, 0}, {5, 6, 7}, {0, 0, 0}, {8, 9, 10}}));
+  std::string beyond = gltf_of(sparse, "", "}]");
+  beyond.replace(beyond.find("\"count\": 4"), 10, "\"count\": 3");
+  EXPECT_THAT(complaint(beyond), HasSubstr("accessors[0].sparse.indices: 3 of 3 tuples"));
+  beyond.replace(beyond.find("\"count\": 3"), 10, "\"count\": 99999999");
+  EXPECT_THAT(complaint(beyond), HasSubstr("99999999 tuples of zeros"));
+}
+
+TEST_F(UnitGltfMore, MorphTargetsCountByTheirWeights) {
+  const std::string targets = R"(, "targets": [{"POSITION": 2}, {"POSITION": 0}])";
+  const auto with = [&](const std::string& rest) {
+    return positions(gltf_of(dense, targets, rest));
+  };
+  const std::vector<Vec3> plain{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}};
+  EXPECT_EQ(with("}]"), plain);
+  EXPECT_EQ(with(R"(, "weights": [0, 0]}])"), plain);
+  const std::vector<Vec3> moved{{0, 0, 0}, {3.5, 3, 3.5}, {2, 1, 0}, {7, 4.5, 5}};
+  EXPECT_EQ(with(R"(, "weights": [0.5, 0]}])"), moved);
+  EXPECT_EQ(with(R"(, "weights": [0, 1]}])"),
+            (std::vector<Vec3>{{0, 0, 0}, {2, 0, 0}, {4, 2, 0}, {6, 0, 0}}));
+  // A node's weights take the place of its mesh's.
+  EXPECT_EQ(with(R"(, "weights": [0, 1]}], "scenes": [{"nodes": [0]}],
+                    "nodes": [{"mesh": 0, "weights": [0.5, 0]}])"),
+            moved);
+  EXPECT_THAT(complaint(gltf_of(dense, targets, R"(, "weights": [1]}])")),
+              HasSubstr("1 weights of 2 morph targets"));
+}
+
+TEST_F(UnitGltfMore, SkinsAreRefused) {
+  EXPECT_THAT(complaint(gltf_of(dense, "",
+                                R"(}], "scenes": [{"nodes": [0]}], "skins": [{"joints": [0]}],
+                                   "nodes": [{"mesh": 0, "skin": 0}])")),
+              HasSubstr("nodes[0] has a skin"));
+}
+
+TEST_F(UnitGltfMore, MasksAreThereOrNot) {
+  const auto alpha = [&](double factor, const std::string& more) {
+    return read_mesh(file("m.gltf", gltf_of(dense, ", \"material\": 0",
+                                            R"(}], "materials": [{"alphaMode": "MASK")" + more +
+                                                R"(, "pbrMetallicRoughness": {"baseColorFactor":
+                                                   [1, 0, 0, )" +
+                                                std::to_string(factor) + "]}}]")))
+        .colors.at(2)
+        .a;
+  };
+  EXPECT_EQ(alpha(0.4, ""), 0);
+  EXPECT_EQ(alpha(0.5, ""), 1);
+  EXPECT_EQ(alpha(0.4, ", \"alphaCutoff\": 0.3"), 1);
+  EXPECT_EQ(alpha(0.7, ", \"alphaCutoff\": 0.7"), 1);  // which no float is
+  EXPECT_EQ(alpha(0.7, ", \"alphaCutoff\": 0.8"), 0);
+}
+
+TEST_F(UnitGltf, AMaskAcrossTrianglesIsRefused) {
+  // Of the alphas 1, 51/255, 0 and 1, times 1/2.
+  EXPECT_THAT(refusal([&] { read_mesh(file("a.glb", glb(gltf("", "MASK"), gltf_buffer()))); }),
+              HasSubstr("the alpha of 2 of 4 vertices is below the cutoff of 0.5"));
+  EXPECT_THAT(refusal([&] { read_mesh(file("a.glb", glb(gltf("", "Blend"), gltf_buffer()))); }),
+              HasSubstr("alphaMode \"Blend\"; accepted: OPAQUE, MASK, BLEND"));
+}
+
+TEST_F(UnitGltfMore, ALaterVersionThatIsNeededIsRefused) {
+  std::string text = gltf_of(dense, "", "}]");
+  text.replace(text.find("\"2.0\""), 5, R"("2.1", "minVersion": "2.0")");
+  EXPECT_EQ(positions(text).size(), 4u);
+  text.replace(text.find("n\": \"2.0\"") + 4, 5, R"("2.1")");
+  EXPECT_THAT(complaint(text), HasSubstr("asset.minVersion: \"2.1\"; accepted: 2.0"));
+}
+
 }  // namespace
 }  // namespace pellucid::geometry

@@ -60,7 +60,8 @@ TEST_F(UnitXmlChecks, AttributesAreWhatTheyHaveToBe) {
   const auto with = [&](const std::string& attributes) {
     return complaint("a.vti", grid(whole + " " + attributes, {piece}));
   };
-  EXPECT_EQ(with("Origin=\"-1.5 +2 1e3\" Spacing=\"1\n2\t.5\" Direction=\"1 0 0 0 1 0 0 0 1\""), "");
+  EXPECT_EQ(with("Origin=\"-1.5 +2 1e3\" Spacing=\"1\n2\t.5\" Direction=\"1 0 0 0 1 0 0 0 1\""),
+            "");
   EXPECT_THAT(with("Spacing=\"2,2,2\""),
               HasSubstr("<ImageData>: Spacing=\"2,2,2\"; accepted: 3 numbers"));
   for (const char* wrong : {"2", "1 1 1 1", "nan 1 1", "1 1 x", "", "1 1 inf"})
@@ -83,9 +84,10 @@ TEST_F(UnitXmlChecks, PiecesMakeUpTheirGrid) {
   EXPECT_EQ(of_pieces({"0 9 0 3 0 2"}), "");
   EXPECT_EQ(of_pieces({"0 4 0 3 0 2", "4 9 0 3 0 2"}, "CellData"), "");
   EXPECT_EQ(of_pieces({"4 9 0 3 0 2", "0 4 0 1 0 2", "0 4 1 3 0 2"}), "");
-  EXPECT_THAT(of_pieces({"0 4 0 3 0 2"}),
-              AllOf(HasSubstr("its 1 piece holds 24 of the 54 cells of WholeExtent=\"0 9 0 3 0 2\""),
-                    HasSubstr("not the one at 4 0 0")));
+  EXPECT_THAT(
+      of_pieces({"0 4 0 3 0 2"}),
+      AllOf(HasSubstr("its 1 piece holds 24 of the 54 cells of WholeExtent=\"0 9 0 3 0 2\""),
+            HasSubstr("not the one at 4 0 0")));
   EXPECT_THAT(of_pieces({"0 4 0 3 0 2", "0 4 0 3 0 2"}), HasSubstr("not the one at 4 0 0"));
   EXPECT_THAT(of_pieces({"0 9 0 3 0 2", "4 5 0 1 0 1"}), HasSubstr("2 pieces hold 55 of the 54"));
   EXPECT_THAT(of_pieces({"0 9 0 3 0 1", "0 9 0 2 1 2"}), HasSubstr("not the one at 0 2 1"));
@@ -110,7 +112,8 @@ TEST_F(UnitXmlChecks, AFlatGridHasCells) {
 /// A file of blocks is as good as its blocks; the pieces of a parallel file may name the whole.
 TEST_F(UnitXmlChecks, FilesThatAreNamed) {
   write_text(folder_ / "half.vti", grid("WholeExtent=\"0 9 0 3 0 2\"", {"0 4 0 3 0 2"}));
-  write_text(folder_ / "bad.vti", grid("WholeExtent=\"0 4 0 3 0 2\" Spacing=\"1\"", {"0 4 0 3 0 2"}));
+  write_text(folder_ / "bad.vti",
+             grid("WholeExtent=\"0 4 0 3 0 2\" Spacing=\"1\"", {"0 4 0 3 0 2"}));
   EXPECT_THAT(complaint("b.vtm", "<DataSet file=\"half.vti\"/>"), HasSubstr("half.vti: not a"));
   EXPECT_EQ(complaint("p.pvti", "<Piece Extent=\"0 4 0 3 0 2\" Source=\"half.vti\"/>"), "");
   EXPECT_THAT(complaint("p.pvti", "<Piece Source=\"bad.vti\"/>"), HasSubstr("bad.vti: not a"));
