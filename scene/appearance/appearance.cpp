@@ -95,10 +95,21 @@ void weigh_by_scalar(const std::string& scalar, geometry::Vertices& vertices) {
 
 }  // namespace
 
+namespace {
+
+/// The limit of a range that shrinks to one value: before it, at its low end, or beyond it.
+double fraction_off(double value, double only) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (value == only) return 0;
+  return value < only ? -infinity : infinity;
+}
+
+}  // namespace
+
 double fraction_of(double value, const Vec2& range, Scale scale) {
   if (std::isnan(value)) return value;
-  if (range.x == range.y) return 0;
-  if (scale == Scale::linear) return (value - range.x) / (range.y - range.x);
+  if (range.x == range.y) return fraction_off(value, range.x);
+  if (scale == Scale::linear) return fraction_between(value, range.x, range.y);
   const double low = std::log(range.x), high = std::log(range.y);
   return (std::log(std::max(value, 0.0)) - low) / (high - low);
 }

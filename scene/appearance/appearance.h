@@ -56,7 +56,7 @@ struct Appearance {
 void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices);
 
 /// Returns where the value is in the range: 0 at range.x, 1 at range.y, which may be the smaller
-/// one. A range of one single value maps to 0, NaN to NaN; what is not above 0 has no place on a
+/// one; off a range of no width ±infinity. NaN maps to NaN; what is not above 0 has no place on a
 /// logarithmic scale and is infinitely far before the smaller end.
 double fraction_of(double value, const Vec2& range, Scale scale = Scale::linear);
 

@@ -38,6 +38,11 @@ Vec3 entry(const ColormapRow& map, int i) {
 
 }  // namespace
 
+double fraction_between(double value, double low, double high) {
+  if (std::isfinite(high - low)) return (value - low) / (high - low);
+  return (value / 2 - low / 2) / (high / 2 - low / 2);  // halves of large numbers are exact
+}
+
 Vec3 ColormapRow::operator()(double x) const {
   if (std::isnan(x)) return nan_color;
   const double position = std::clamp(x, 0.0, 1.0) * (count - 1);
@@ -61,7 +66,7 @@ Vec3 Colormap::operator()(double x) const {
   const auto after = std::upper_bound(stops_.begin() + 1, stops_.end() - 1, at,
                                       [](double a, const ColorStop& stop) { return a < stop.at; });
   const ColorStop &below = *(after - 1), &above = *after;
-  return glm::mix(below.color, above.color, (at - below.at) / (above.at - below.at));
+  return glm::mix(below.color, above.color, fraction_between(at, below.at, above.at));
 }
 
 std::span<const ColormapRow> colormaps() { return rows; }

@@ -13,6 +13,10 @@ namespace pellucid::scene {
 /// This is the colour of NaN in every map: VTK's, a dark red that no map has.
 inline const Vec3 nan_color(0.5, 0, 0);
 
+/// Returns (value - low) / (high - low), which does not overflow where these numbers do not; low
+/// may not be high.
+double fraction_between(double value, double low, double high);
+
 /// A ColormapRow is a named colour map: colours at even distances, interpolated linearly.
 struct ColormapRow {
   std::string_view name;

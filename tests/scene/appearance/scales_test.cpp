@@ -75,6 +75,38 @@ TEST(UnitLogarithmicScale, DividesARangeByFactors) {
   EXPECT_TRUE(std::isnan(fraction_of(nan, range, Scale::logarithmic)));
 }
 
+/// It is the limit of one that shrinks: values above it have its high end, itself its low end.
+TEST(UnitRanges, OfNoWidthTellAboveFromBelow) {
+  for (const Scale scale : {Scale::linear, Scale::logarithmic}) {
+    EXPECT_EQ(fraction_of(1, {2, 2}, scale), -inf);
+    EXPECT_EQ(fraction_of(2, {2, 2}, scale), 0);
+    EXPECT_EQ(fraction_of(3, {2, 2}, scale), inf);
+  }
+  geometry::Vertices vertices;
+  vertices.positions.resize(5);
+  vertices.scalars["s"] = {0, 0, 0, 0, 5};
+  ScalarColor by{"s", "viridis", Vec2(2, 60)};
+  by.in_percent = {true, true};  // 0 … 0
+  ScalarOpacity fade{"s", {0.25, 0.75}, Vec2(2, 60)};
+  fade.in_percent = {true, true};
+  apply_appearance({by, fade, {}}, vertices);
+  const auto& map = find_colormap("viridis");
+  EXPECT_EQ(vertices.colors[0], Rgba(map(0), 0.25));
+  EXPECT_EQ(vertices.colors[4], Rgba(map(1), 0.75));
+}
+
+TEST(UnitRanges, MayBeWiderThanANumber) {
+  const Vec2 wide(-1.7e308, 1.7e308);
+  EXPECT_EQ(fraction_of(0, wide), 0.5);
+  EXPECT_EQ(fraction_of(1.7e308, wide), 1);
+  EXPECT_EQ(fraction_of(-1.7e308, wide), 0);
+  EXPECT_DOUBLE_EQ(fraction_of(0.85e308, wide), 0.75);
+  EXPECT_EQ(fraction_of(0, {1.7e308, -1.7e308}), 0.5);
+  EXPECT_EQ(fraction_of(inf, wide), inf);
+  const Colormap map({{-1.7e308, Vec3(0)}, {1.7e308, Vec3(1)}});
+  EXPECT_EQ(map(0.5), Vec3(0.5));
+}
+
 TEST(UnitLogarithmicScale, TakesItsRangeFromValuesAboveZero) {
   ScalarColor by{"s", "viridis", {}};
   by.scale = Scale::logarithmic;
