@@ -18,6 +18,7 @@
 #include "fields/files/vector_array.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/vdb_levels.h"
+#include "readers/vtk/ascending_axes.h"
 #include "readers/vtk/shown_cells.h"
 #include "readers/vtk/vtk_file.h"
 #include "readers/vtk/vtk_formats.h"
@@ -133,6 +134,7 @@ vtkDataArray* scalar_in(vtkDataSetAttributes& arrays, std::string_view name) {
 
 ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view scalar,
                      const std::string& velocity) {
+  readers::make_axes_ascend(data);
   const PointLattice lattice = lattice_of(data, path);
   if (vtkDataArray* array = scalar_in(*data.GetPointData(), scalar))
     return scalars_of_array(lattice, *array, false, path);

@@ -20,6 +20,7 @@
 #include "fields/readers/grid_source.h"
 #include "fields/readers/series_field.h"
 #include "fields/sampled/cell_field.h"
+#include "readers/vtk/ascending_axes.h"
 #include "readers/vtk/shown_cells.h"
 #include "readers/vtk/vtk_file.h"
 #include "readers/vtk/vtk_formats.h"
@@ -66,8 +67,9 @@ FileAxis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
     positions[i] = coordinates->GetComponent(vtkIdType(i), 0);
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (!std::isfinite(positions[i]) || (i > 0 && !(positions[i] > positions[i - 1])))
-      bad_file(path, fmt::format("coordinate {} of axis {} is {}; they have to ascend", i, number,
-                                 positions[i]));
+      bad_file(path,
+               fmt::format("coordinate {} of axis {} is {}; they have to ascend, or to descend", i,
+                           number, positions[i]));
   if (positions.size() == 1) return {std::nullopt, positions.front()};
   return {Axis(std::move(positions))};
 }
@@ -163,6 +165,7 @@ bool hides_some_cells(vtkDataSet* data) {
 std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
                                       const FileOptions& options, const Path& path,
                                       const std::string& note) {
+  readers::make_axes_ascend(*data);
   Vectors vectors = pick_vectors(*data, options.array, options.cells, path);
   vectors.title += note;
   // A dense array has no cell that is missing: where some are hidden, cells are searched.

@@ -82,5 +82,16 @@ TEST_F(UnitLevelFiles, WhatIsNoGridOfCubesIsRefused) {
               HasSubstr("no array is the scalar 'q2'; arrays: p (point, 1 component, "));
 }
 
+TEST_F(UnitLevelFiles, AxesThatDescendAreTurnedRound) {
+  const Axes turned{evenly(1, -0.5, 5), evenly(2, 0.5, 4), evenly(2.5, -0.5, 6)};
+  const auto of_points = read(rectilinear(turned, scalars("p", crossings(turned), slope)), "p");
+  EXPECT_EQ(of_points[0].origin, Vec3(-1, 2, 0));
+  expect_slope(of_points[0]);
+  const auto of_cells =
+      read(rectilinear(turned, {}, scalars("p", crossings(middles(turned)), slope)), "p");
+  EXPECT_EQ(of_cells[0].origin, Vec3(-0.75, 2.25, 0.25));
+  expect_slope(of_cells[0]);
+}
+
 }  // namespace
 }  // namespace pellucid::fields

@@ -156,9 +156,9 @@ TEST_F(UnitBadFiles, C1NeedsFourSamples) {
   EXPECT_EQ(complaint_of(path.string()), "");
 }
 
-TEST_F(UnitBadFiles, CoordinatesHaveToAscend) {
+TEST_F(UnitBadFiles, CoordinatesHaveToAscendOrDescend) {
   EXPECT_THAT(legacy("RECTILINEAR_GRID",
-                     "DIMENSIONS 2 2 2\nX_COORDINATES 2 float\n0 1\nY_COORDINATES 2 float\n1 0\n"
+                     "DIMENSIONS 2 2 2\nX_COORDINATES 2 float\n0 1\nY_COORDINATES 2 float\n1 1\n"
                      "Z_COORDINATES 2 float\n0 1\nPOINT_DATA 8\nVECTORS v float\n"
                      "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0"),
               HasSubstr("axis 1"));
