@@ -54,6 +54,10 @@ using VertexAttributes = std::map<std::string, std::vector<double>>;
 /// keep them, and the others to the scalars.
 void take_attributes(VertexAttributes attributes, Vertices& vertices);
 
+/// Takes the colours of `count` vertices or faces out of their attributes: red green blue, else
+/// those of default_color, with alpha, else 1. Without any of these there are none.
+std::vector<Rgba> take_colors(VertexAttributes& attributes, std::size_t count);
+
 /// Throws InputError "FILE: …" for what read_mesh() promises to refuse.
 ///@{
 void check_vertices(const std::string& file, const Vertices& vertices);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // .off, Geomview's Object File Format (geomview.org/docs/html/OFF.html), as text: letters before
 // "OFF" say what a vertex has behind its position, in this order: N a normal, C a colour (three or
-// four numbers up to the line's end). Then counts of vertices, faces and edges; vertices; faces,
-// each its number of corners, the corners, and up to the line's end a colour, which is passed over.
-// "#" begins a comment.
+// four numbers up to the line's end; many programs write it under the plain head OFF). Then counts
+// of vertices, faces and edges; vertices; faces, each its number of corners, the corners, and up to
+// the line's end a colour, or its number in a map, which is passed over. "#" begins a comment.
 
 #include <fmt/format.h>
 
@@ -13,6 +13,8 @@
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "core/options/parameters.h"
+#include "geometry/default_color.h"
+#include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/polygons/triangulate.h"
 
@@ -104,36 +106,68 @@ OffHeader read_header(Lines& lines) {
   return header;
 }
 
-/// Three or four numbers: bytes, where all are whole and one is above 1; else in [0, 1].
-Rgba color_of(std::span<const double> numbers) {
-  const bool bytes = std::ranges::all_of(numbers, [](double x) { return x == std::floor(x); }) &&
-                     std::ranges::any_of(numbers, [](double x) { return x > 1; });
-  const double unit = bytes ? 255 : 1;
-  return Rgba(numbers[0] / unit, numbers[1] / unit, numbers[2] / unit,
-              numbers.size() > 3 ? numbers[3] / unit : 1);
-}
+/// The colours of a file, as they stand in it: of each vertex or face three or four numbers.
+class Colors {
+ public:
+  /// `numbers` are none, or a colour.
+  void add(std::span<const double> numbers) {
+    has_some_ = has_some_ || !numbers.empty();
+    is_whole_ &= std::ranges::all_of(numbers, [](double x) { return x == std::floor(x); });
+    for (const double x : numbers) most_ = std::max(most_, x);
+    rows_.emplace_back(numbers.begin(), numbers.end());
+  }
+  bool has_some() const { return has_some_; }
 
-void read_vertex(Lines& lines, const OffHeader& header, TriangleMesh& mesh) {
+  /// Bytes, where all of the file's are whole and one is above 1; else in [0, 1]. What has none is
+  /// of the default colour.
+  std::vector<Rgba> take() const {
+    const double unit = is_whole_ && most_ > 1 ? 255 : 1;
+    std::vector<Rgba> colors;
+    colors.reserve(rows_.size());
+    for (const auto& row : rows_)
+      colors.push_back(row.empty() ? Rgba(default_color, 1)
+                                   : Rgba(row[0] / unit, row[1] / unit, row[2] / unit,
+                                          row.size() > 3 ? row[3] / unit : 1));
+    return colors;
+  }
+
+ private:
+  std::vector<std::vector<double>> rows_;
+  bool has_some_ = false, is_whole_ = true;
+  double most_ = 0;
+};
+
+/// A vertex with a colour or, under a head that promises none, without.
+void read_vertex(Lines& lines, const OffHeader& header, TriangleMesh& mesh, Colors& colors) {
   std::vector<double> numbers;
   for (const std::string_view word : lines.next()) numbers.push_back(lines.number(word));
   const std::size_t before_color = header.normals ? 6 : 3;
-  const std::size_t colors = numbers.size() - std::min(before_color, numbers.size());
-  if (numbers.size() < before_color || (header.colors && colors != 3 && colors != 4))
-    lines.fail(fmt::format("a vertex of {} numbers; expected {}{}", numbers.size(), before_color,
-                           header.colors ? " and a colour of 3 or 4" : ""));
+  const std::size_t more = numbers.size() - std::min(before_color, numbers.size());
+  const bool has_color = more == 3 || more == 4;
+  if (numbers.size() < before_color || !(has_color || (more == 0 && !header.colors)))
+    lines.fail(fmt::format("a vertex of {} numbers; expected {}{} a colour of 3 or 4",
+                           numbers.size(), before_color,
+                           header.colors ? " and" : ", with or without"));
   mesh.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
   if (header.normals) mesh.normals.emplace_back(numbers[3], numbers[4], numbers[5]);
-  if (header.colors) mesh.colors.push_back(color_of(std::span(numbers).subspan(before_color)));
+  colors.add(std::span(numbers).subspan(before_color));
 }
 
-void read_face(Lines& lines, TriangleMesh& mesh) {
+/// A face, whose colour goes to each of its triangles.
+void read_face(Lines& lines, TriangleMesh& mesh, Colors& colors) {
   const auto& words = lines.next();
   const std::uint64_t count = lines.whole(words[0], double(words.size()), "number of corners");
   std::vector<std::uint32_t> corners;
   for (std::uint64_t k = 1; k <= count; ++k)
     corners.push_back(
         std::uint32_t(lines.whole(words[k], double(mesh.positions.size()), "a face's vertex")));
+  std::vector<double> color;
+  const std::size_t more = words.size() - 1 - count;
+  for (std::size_t k = 0; k < more && (more == 3 || more == 4); ++k)
+    color.push_back(lines.number(words[1 + count + k]));
+  const std::size_t before = mesh.triangles.size();
   triangulate_polygon(mesh.positions, corners, mesh.triangles);
+  for (std::size_t i = before; i < mesh.triangles.size(); ++i) colors.add(color);
 }
 
 /// Normals of unit length; those of length 0 are none, and stay.
@@ -146,9 +180,14 @@ TriangleMesh read_off(const std::filesystem::path& path) {
   Lines lines(path);
   const OffHeader header = read_header(lines);
   TriangleMesh mesh;
-  for (std::uint64_t i = 0; i < header.vertices; ++i) read_vertex(lines, header, mesh);
-  for (std::uint64_t i = 0; i < header.faces; ++i) read_face(lines, mesh);
+  Colors of_vertices, of_faces;
+  for (std::uint64_t i = 0; i < header.vertices; ++i) read_vertex(lines, header, mesh, of_vertices);
+  for (std::uint64_t i = 0; i < header.faces; ++i) read_face(lines, mesh, of_faces);
   normalize(mesh.normals);
+  if (of_vertices.has_some())
+    mesh.colors = of_vertices.take();
+  else if (of_faces.has_some())
+    color_faces(of_faces.take(), mesh);
   return mesh;
 }
 
@@ -157,7 +196,10 @@ TriangleMesh read_off(const std::filesystem::path& path) {
 FormatRow off_format() {
   return {.ending = ".off",
           .title = "Geomview object file, text",
-          .traps = "colours of whole numbers above 1 count in 255ths; those of faces are left out",
+          .traps =
+              "colours of whole numbers, of which one is above 1, count in 255ths; those of faces "
+              "are flat, "
+              "and count where the vertices have none",
           .read_mesh = read_off};
 }
 

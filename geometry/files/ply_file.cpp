@@ -7,7 +7,9 @@
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "geometry/default_color.h"
 #include "geometry/files/color_names.h"
+#include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/ply_format.h"
 #include "geometry/files/ply_writer.h"
@@ -32,12 +34,16 @@ void check_count(const ply::Reader& reader, const ply::Element& element) {
                                  reader.where(), element.count, element.name, reader.bytes_left()));
 }
 
-/// The length of a list, which a file may write as any number type: as many entries as 0, 1, … stay
-/// below it. The reader throws long before a length that no file holds.
+/// The length of a list, which a file may write as any number type. The reader throws long before
+/// a length that no file holds.
 std::uint64_t list_length(ply::Reader& reader, const ply::Property& property) {
   constexpr double most = 1e18;
-  const double length = std::ceil(reader.next(property.count_type));
-  return length > 0 ? std::uint64_t(std::min(length, most)) : 0;
+  const double length = reader.next(property.count_type);
+  if (!(length >= 0 && length < most) || length != std::floor(length))
+    throw InputError(
+        fmt::format("{}: '{}': a list of {} values; accepted: a whole number from 0 on",
+                    reader.where(), property.name, length));
+  return std::uint64_t(length);
 }
 
 void skip(ply::Reader& reader, const ply::Property& property) {
@@ -50,35 +56,51 @@ void skip(ply::Reader& reader, const ply::Element& element) {
     for (const ply::Property& property : element.properties) skip(reader, property);
 }
 
-/// The numbers of all records of an element, by name. Colours go by their channels.
-VertexAttributes read_columns(ply::Reader& reader, const ply::Element& element) {
-  std::vector<std::string> names;
-  for (const ply::Property& property : element.properties)
-    if (!property.is_list) names.push_back(property.name);
-  const auto channels = color_channels(names);
-  VertexAttributes attributes;
+/// Columns are the numbers of an element's records by name, colours by their channels; lists are
+/// none of them.
+class Columns {
+ public:
+  explicit Columns(const ply::Element& element) {
+    std::vector<std::string> names;
+    for (const ply::Property& property : element.properties)
+      if (!property.is_list) names.push_back(property.name);
+    const auto channels = color_channels(names);
+    for (const ply::Property& property : element.properties) {
+      const auto channel = channels.find(property.name);
+      const bool is_color = channel != channels.end();
+      columns_.push_back(
+          {property.is_list ? nullptr : &values_[is_color ? channel->second : property.name],
+           is_color ? color_scale(property.type) : 1});
+      if (columns_.back().values) columns_.back().values->reserve(element.count);
+    }
+  }
+
+  /// Reads the value of a property, by its number, which is no list.
+  void read(ply::Reader& reader, const ply::Property& property, std::size_t number) {
+    columns_[number].values->push_back(reader.next(property.type) / columns_[number].scale);
+  }
+  VertexAttributes take() { return std::move(values_); }
+
+ private:
   struct Column {
     std::vector<double>* values = nullptr;  // none: of a list
     double scale = 1;
   };
-  std::vector<Column> columns;
-  for (const ply::Property& property : element.properties) {
-    const auto channel = channels.find(property.name);
-    const bool is_color = channel != channels.end();
-    columns.push_back(
-        {property.is_list ? nullptr : &attributes[is_color ? channel->second : property.name],
-         is_color ? color_scale(property.type) : 1});
-    if (columns.back().values) columns.back().values->reserve(element.count);
-  }
+  VertexAttributes values_;
+  std::vector<Column> columns_;
+};
+
+VertexAttributes read_columns(ply::Reader& reader, const ply::Element& element) {
+  Columns columns(element);
   for (std::uint64_t i = 0; i < element.count; ++i)
-    for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
       const ply::Property& property = element.properties[k];
-      if (columns[k].values)
-        columns[k].values->push_back(reader.next(property.type) / columns[k].scale);
-      else
+      if (property.is_list)
         skip(reader, property);
+      else
+        columns.read(reader, property, k);
     }
-  return attributes;
+  return columns.take();
 }
 
 VertexAttributes read_vertices(ply::Reader& reader, const ply::Element& element,
@@ -121,15 +143,52 @@ void read_polygon(ply::Reader& reader, const ply::Property& property, std::uint6
   triangulate_polygon(mesh.positions, corners, mesh.triangles);
 }
 
-void read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& mesh) {
+constexpr std::uint64_t no_face = ~std::uint64_t(0);
+
+/// Numbers of faces by name, and each triangle's face: no_face of those in strips.
+struct FaceNumbers {
+  VertexAttributes values;
+  std::vector<std::uint64_t> faces;
+};
+
+FaceNumbers read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& mesh) {
+  FaceNumbers numbers;
+  numbers.faces.assign(mesh.triangles.size(), no_face);
+  Columns columns(element);
   mesh.triangles.reserve(element.count);
-  for (std::uint64_t i = 0; i < element.count; ++i)
-    for (const ply::Property& property : element.properties) {
-      if (property.is_list && is_corners(property))
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      const ply::Property& property = element.properties[k];
+      if (!property.is_list)
+        columns.read(reader, property, k);
+      else if (is_corners(property))
         read_polygon(reader, property, i, mesh);
       else
         skip(reader, property);
     }
+    numbers.faces.resize(mesh.triangles.size(), i);
+  }
+  numbers.values = columns.take();
+  return numbers;
+}
+
+/// Colours are those of faces where the vertices have none; all other numbers are scalars.
+void take_face_numbers(FaceNumbers numbers, TriangleMesh& mesh) {
+  numbers.faces.resize(mesh.triangles.size(), no_face);
+  VertexAttributes of_triangles;
+  for (const auto& [name, values] : numbers.values) {
+    std::vector<double>& column = of_triangles[name];
+    column.reserve(mesh.triangles.size());
+    for (const std::uint64_t face : numbers.faces)
+      column.push_back(face == no_face ? NAN : values[face]);
+  }
+  if (mesh.colors.empty())
+    if (auto colors = take_colors(of_triangles, mesh.triangles.size()); !colors.empty()) {
+      for (std::size_t i = 0; i < colors.size(); ++i)
+        if (numbers.faces[i] == no_face) colors[i] = Rgba(default_color, 1);
+      color_faces(colors, mesh);
+    }
+  mesh.face_scalars = std::move(of_triangles);
 }
 
 /// Strips of triangles, one after another in a list; -1 begins the next one. Every other triangle
@@ -181,15 +240,26 @@ VertexAttributes read_elements(const std::filesystem::path& path, Vertices& vert
 
 constexpr auto nothing_else = [](const ply::Element&, ply::Reader&) { return false; };
 
+[[noreturn]] void refuse_order(const ply::Element& element, const ply::Reader& reader) {
+  throw InputError(fmt::format("{}: the element '{}' stands before 'vertex'; accepted: behind it",
+                               reader.where(), element.name));
+}
+
 TriangleMesh read_ply(const std::filesystem::path& path) {
   TriangleMesh mesh;
+  FaceNumbers numbers;
   auto attributes =
       read_elements(path, mesh, [&](const ply::Element& element, ply::Reader& reader) {
-        if (element.name == "face") read_faces(reader, element, mesh);
-        if (element.name == "tristrips") read_strips(reader, element, mesh);
-        return element.name == "face" || element.name == "tristrips";
+        if (element.name != "face" && element.name != "tristrips") return false;
+        if (element.count > 0 && mesh.positions.empty()) refuse_order(element, reader);
+        if (element.name == "face")
+          numbers = read_faces(reader, element, mesh);
+        else
+          read_strips(reader, element, mesh);
+        return true;
       });
   take_attributes(std::move(attributes), mesh);
+  take_face_numbers(std::move(numbers), mesh);
   return mesh;
 }
 
@@ -283,17 +353,19 @@ PointSet read_ply_points(const std::filesystem::path& path) {
 }  // namespace
 
 FormatRow ply_format() {
-  return {.ending = ".ply",
-          .title = "Stanford polygon file, text or binary",
-          .traps =
-              "lines by edges or by the property line; Gaussian splats are balls of their peak "
-              "opacity, their size the scalar radius",
-          .read_mesh = read_ply,
-          .read_lines = read_ply_lines,
-          .read_points = read_ply_points,
-          .write_mesh = write_ply,
-          .write_lines = write_ply_lines,
-          .write_points = write_ply_points};
+  return {
+      .ending = ".ply",
+      .title = "Stanford polygon file, text or binary",
+      .traps =
+          "colours and other numbers of faces are flat; lines by edges or by the property line; "
+          "Gaussian splats are balls of their peak "
+          "opacity, their size the scalar radius",
+      .read_mesh = read_ply,
+      .read_lines = read_ply_lines,
+      .read_points = read_ply_points,
+      .write_mesh = write_ply,
+      .write_lines = write_ply_lines,
+      .write_points = write_ply_points};
 }
 
 }  // namespace pellucid::geometry

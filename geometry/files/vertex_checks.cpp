@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "geometry/default_color.h"
 #include "geometry/files/mesh_formats.h"
 
 namespace pellucid::geometry {
@@ -25,18 +26,29 @@ void check_unit_interval(const std::string& file, std::string_view name, std::si
 
 }  // namespace
 
+std::vector<Rgba> take_colors(VertexAttributes& attributes, std::size_t count) {
+  const auto take = [&](const char* name, double otherwise) {
+    auto node = attributes.extract(name);
+    return node.empty() ? std::vector<double>(count, otherwise) : std::move(node.mapped());
+  };
+  const bool has_rgb = has_all(attributes, {"red", "green", "blue"});
+  if (!has_rgb && !has_all(attributes, {"alpha"})) return {};
+  const auto alpha = take("alpha", 1);
+  std::vector<Rgba> colors;
+  colors.reserve(count);
+  if (!has_rgb) {
+    for (const double a : alpha) colors.emplace_back(default_color, a);
+    return colors;
+  }
+  const auto red = take("red", 0), green = take("green", 0), blue = take("blue", 0);
+  for (std::size_t i = 0; i < count; ++i) colors.emplace_back(red[i], green[i], blue[i], alpha[i]);
+  return colors;
+}
+
 void take_attributes(VertexAttributes attributes, Vertices& vertices) {
   const std::size_t count = vertices.positions.size();
-  const auto take = [&](const char* name) {
-    auto node = attributes.extract(name);
-    return node.empty() ? std::vector<double>(count, 1.0) : std::move(node.mapped());
-  };
-  if (has_all(attributes, {"red", "green", "blue"}) || has_all(attributes, {"alpha"})) {
-    const auto red = take("red"), green = take("green"), blue = take("blue"), alpha = take("alpha");
-    vertices.colors.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-      vertices.colors[i] = Rgba(red[i], green[i], blue[i], alpha[i]);
-  }
+  const auto take = [&](const char* name) { return std::move(attributes.extract(name).mapped()); };
+  vertices.colors = take_colors(attributes, count);
   if (has_all(attributes, {"nx", "ny", "nz"})) {
     const auto x = take("nx"), y = take("ny"), z = take("nz");
     vertices.normals.resize(count);

@@ -13,10 +13,10 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
-#include <map>
 #include <numeric>
 #include <span>
 
+#include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/files/vtk_attributes.h"
 #include "geometry/files/vtp_writer.h"
@@ -99,26 +99,15 @@ PointIds add_triangles(vtkPolyData& data, TriangleMesh& mesh) {
   return cells;
 }
 
-/// Gives each triangle the colour of its cell. A vertex of cells of several colours becomes one
-/// vertex for each; `points` are then the points that the vertices stand for.
-std::vector<Rgba> color_by_cell(vtkDataArray& colors, const PointIds& cells, Triangles& triangles,
-                                PointIds& points) {
-  std::map<std::pair<vtkIdType, std::array<float, 4>>, std::uint32_t> vertices;
+/// The colour of each triangle's cell.
+std::vector<Rgba> colors_of(vtkDataArray& colors, const PointIds& cells) {
   std::vector<Rgba> result;
-  points.clear();
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    std::array<float, 4> color{1, 1, 1, 1};
+  result.reserve(cells.size());
+  for (const vtkIdType cell : cells) {
+    Rgba color(1);
     for (int c = 0; c < colors.GetNumberOfComponents(); ++c)
-      color[std::size_t(c)] = float(colors.GetComponent(cells[i], c) / vtk_color_unit(colors));
-    for (std::uint32_t& corner : triangles[i]) {
-      const auto [found, is_new] =
-          vertices.try_emplace({corner, color}, std::uint32_t(points.size()));
-      if (is_new) {
-        points.push_back(corner);
-        result.emplace_back(color[0], color[1], color[2], color[3]);
-      }
-      corner = found->second;
-    }
+      color[c] = float(colors.GetComponent(cell, c) / vtk_color_unit(colors));
+    result.push_back(color);
   }
   return result;
 }
@@ -130,18 +119,10 @@ TriangleMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   TriangleMesh mesh;
   take_positions(*data, mesh);
   const PointIds cells = add_triangles(*data, mesh);
-  PointIds points = every_point(*data);
-  VertexAttributes attributes = vtk_attributes(*data, points);
-  if (vtkDataArray* colors = vtk_cell_colors(*data, attributes)) {
-    const std::vector<Rgba> by_cell = color_by_cell(*colors, cells, mesh.triangles, points);
-    const std::vector<Vec3> positions = std::move(mesh.positions);
-    mesh.positions.clear();
-    for (const vtkIdType point : points) mesh.positions.push_back(positions[std::size_t(point)]);
-    take_attributes(vtk_attributes(*data, points), mesh);
-    mesh.colors = by_cell;
-  } else {
-    take_attributes(std::move(attributes), mesh);
-  }
+  VertexAttributes attributes = vtk_attributes(*data, every_point(*data));
+  vtkDataArray* const colors = vtk_cell_colors(*data, attributes);
+  take_attributes(std::move(attributes), mesh);
+  if (colors) color_faces(colors_of(*colors, cells), mesh);
   mesh.face_scalars = vtk_cell_scalars(*data, cells);
   return mesh;
 }

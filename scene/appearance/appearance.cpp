@@ -10,13 +10,12 @@
 
 #include "core/error.h"
 #include "core/options/names.h"
+#include "geometry/default_color.h"
 #include "geometry/vertex_normals.h"
 #include "scene/appearance/colormap.h"
 
 namespace pellucid::scene {
 namespace {
-
-const Vec3 default_color(0.8);
 
 const std::vector<double>& find_scalar(const geometry::Vertices& vertices,
                                        const std::string& name) {
@@ -140,7 +139,7 @@ Vec2 range_over(const ScalarOpacity& by, const std::vector<double>& values) {
 
 void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices) {
   if (vertices.colors.empty())
-    vertices.colors.assign(vertices.positions.size(), Rgba(default_color, 1));
+    vertices.colors.assign(vertices.positions.size(), Rgba(geometry::default_color, 1));
   if (const auto* rgb = std::get_if<Vec3>(&appearance.color))
     for (Rgba& color : vertices.colors) set_rgb(color, *rgb);
   if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) color_by_scalar(*by, vertices);

@@ -10,7 +10,7 @@ using UnitOff = FormatFiles;
 TEST_F(UnitOff, OffHasPolygonsCommentsAndCounts) {
   const TriangleMesh mesh = read_mesh(
       file("a.off",
-           "OFF # a comment\n\n4 2 0\n0 0 0\n1 0 0\n1 1 0 # another\n0 1 0.5\n4 0 1 2 3 255 0 0\n"
+           "OFF # a comment\n\n4 2 0\n0 0 0\n1 0 0\n1 1 0 # another\n0 1 0.5\n4 0 1 2 3 # black\n"
            "3 0 1 3\n"));
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(mesh.positions[3], Vec3(0, 1, 0.5));
@@ -33,6 +33,46 @@ TEST_F(UnitOff, OffHasNormalsAndColoursOfBytesOrShares) {
       file("b.off", "COFF\n3 1 0\n0 0 0 1 0 0.5 0.25\n1 0 0 1 1 1 1\n0 1 0 0 0 0 0.5\n3 0 1 2\n"));
   EXPECT_EQ(shares.colors[0], Rgba(1, 0, 0.5f, 0.25f));
   EXPECT_EQ(shares.colors[1], Rgba(1));
+}
+
+/// What other programs write, though the format calls it COFF.
+TEST_F(UnitOff, OffHasColoursUnderThePlainHead) {
+  const TriangleMesh shares =
+      read_mesh(file("a.off", "OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 1 1 1 0.5\n0 1 0\n3 0 1 2\n"));
+  EXPECT_EQ(shares.colors[0], Rgba(1, 0, 0, 1));
+  EXPECT_EQ(shares.colors[1], Rgba(1, 1, 1, 0.5f));
+  EXPECT_EQ(shares.colors[2], Rgba(0.8f, 0.8f, 0.8f, 1));
+  EXPECT_THAT(refusal([&] { read_mesh(file("a.off", "OFF\n3 1 0\n0 0 0 1\n")); }),
+              HasSubstr(":3: a vertex of 4 numbers"));
+}
+
+/// 1 is a 255th in a file of bytes, whatever the other numbers of its vertex.
+TEST_F(UnitOff, OffIsOfBytesAsAWhole) {
+  const TriangleMesh mesh =
+      read_mesh(file("a.off", "COFF\n3 1 0\n0 0 0 1 1 1\n1 0 0 255 1 0\n0 1 0 0 0 0\n3 0 1 2\n"));
+  EXPECT_EQ(mesh.colors[0], Rgba(1 / 255.f, 1 / 255.f, 1 / 255.f, 1));
+  EXPECT_EQ(mesh.colors[1], Rgba(1, 1 / 255.f, 0, 1));
+  EXPECT_THAT(refusal([&] {
+                read_mesh(file("a.off",
+                               "COFF\n3 1 0\n0 0 0 255 0 0 0.5\n1 0 0 0 0 0\n0 1 0 0 0 0\n"
+                               "3 0 1 2\n"));
+              }),
+              HasSubstr("red"));
+}
+
+TEST_F(UnitOff, OffHasColoursOfFaces) {
+  const std::string points = "4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const TriangleMesh mesh =
+      read_mesh(file("a.off", "OFF\n" + points + "3 0 1 2 255 0 0\n3 0 2 3 0 0 51 0\n3 0 1 3 7\n"));
+  const auto color = [&](std::size_t triangle, std::size_t corner) {
+    return mesh.colors[mesh.triangles[triangle][corner]];
+  };
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    EXPECT_EQ(color(0, corner), Rgba(1, 0, 0, 1));
+    EXPECT_EQ(color(1, corner), Rgba(0, 0, 0.2f, 0));
+    EXPECT_EQ(color(2, corner), Rgba(0.8f, 0.8f, 0.8f, 1));  // a number of a map tells no colour
+  }
+  EXPECT_EQ(mesh.positions.size(), 9u);
 }
 
 TEST_F(UnitOff, OffRefusesWhatItIsNot) {

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using UnitRemarks = FormatFiles;
 
-std::string ply(const std::string& properties, const std::string& vertices) {
+std::string points_ply(const std::string& properties, const std::string& vertices) {
   return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
          "property float z\n" +
          properties + "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
@@ -22,7 +22,7 @@ std::string ply(const std::string& properties, const std::string& vertices) {
 TEST_F(UnitRemarks, NormalsThatAreNoneAreCounted) {
   const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
   const auto remarks = [&](const std::string& vertices) {
-    return read_mesh(file("a.ply", ply(normals, vertices))).remarks;
+    return read_mesh(file("a.ply", points_ply(normals, vertices))).remarks;
   };
   EXPECT_THAT(remarks("0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n"), IsEmpty());
   EXPECT_THAT(remarks("0 0 0 0 0 1\n1 0 0 0 0 0\n0 1 0 nan 0 1\n"),
@@ -36,7 +36,8 @@ TEST_F(UnitRemarks, ASecondFamilyOfColoursIsNamed) {
       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
       "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n";
   const TriangleMesh mesh = read_mesh(
-      file("a.ply", ply(both, "0 0 0 255 0 0 1 2 3\n1 0 0 255 0 0 1 2 3\n0 1 0 255 0 0 1 2 3\n")));
+      file("a.ply",
+           points_ply(both, "0 0 0 255 0 0 1 2 3\n1 0 0 255 0 0 1 2 3\n0 1 0 255 0 0 1 2 3\n")));
   EXPECT_EQ(mesh.colors[0], Rgba(1, 0, 0, 1));
   EXPECT_THAT(mesh.remarks,
               ElementsAre("'diffuse_red diffuse_green diffuse_blue' is called as colours are, and "

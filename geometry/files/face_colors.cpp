@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/files/face_colors.h"
+
+#include <array>
+#include <bit>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+namespace pellucid::geometry {
+
+void color_faces(const std::vector<Rgba>& colors, TriangleMesh& mesh) {
+  using Bits = std::array<std::uint32_t, 4>;  // which are in an order even where a colour is NaN
+  std::map<std::pair<std::uint32_t, Bits>, std::uint32_t> vertices;
+  std::vector<std::uint32_t> origins;  // by new vertex
+  std::vector<Rgba> of_vertices;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Rgba& color = colors[i];
+    for (std::uint32_t& corner : mesh.triangles[i]) {
+      const auto [found, is_new] = vertices.try_emplace(
+          {corner, std::bit_cast<Bits>(color)}, std::uint32_t(origins.size()));
+      if (is_new) {
+        origins.push_back(corner);
+        of_vertices.push_back(color);
+      }
+      corner = found->second;
+    }
+  }
+  const auto pick = [&](auto& values) {
+    if (values.empty()) return;
+    std::remove_reference_t<decltype(values)> picked;
+    picked.reserve(origins.size());
+    for (const std::uint32_t origin : origins) picked.push_back(values[origin]);
+    values = std::move(picked);
+  };
+  pick(mesh.positions);
+  pick(mesh.normals);
+  pick(mesh.importance);
+  for (auto& [name, values] : mesh.scalars) pick(values);
+  mesh.colors = std::move(of_vertices);
+}
+
+}  // namespace pellucid::geometry
