@@ -58,9 +58,20 @@ std::uint64_t offset_of(const TckHeader& header, const ByteReader& bytes) {
   return std::uint64_t(offset);
 }
 
+/// Of tracks that were ended, empty ones among them, there are as many as the header counts; a
+/// count of 0 is that of a file whose writer was not done with it.
+void check_count(const TckHeader& header, std::size_t ended, const ByteReader& bytes) {
+  const auto count = header.find("count");
+  double expected = 0;
+  if (count == header.end() || !parse_number(count->second, expected) || expected == 0) return;
+  if (expected != double(ended))
+    bytes.fail(fmt::format("count: {}, but it holds {} tracks: truncated?", count->second, ended));
+}
+
 template <class Number>
-LineSet read_tracks(ByteReader& bytes) {
+LineSet read_tracks(ByteReader& bytes, const TckHeader& header) {
   LineSet lines;
+  std::size_t ended = 0;
   const auto end_line = [&] {
     if (lines.positions.size() > lines.offsets.back())
       lines.offsets.push_back(lines.positions.size());
@@ -68,11 +79,13 @@ LineSet read_tracks(ByteReader& bytes) {
   while (bytes.bytes_left() > 0) {
     const auto xyz = bytes.numbers<Number>(3, "a point");
     if (std::isinf(xyz[0])) {
+      ended += lines.positions.size() > lines.offsets.back();
       end_line();
+      check_count(header, ended, bytes);
       return lines;
     }
     if (std::isnan(xyz[0]))
-      end_line();
+      end_line(), ++ended;
     else
       lines.positions.emplace_back(xyz[0], xyz[1], xyz[2]);
   }
@@ -89,7 +102,8 @@ LineSet read_tck(const std::filesystem::path& path) {
         fmt::format("datatype: {}; accepted: Float32LE, Float32BE, Float64LE, Float64BE", name));
   bytes.set_big_endian(name.ends_with("BE"));
   bytes.seek(offset_of(header, bytes));
-  return name.starts_with("Float64") ? read_tracks<double>(bytes) : read_tracks<float>(bytes);
+  return name.starts_with("Float64") ? read_tracks<double>(bytes, header)
+                                     : read_tracks<float>(bytes, header);
 }
 
 void append_point(std::string& out, const Vec3& x) {

@@ -26,6 +26,7 @@ struct TrkHeader {
   Mat4 ras_from_voxel{1};
   std::string voxel_order;
   std::vector<std::string> scalars, properties;  // a name per number
+  std::int32_t tracks = 0;                       // 0: the file does not say
 };
 
 /// Bytes up to the first 0.
@@ -90,6 +91,8 @@ TrkHeader read_header(ByteReader& bytes) {
       header.ras_from_voxel[column][row] = bytes.number<float>();
   bytes.seek(948);
   header.voxel_order = text_of(bytes.take(4, "voxel_order"));
+  bytes.seek(988);
+  header.tracks = bytes.number<std::int32_t>();
   return header;
 }
 
@@ -191,9 +194,12 @@ LineSet read_trk(const std::filesystem::path& path) {
   names.insert(names.end(), header.properties.begin(), header.properties.end());
   std::vector<std::vector<double>> columns(names.size());
   LineSet lines;
-  // How many tracks there are the header may leave open: they go to the end of the file.
   for (bytes.seek(header_size); bytes.bytes_left() > 0;)
     read_track(bytes, header, to_ras, lines, columns);
+  if (const std::size_t count = lines.line_count();
+      header.tracks != 0 && header.tracks != std::int64_t(count))
+    bytes.fail(fmt::format("its header says {} tracks, but it holds {}: truncated?", header.tracks,
+                           count));
   VertexAttributes attributes;
   for (std::size_t k = 0; k < names.size(); ++k) attributes[names[k]] = std::move(columns[k]);
   take_attributes(std::move(attributes), lines);

@@ -114,5 +114,31 @@ TEST_F(UnitTracks, HairHasStrandsWithOpacityAndColour) {
               HasSubstr("strands have 4 points, but there are 5"));
 }
 
+TEST_F(UnitTracks, TrkHoldsAsManyTracksAsItSays) {
+  std::string counted = trk("RAS", false);
+  const auto with_count = [&](std::int32_t count) {
+    return file("a.trk", counted.replace(988, 4, bytes_of<std::int32_t>({count})));
+  };
+  EXPECT_EQ(read_lines(with_count(1)).line_count(), 1u);
+  EXPECT_EQ(read_lines(with_count(0)).line_count(), 1u);  // it does not say
+  EXPECT_THAT(refusal([&] { read_lines(with_count(99)); }),
+              HasSubstr("its header says 99 tracks, but it holds 1"));
+}
+
+TEST_F(UnitTracks, TckHoldsAsManyTracksAsItSays) {
+  constexpr float nan = NAN, inf = INFINITY;
+  const auto with_count = [&](const std::string& count) {
+    const std::string head = "mrtrix tracks\ndatatype: Float32LE\n" + count + "file: . 80\nEND\n";
+    return file("a.tck", head + std::string(80 - head.size(), ' ') +
+                             bytes_of<float>({0,   0, 0, 1, 0, 0, nan, nan, nan, nan, nan,
+                                              nan, 0, 1, 0, 1, 1, 0,   inf, inf, inf}));
+  };
+  for (const char* right : {"", "count: 3\n", "count: 0003\n", "count: 0\n"})
+    EXPECT_EQ(read_lines(with_count(right)).line_count(), 2u) << right;  // and one without points
+  for (const char* wrong : {"count: 5\n", "count: 2\n"})
+    EXPECT_THAT(refusal([&] { read_lines(with_count(wrong)); }),
+                HasSubstr("but it holds 3 tracks"));
+}
+
 }  // namespace
 }  // namespace pellucid::geometry
