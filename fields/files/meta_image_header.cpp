@@ -113,6 +113,25 @@ std::optional<Mat3> directions_of(const Lines& lines) {
   return axes;
 }
 
+std::optional<std::size_t> skipped_of(const Lines& lines) {
+  const double size = lines.numbers<1>({"HeaderSize"}, "0")[0];
+  if (size == -1) return std::nullopt;
+  if (!(size >= 0 && size < 1e15) || size != std::floor(size))
+    bad_file(
+        lines.path(),
+        fmt::format("HeaderSize = {}; accepted: bytes, or -1 where the data are the file's last",
+                    size));
+  return std::size_t(size);
+}
+
+/// Lines behind the last one would have no meaning: that of the data's file ends the header.
+void refuse_more_lines(std::istream& file, const std::filesystem::path& path) {
+  std::string word;
+  if (file >> word)
+    bad_file(path, fmt::format("'{}' follows ElementDataFile, which has to be the last line",
+                               word.substr(0, 40)));
+}
+
 }  // namespace
 
 MetaImageHeader read_meta_image_header(std::istream& file, const std::filesystem::path& path) {
@@ -130,6 +149,10 @@ MetaImageHeader read_meta_image_header(std::istream& file, const std::filesystem
   header.spacing = lines.vec3({"ElementSpacing", "ElementSize"}, "1 1 1");
   header.directions = directions_of(lines);
   header.data_file = lines.find({"ElementDataFile"}, "").second;
+  header.skipped = skipped_of(lines);
+  if (!header.skipped && header.compressed)
+    bad_file(path, "HeaderSize = -1 of compressed data, whose size is not known; accepted: bytes");
+  if (header.data_file != "LOCAL") refuse_more_lines(file, path);
   return header;
 }
 

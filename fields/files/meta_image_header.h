@@ -22,13 +22,15 @@ struct MetaImageHeader {
   std::optional<Mat3> directions;  // of the axes, one a column; none: the world's axes
   bool is_double = false, big_endian = false, compressed = false;
   std::string data_file;  // "LOCAL": behind the header
+  /// Bytes of the data's file before the data; none: these are its last ones.
+  std::optional<std::size_t> skipped = 0;
 
   std::size_t samples() const { return size[0] * size[1] * size[2]; }  // 10^18 at most
   std::size_t sample_bytes() const { return 3 * (is_double ? sizeof(double) : sizeof(float)); }
 };
 
-/// Reads up to and with the line of ElementDataFile. Throws InputError that names the file for what
-/// is no header of three-dimensional vectors in floats or doubles.
+/// Reads up to and with the line of ElementDataFile, which is the last. Throws InputError that
+/// names the file for what is no header of three-dimensional vectors in floats or doubles.
 MetaImageHeader read_meta_image_header(std::istream& file, const std::filesystem::path& path);
 
 }  // namespace pellucid::fields

@@ -74,6 +74,23 @@ std::string inflated(std::string packed, const MetaImageHeader& header, const Pa
   return bytes;
 }
 
+/// Goes to where the data begin, as HeaderSize has it; behind a local header they begin after it.
+void seek_data(std::istream& file, const Path& path, const MetaImageHeader& header) {
+  const auto here = std::size_t(file.tellg()), size = here + bytes_left(file);
+  std::size_t first = header.skipped.value_or(0);
+  if (!header.skipped) {
+    if (header.samples() > size / header.sample_bytes())
+      bad_file(path, fmt::format("{} bytes; its header says {} samples of {}", size,
+                                 header.samples(), header.sample_bytes()));
+    first = size - header.samples() * header.sample_bytes();
+  }
+  if (first == 0) return;
+  if (first < here || first > size)
+    bad_file(path, fmt::format("HeaderSize: data from byte {} of {}, behind a header of {}", first,
+                               size, here));
+  file.seekg(std::streamoff(first));
+}
+
 /// Exactly the claimed bytes; a claim that the file does not hold is refused before it is believed.
 std::string read_bytes(std::istream& file, const Path& path, const MetaImageHeader& header) {
   if (header.compressed) return inflated(read_rest(file, path), header, path);
@@ -147,7 +164,9 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
   std::ifstream beside;
   const bool is_local = header.data_file == "LOCAL";
   if (!is_local) beside = open_beside(path, header.data_file);
-  std::string bytes = read_bytes(is_local ? file : beside, path, header);
+  std::istream& data = is_local ? file : beside;
+  seek_data(data, path, header);
+  std::string bytes = read_bytes(data, path, header);
   return header.is_double ? make_field<double>(header, std::move(bytes), options, path)
                           : make_field<float>(header, std::move(bytes), options, path);
 }
@@ -156,7 +175,8 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
 
 std::vector<FileFormatRow> meta_image_formats() {
   return {{".mhd", "MetaImage header beside raw data", read_meta_image_field,
-           "vectors of three floats or doubles, compressed or not; its axes may be turned"},
+           "vectors of three floats or doubles, compressed or not; its axes may be turned; "
+           "HeaderSize is honoured"},
           {".mha", "MetaImage", read_meta_image_field, "as .mhd"}};
 }
 

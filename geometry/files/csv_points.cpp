@@ -80,6 +80,14 @@ std::string plain(std::string_view name) {
   return text;
 }
 
+/// What stands in a name's brackets: of "X [m]" "m".
+std::string_view unit_in(std::string_view name) {
+  const std::size_t open = name.find_first_of("[(");
+  if (open == name.npos) return {};
+  name.remove_prefix(open + 1);
+  return trimmed(name.substr(0, name.find_first_of("])")));
+}
+
 bool is_whole(double value) { return value == std::floor(value); }
 
 /// Whole numbers with one above 1 count in 255ths.
@@ -157,8 +165,24 @@ class CsvReader {
                          fmt::join(names_, ", ")));
       if (!found && rest_.empty()) fail("the file has no line that names the columns x, y, z");
     }
+    check_names();
     columns_.resize(names_.size());
     is_text_.assign(names_.size(), false);
+  }
+
+  /// Columns of one name would be one; positions are of one unit.
+  void check_names() const {
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      if (std::ranges::count(names_, names_[k]) > 1)
+        fail(fmt::format("two columns are called '{}'", names_[k]));
+    std::string_view unit;
+    for (const std::size_t axis : axes_) {
+      const std::string_view own = unit_in(names_[axis]);
+      if (!own.empty() && !unit.empty() && own != unit)
+        fail(fmt::format("'{}', but another axis is in {}; accepted: one unit for x, y and z",
+                         names_[axis], unit));
+      if (!own.empty()) unit = own;
+    }
   }
 
   static std::string_view trimmed_line(std::string_view line) {

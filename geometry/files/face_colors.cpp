@@ -17,8 +17,8 @@ void color_faces(const std::vector<Rgba>& colors, TriangleMesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Rgba& color = colors[i];
     for (std::uint32_t& corner : mesh.triangles[i]) {
-      const auto [found, is_new] = vertices.try_emplace(
-          {corner, std::bit_cast<Bits>(color)}, std::uint32_t(origins.size()));
+      const auto [found, is_new] =
+          vertices.try_emplace({corner, std::bit_cast<Bits>(color)}, std::uint32_t(origins.size()));
       if (is_new) {
         origins.push_back(corner);
         of_vertices.push_back(color);

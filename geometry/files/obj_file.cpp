@@ -59,9 +59,16 @@ struct Rows {
   }
 };
 
+/// The largest index so far that counts from the front: it may be listed later.
+struct Largest {
+  std::uint32_t index = 0;
+  std::size_t line = 0;  // 0: there is none
+};
+
 struct ObjReader {
   std::string file;
   std::size_t line = 0;
+  Largest position, texture_place, normal;
   TriangleMesh mesh;  // its vertices are the positions as listed
   Rows<Corner> faces, lines;
   std::vector<Vec3> normals;  // as listed
@@ -97,13 +104,28 @@ struct ObjReader {
     mesh.colors.push_back(color);
   }
 
-  /// One-based, or negative from the end.
-  std::uint32_t index(std::string_view word, std::size_t count, std::string_view what) const {
+  /// One-based, of what is listed anywhere; or negative, from the end of what is listed so far.
+  std::uint32_t index(std::string_view word, std::size_t count, std::string_view what,
+                      Largest& largest) const {
     const double given = number(word);
-    const double zero_based = given < 0 ? double(count) + given : given - 1;
-    if (!(zero_based >= 0 && zero_based < double(count)) || zero_based != std::uint32_t(zero_based))
+    if (given != std::floor(given) || given == 0 || !(given < double(none)) ||
+        given < -double(count))
       fail(fmt::format("{} index {}, but {} were listed so far", what, word, count));
-    return static_cast<std::uint32_t>(zero_based);
+    if (given < 0) return std::uint32_t(double(count) + given);
+    const auto zero_based = std::uint32_t(given - 1);
+    if (largest.line == 0 || zero_based > largest.index) largest = {zero_based, line};
+    return zero_based;
+  }
+  void check(const Largest& largest, std::size_t count, std::string_view what) {
+    line = largest.line;
+    if (line > 0 && largest.index >= count)
+      fail(fmt::format("{} index {}, but {} are listed", what, std::uint64_t(largest.index) + 1,
+                       count));
+  }
+  void check_indices() {
+    check(position, mesh.positions.size(), "vertex");
+    check(texture_place, textures.count(), "texture");
+    check(normal, normals.size(), "normal");
   }
 
   void texture(Words& words) {
@@ -114,7 +136,7 @@ struct ObjReader {
 
   /// "v", "v/vt", "v//vn" or "v/vt/vn". Of a face "vt" says nothing that is drawn, and is passed
   /// over.
-  Corner corner(std::string_view word, bool of_line) const {
+  Corner corner(std::string_view word, bool of_line) {
     const auto part = [&] {
       const std::size_t slash = std::min(word.find('/'), word.size());
       const std::string_view first = word.substr(0, slash);
@@ -122,10 +144,11 @@ struct ObjReader {
       return first;
     };
     Corner corner;
-    corner.position = index(part(), mesh.positions.size(), "vertex");
+    corner.position = index(part(), mesh.positions.size(), "vertex", position);
     const std::string_view vt = part(), vn = part();
-    if (of_line && !vt.empty()) corner.texture = index(vt, textures.count(), "texture");
-    if (!of_line && !vn.empty()) corner.normal = index(vn, normals.size(), "normal");
+    if (of_line && !vt.empty())
+      corner.texture = index(vt, textures.count(), "texture", texture_place);
+    if (!of_line && !vn.empty()) corner.normal = index(vn, normals.size(), "normal", normal);
     return corner;
   }
 
@@ -144,13 +167,20 @@ struct ObjReader {
     if (keyword == "l") row(words, lines);
   }
 
+  /// The text up to a line's end: LF, CR LF, or CR as of old Macintoshes.
+  static std::string_view take_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view row = text.substr(0, end);
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
+    return row;
+  }
+
   /// A backslash at a line's end goes on in the next one.
   void read(std::string_view text) {
     std::string joined;
     while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      std::string_view row = text.substr(0, end);
-      text.remove_prefix(std::min(end + 1, text.size()));
+      std::string_view row = take_line(text);
       ++line;
       row = row.substr(0, row.find_last_not_of(" \t\r") + 1);
       const bool goes_on = row.ends_with('\\') && row.find('#') == row.npos && !text.empty();
@@ -168,6 +198,7 @@ ObjReader read_file(const std::filesystem::path& path) {
   reader.file = path.string();
   const std::string content = read_text(path);
   reader.read(without_mark(content));
+  reader.check_indices();
   if (!reader.has_color) reader.mesh.colors.clear();
   return reader;
 }

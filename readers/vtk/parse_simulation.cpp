@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -109,6 +110,11 @@ vtkSmartPointer<vtkAlgorithm> make_plot3d(const Path& path) {
   return reader;
 }
 
+std::string small(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 /// VTK takes what is there of a file that was cut off. Binary ones are as long as their number of
 /// facets, 50 bytes each behind a head of 84, asks for; texts have their end.
 vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
@@ -119,14 +125,14 @@ vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
   file.read(begin.data(), std::streamsize(begin.size()));
   std::uint32_t facets = 0;
   if (begin.size() == head) std::memcpy(&facets, begin.data() + 80, sizeof facets);
-  const bool is_text = begin.starts_with("solid") && begin.find('\0') == std::string::npos;
+  const bool is_text = small(begin).starts_with("solid") && begin.find('\0') == std::string::npos;
   if (!is_text && (size < head || size != head + facet * facets))
     throw InputError(
         fmt::format("{}: {} bytes, but its {} facets take {}; truncated, or no STL file",
                     path.string(), size, facets, head + facet * facets));
   file.seekg(std::streamoff(size - std::min(size, tail)));
-  if (is_text &&
-      std::string(std::istreambuf_iterator<char>(file), {}).find("endsolid") == std::string::npos)
+  if (is_text && small(std::string(std::istreambuf_iterator<char>(file), {})).find("endsolid") ==
+                     std::string::npos)
     throw InputError(path.string() + ": no 'endsolid' at its end; truncated?");
   return make<vtkSTLReader>(path);
 }

@@ -126,5 +126,38 @@ TEST_F(UnitMetaImage, AxesThatDoNotSpanSpaceAreRefused) {
   EXPECT_THAT(complaint("Rotation = 1 0 0\n"), HasSubstr("expected 9 numbers"));
 }
 
+TEST_F(UnitMetaImage, HeaderSizeSaysWhereTheDataBegin) {
+  const fs::path raw = folder_ / "data.raw", header = folder_ / "field.mhd";
+  const auto read = [&](const std::string& size, const std::string& more = "") {
+    std::ofstream(header) << "NDims = 3\nDimSize = 5 9 3\nElementNumberOfChannels = 3\n"
+                          << "ElementType = MET_FLOAT\n"
+                          << size << "ElementDataFile = data.raw\n"
+                          << more;
+    return at(*make_field(header.string()), {2, 3, 1});
+  };
+  const auto said = [&](const std::string& size, const std::string& more = "") -> std::string {
+    try {
+      read(size, more);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  };
+  std::ofstream(raw, std::ios::binary) << std::string(17, 'x') << samples();
+  EXPECT_EQ(read("HeaderSize = 17\n"), Vec3(2, 30, 100));
+  EXPECT_EQ(read("HeaderSize = -1\n"), Vec3(2, 30, 100));
+  EXPECT_THAT(said(""), HasSubstr("bytes of data; its header says"));
+  EXPECT_THAT(said("HeaderSize = 16\n"), HasSubstr("bytes of data; its header says"));
+  EXPECT_THAT(said("HeaderSize = 99999\n"), HasSubstr("data from byte 99999 of"));
+  EXPECT_THAT(said("HeaderSize = -2\n"), HasSubstr("HeaderSize = -2; accepted"));
+  EXPECT_THAT(said("HeaderSize = -1\nCompressedData = True\n"), HasSubstr("of compressed data"));
+  std::ofstream(raw, std::ios::binary) << samples();
+  EXPECT_EQ(read("HeaderSize = -1\n"), Vec3(2, 30, 100));
+  EXPECT_THAT(said("", "ElementSpacing = 2 2 2\n"),
+              HasSubstr("'ElementSpacing' follows ElementDataFile"));
+  std::ofstream(raw, std::ios::binary) << "short";
+  EXPECT_THAT(said("HeaderSize = -1\n"), HasSubstr("5 bytes; its header says"));
+}
+
 }  // namespace
 }  // namespace pellucid::fields

@@ -58,5 +58,21 @@ TEST_F(UnitCsvHeads, CsvSaysWhichColumnOrLineIsWrong) {
     EXPECT_THAT(refusal([&] { read_points(file("a.csv", content)); }), HasSubstr(said));
 }
 
+TEST_F(UnitCsvHeads, NamesThatAreThereTwiceAreRefused) {
+  EXPECT_THAT(refusal([&] { read_points(file("a.csv", "x,y,z,s,s\n0,0,0,1,2\n")); }),
+              HasSubstr("a.csv:1: two columns are called 's'"));
+  EXPECT_THAT(refusal([&] { read_points(file("a.csv", "x,y,x,z\n0,0,0,1\n")); }),
+              HasSubstr("two columns are called 'x'"));
+}
+
+TEST_F(UnitCsvHeads, PositionsAreOfOneUnit) {
+  EXPECT_THAT(refusal([&] { read_points(file("a.csv", "x (mm),y (mm),z (cm)\n0,0,0\n")); }),
+              HasSubstr("'z (cm)', but another axis is in mm"));
+  for (const char* head :
+       {"x (mm),y [mm],z ( mm ),s", "x (mm),y,z (mm),s", "x [m],y [m],z [m],s [cm]"})
+    EXPECT_EQ(read_points(file("a.csv", std::string(head) + "\n1,2,3,4\n")).positions,
+              std::vector<Vec3>(1, Vec3(1, 2, 3)));
+}
+
 }  // namespace
 }  // namespace pellucid::geometry

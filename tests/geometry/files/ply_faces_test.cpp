@@ -11,13 +11,13 @@ using ::testing::HasSubstr;
 class UnitPlyFaces : public FormatFiles {
  protected:
   /// A square of four vertices; `face` are the properties of its faces besides their corners.
-  fs::path square(const std::string& face, const std::string& faces,
-                  const std::string& vertex = "", const std::string& of_vertex = "",
-                  const std::string& count = "uchar") const {
-    std::string text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                       "property float z\n" + vertex + "element face " +
-                       std::to_string(std::ranges::count(faces, '\n')) + "\nproperty list " + count +
-                       " int vertex_indices\n" + face + "end_header\n";
+  fs::path square(const std::string& face, const std::string& faces, const std::string& vertex = "",
+                  const std::string& of_vertex = "", const std::string& count = "uchar") const {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\n" +
+        vertex + "element face " + std::to_string(std::ranges::count(faces, '\n')) +
+        "\nproperty list " + count + " int vertex_indices\n" + face + "end_header\n";
     for (const char* at : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) text += at + of_vertex + "\n";
     return file("a.ply", text + faces);
   }
@@ -60,25 +60,27 @@ TEST_F(UnitPlyFaces, AnAlphaAloneIsOfLightGrey) {
 }
 
 TEST_F(UnitPlyFaces, ListsHaveWholeLengths) {
-  for (const auto& [length, count] : {std::pair("-1", "uchar"), std::pair("-1", "int"),
-                                      std::pair("3.7", "uchar"), std::pair("nan", "float"),
-                                      std::pair("inf", "float"), std::pair("-0.5", "float")})
-    EXPECT_THAT(refusal([&, &length = length, &count = count] {
-                  read_mesh(square("", std::string(length) + " 0 1 2\n3 0 1 2\n", "", "", count));
-                }),
-                HasSubstr(std::string("a.ply:14: 'vertex_indices': a list of ") + length + " values"));
+  for (const auto& [length, count] :
+       {std::pair("-1", "uchar"), std::pair("-1", "int"), std::pair("3.7", "uchar"),
+        std::pair("nan", "float"), std::pair("inf", "float"), std::pair("-0.5", "float")})
+    EXPECT_THAT(
+        refusal([&, &length = length, &count = count] {
+          read_mesh(square("", std::string(length) + " 0 1 2\n3 0 1 2\n", "", "", count));
+        }),
+        HasSubstr(std::string("a.ply:14: 'vertex_indices': a list of ") + length + " values"));
   EXPECT_EQ(read_mesh(square("", "3.0 0 1 2\n", "", "", "float")).triangles.size(), 1u);
   EXPECT_EQ(read_mesh(square("", "0\n3 0 1 2\n")).triangles.size(), 1u);
 }
 
 TEST_F(UnitPlyFaces, FacesBeforeTheirVerticesAreRefused) {
-  EXPECT_THAT(refusal([&] {
-                read_mesh(file("b.ply",
-                               "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int "
-                               "vertex_indices\nelement vertex 3\nproperty float x\nproperty float y\n"
-                               "property float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n"));
-              }),
-              HasSubstr("the element 'face' stands before 'vertex'"));
+  EXPECT_THAT(
+      refusal([&] {
+        read_mesh(file("b.ply",
+                       "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int "
+                       "vertex_indices\nelement vertex 3\nproperty float x\nproperty float y\n"
+                       "property float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n"));
+      }),
+      HasSubstr("the element 'face' stands before 'vertex'"));
 }
 
 }  // namespace

@@ -84,5 +84,15 @@ TEST_F(UnitByteOrderMark, IsPassedOverInEveryText) {
   }
 }
 
+TEST_F(UnitStl, TextMayBeInCapitals) {
+  std::string capitals = text_stl();
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return std::toupper(c); });
+  EXPECT_EQ(read_mesh(file("a.stl", capitals)).triangles,
+            read_mesh(file("b.stl", text_stl())).triangles);
+  EXPECT_THAT(refusal([&] { read_mesh(file("a.stl", capitals.substr(0, 200))); }),
+              HasSubstr("a.stl: no 'endsolid'"));
+}
+
 }  // namespace
 }  // namespace pellucid::geometry
