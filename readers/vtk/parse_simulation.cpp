@@ -4,7 +4,6 @@
 #include <vtkExodusIIReader.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
-#include <vtkMRCReader.h>
 #include <vtkMultiBlockPLOT3DReader.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkSTLReader.h>
@@ -24,6 +23,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "readers/vtk/make_mrc.h"
 #include "readers/vtk/make_netcdf.h"
 #include "readers/vtk/make_nifti.h"
 #include "readers/vtk/parse_file.h"
@@ -153,8 +153,8 @@ constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".nii", make_nifti},
                                  {".nii.gz", make_nifti},
                                  {".stl", make_stl},
-                                 {".mrc", make<vtkMRCReader>},
-                                 {".rec", make<vtkMRCReader>}};
+                                 {".mrc", make_mrc},
+                                 {".rec", make_mrc}};
 
 }  // namespace
 

@@ -86,7 +86,12 @@ constexpr VtkFormat table[] = {
      {},
      "corners at one place become one vertex; colours in a facet's spare bytes are left out",
      true},
-    {".mrc", "MRC image", simulation, Beside::nothing, {}, "one scalar"},
+    {".mrc",
+     "MRC image",
+     simulation,
+     Beside::nothing,
+     {},
+     "one scalar; of bytes, signed numbers of 16 bits or floats; axes in the order x, y, z"},
     {".rec", "MRC image", simulation, Beside::nothing, {}, "as .mrc"},
 };
 

@@ -30,9 +30,11 @@ TEST_F(UnitObjOrder, WhatIsListedNowhereIsRefusedWithItsLine) {
               HasSubstr("a.obj:5: vertex index 4, but 3 are listed"));
   EXPECT_THAT(said(vertices + "f 1//2 2//1 3//1\nvn 0 0 1\n"),
               HasSubstr("a.obj:4: normal index 2, but 1 are listed"));
-  EXPECT_THAT(said("f -1 -2 -3\n" + vertices), HasSubstr("vertex index -1, but 0 were listed so far"));
+  EXPECT_THAT(said("f -1 -2 -3\n" + vertices),
+              HasSubstr("vertex index -1, but 0 were listed so far"));
   for (const char* wrong : {"0", "1.5", "4294967296", "nan", "-4"})
-    EXPECT_THAT(said(vertices + "f 1 2 " + wrong + "\n"), HasSubstr("a.obj:4: vertex index")) << wrong;
+    EXPECT_THAT(said(vertices + "f 1 2 " + wrong + "\n"), HasSubstr("a.obj:4: vertex index"))
+        << wrong;
 }
 
 TEST_F(UnitObjOrder, LinesEndInEveryWay) {
@@ -41,7 +43,8 @@ TEST_F(UnitObjOrder, LinesEndInEveryWay) {
     for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += end.size())
       text.replace(at, 1, end);
     EXPECT_EQ(read_mesh(file("a.obj", text)).triangles.size(), 1u);
-    EXPECT_THAT(refusal([&] { read_mesh(file("a.obj", text + "f 1 2 9")); }), HasSubstr("a.obj:8:"));
+    EXPECT_THAT(refusal([&] { read_mesh(file("a.obj", text + "f 1 2 9")); }),
+                HasSubstr("a.obj:8:"));
   }
 }
 

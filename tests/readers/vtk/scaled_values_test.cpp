@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What VTK's readers of NetCDF and NIfTI leave to their caller: missing samples, scales.
+// What VTK's readers of NetCDF, NIfTI and MRC leave to their caller: missing samples, scales,
+// signs.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@
 #include <vtkDataSet.h>
 #include <vtkPointData.h>
 
+#include <array>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -85,6 +87,24 @@ class UnitScaledValues : public ::testing::Test {
       bytes.append(reinterpret_cast<const char*>(&i), sizeof i);
     write_text(folder_ / "i.nii", bytes);
     return folder_ / "i.nii";
+  }
+
+  /// An MRC map of 2 × 2 × 2 samples whose bytes are `data`.
+  std::filesystem::path mrc(std::int32_t mode, const std::string& data,
+                            std::int32_t version = 20141,
+                            std::array<std::int32_t, 3> axes = {1, 2, 3}) const {
+    std::string bytes(1024, '\0');
+    const auto put = [&](std::size_t at, auto number) {
+      std::memcpy(&bytes[at], &number, sizeof number);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      put(4 * k, std::int32_t(2)), put(28 + 4 * k, std::int32_t(2)), put(40 + 4 * k, 2.0f);
+      put(64 + 4 * k, axes[k]);
+    }
+    put(12, mode), put(108, version);
+    std::memcpy(&bytes[208], "MAP DA", 6);
+    write_text(folder_ / "m.mrc", bytes + data);
+    return folder_ / "m.mrc";
   }
 
   testing::TemporaryFolder folder_;
@@ -170,6 +190,20 @@ TEST_F(UnitScaledValues, NiftiIsScaled) {
 
 TEST_F(UnitScaledValues, VolumesOverTimeAreRefused) {
   EXPECT_THAT(complaint(nifti(1, 0, 3)), HasSubstr("3 volumes over time"));
+}
+
+TEST_F(UnitScaledValues, BytesOfMrcAreSignedWhereTheFormatSaysSo) {
+  const std::string bytes = "\xFE\xFF\x01\x02\x03\x04\x05\x06";
+  EXPECT_THAT(values(mrc(0, bytes), 3), ElementsAre(-2, -1, 1));
+  EXPECT_THAT(values(mrc(0, bytes, 0), 3), ElementsAre(254, 255, 1));  // older programs' bytes
+  EXPECT_THAT(values(mrc(0, bytes, 0, {0, 0, 0}), 3), ElementsAre(254, 255, 1));
+}
+
+TEST_F(UnitScaledValues, MrcThatVtkReadsOtherwiseIsRefused) {
+  EXPECT_THAT(complaint(mrc(6, std::string(16, '\1'))), HasSubstr("mode 6, unsigned numbers"));
+  EXPECT_THAT(complaint(mrc(2, std::string(32, '\0'), 20141, {3, 2, 1})),
+              HasSubstr("the axes 3, 2, 1; accepted: 1, 2, 3"));
+  EXPECT_EQ(complaint(mrc(2, std::string(32, '\0'))), "no complaint");
 }
 
 }  // namespace
