@@ -37,8 +37,8 @@ class MrcHeader {
   std::array<int, 3> axes() const { return {number(64), number(68), number(72)}; }
   bool has_signed_bytes() const {
     constexpr int first_version = 20140, imod = 1146047817;
-    return mode() == 0 && (number(152) == imod ? (number(156) & 1) != 0
-                                               : number(108) >= first_version);
+    return mode() == 0 &&
+           (number(152) == imod ? (number(156) & 1) != 0 : number(108) >= first_version);
   }
 
  private:
@@ -58,15 +58,17 @@ class MrcHeader {
 void refuse(const MrcHeader& header, const std::filesystem::path& path) {
   constexpr int unsigned_16 = 6;
   if (header.mode() == unsigned_16)
-    throw InputError(fmt::format("{}: mode 6, unsigned numbers of 16 bits; accepted: modes 0, 1 "
-                                 "and 2, bytes, signed numbers of 16 bits and floats",
-                                 path.string()));
+    throw InputError(
+        fmt::format("{}: mode 6, unsigned numbers of 16 bits; accepted: modes 0, 1 "
+                    "and 2, bytes, signed numbers of 16 bits and floats",
+                    path.string()));
   const auto [columns, rows, sections] = header.axes();
   if (const bool is_said = columns != 0 || rows != 0 || sections != 0;
       is_said && (columns != 1 || rows != 2 || sections != 3))
-    throw InputError(fmt::format("{}: its columns, rows and sections are the axes {}, {}, {}; "
-                                 "accepted: 1, 2, 3",
-                                 path.string(), columns, rows, sections));
+    throw InputError(
+        fmt::format("{}: its columns, rows and sections are the axes {}, {}, {}; "
+                    "accepted: 1, 2, 3",
+                    path.string(), columns, rows, sections));
 }
 
 class MrcReader : public vtkMRCReader {
