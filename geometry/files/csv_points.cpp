@@ -20,6 +20,7 @@
 #include "core/options/parameters.h"
 #include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/files/text_lines.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -124,10 +125,7 @@ class CsvReader {
 
   std::string_view next_line() {
     ++line_;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    return line;
+    return take_line(rest_);
   }
 
   /// Where the names are those of positions, the columns of x, y and z.
@@ -156,7 +154,7 @@ class CsvReader {
   /// A comment may hold the names: "//X;Y;Z".
   void read_header() {
     for (bool found = false; !found;) {
-      std::string_view line = trimmed_line(next_line());
+      std::string_view line = next_line();
       const bool is_comment = line.starts_with('#') || line.starts_with("//");
       if (is_comment) line.remove_prefix(line.front() == '#' ? 1 : 2);
       found = take_names(line);
@@ -185,10 +183,6 @@ class CsvReader {
     }
   }
 
-  static std::string_view trimmed_line(std::string_view line) {
-    return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
-  }
-
   bool parse(std::string_view word, double& value) const {
     if (parse_number(word, value)) return true;
     if (separator_ != ';' || word.find(',') == word.npos) return false;
@@ -198,7 +192,7 @@ class CsvReader {
   }
 
   void read_line() {
-    std::string_view line = trimmed_line(next_line());
+    std::string_view line = next_line();
     if (trimmed(line).empty()) return;
     if (separator_ == ' ') line = trimmed(line);
     for (std::size_t k = 0; k < names_.size(); ++k) {

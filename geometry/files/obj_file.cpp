@@ -18,6 +18,7 @@
 #include "core/files/output_file.h"
 #include "core/options/parameters.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/polygons/triangulate.h"
 
 namespace pellucid::geometry {
@@ -165,15 +166,6 @@ struct ObjReader {
     if (keyword == "vt") texture(words);
     if (keyword == "f") row(words, faces);
     if (keyword == "l") row(words, lines);
-  }
-
-  /// The text up to a line's end: LF, CR LF, or CR as of old Macintoshes.
-  static std::string_view take_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view row = text.substr(0, end);
-    text.remove_prefix(end);
-    text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
-    return row;
   }
 
   /// A backslash at a line's end goes on in the next one.

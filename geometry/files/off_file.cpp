@@ -16,6 +16,7 @@
 #include "geometry/default_color.h"
 #include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/files/text_lines.h"
 #include "geometry/polygons/triangulate.h"
 
 namespace pellucid::geometry {
@@ -56,12 +57,10 @@ class Lines {
  private:
   void split() {
     ++line_;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    line = line.substr(0, line.find('#'));
+    const std::string_view whole = take_line(rest_);
+    std::string_view line = whole.substr(0, whole.find('#'));
     words_.clear();
-    constexpr std::string_view blanks = " \t\r";
+    constexpr std::string_view blanks = " \t";
     for (std::size_t begin; (begin = line.find_first_not_of(blanks)) != line.npos;) {
       line.remove_prefix(begin);
       words_.push_back(line.substr(0, line.find_first_of(blanks)));

@@ -48,5 +48,23 @@ TEST_F(UnitObjOrder, LinesEndInEveryWay) {
   }
 }
 
+TEST_F(UnitObjOrder, LinesOfOtherTextsDoSoToo) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto with_ends = [&](std::string text) {
+      for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += end.size())
+        text.replace(at, 1, end);
+      return text;
+    };
+    EXPECT_EQ(read_mesh(file("a.off", with_ends("OFF # a comment\n\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n"
+                                                "3 0 1 2\n")))
+                  .triangles.size(),
+              1u);
+    EXPECT_EQ(read_points(file("a.csv", with_ends("x,y,z,s\n\n1,2,3,4\n5,6,7,8"))).scalars.at("s"),
+              (std::vector<double>{4, 8}));
+    EXPECT_THAT(refusal([&] { read_points(file("a.csv", with_ends("x,y,z\n1,2,3\n1,2,a\n"))); }),
+                HasSubstr("a.csv:3:"));
+  }
+}
+
 }  // namespace
 }  // namespace pellucid::geometry
