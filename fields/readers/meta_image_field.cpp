@@ -76,6 +76,7 @@ std::string inflated(std::string packed, const MetaImageHeader& header, const Pa
 
 /// Goes to where the data begin, as HeaderSize has it; behind a local header they begin after it.
 void seek_data(std::istream& file, const Path& path, const MetaImageHeader& header) {
+  file.clear();  // at its end, where nothing follows the header
   const auto here = std::size_t(file.tellg()), size = here + bytes_left(file);
   std::size_t first = header.skipped.value_or(0);
   if (!header.skipped) {

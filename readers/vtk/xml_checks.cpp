@@ -113,6 +113,7 @@ struct Extent {
 
   std::int64_t first(std::size_t axis) const { return ends[2 * axis]; }
   std::int64_t last(std::size_t axis) const { return ends[2 * axis + 1]; }
+  bool is_empty() const { return first(0) > last(0) || first(1) > last(1) || first(2) > last(2); }
 };
 
 std::optional<Extent> extent_of(const XmlTag& tag, std::string_view attribute) {
@@ -204,7 +205,8 @@ Pieces pieces_of(const std::vector<XmlTag>& tags) {
     if (const auto whole = extent_of(tag, "WholeExtent")) pieces.whole = whole, pieces.grid = tag;
     if (tag.name == "Piece") {
       pieces.last = tag;
-      if (const auto extent = extent_of(tag, "Extent")) pieces.extents.push_back(*extent);
+      if (const auto extent = extent_of(tag, "Extent"); extent && !extent->is_empty())
+        pieces.extents.push_back(*extent);
     }
     if (tag.name == "CellData") in_cells = true;
     if (tag.name == "PointData" || tag.name == "Piece") in_cells = false;
@@ -215,12 +217,11 @@ Pieces pieces_of(const std::vector<XmlTag>& tags) {
 
 void check_pieces(const std::vector<XmlTag>& tags, const Path& path) {
   const Pieces pieces = pieces_of(tags);
-  if (!pieces.whole || pieces.extents.empty()) return;
+  if (!pieces.whole || pieces.whole->is_empty()) return;
   const auto& whole = pieces.grid.attributes.find("WholeExtent")->second;
   for (const Extent& piece : pieces.extents)
     for (std::size_t a = 0; a < 3; ++a)
-      if (piece.first(a) < pieces.whole->first(a) || piece.last(a) > pieces.whole->last(a) ||
-          piece.first(a) > piece.last(a))
+      if (piece.first(a) < pieces.whole->first(a) || piece.last(a) > pieces.whole->last(a))
         refuse(path, pieces.last, "Extent", fmt::format("{}", fmt::join(piece.ends, " ")),
                fmt::format("within WholeExtent=\"{}\"", whole));
   const Covering cells(*pieces.whole, true), points(*pieces.whole, false);

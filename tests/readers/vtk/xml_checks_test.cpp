@@ -94,6 +94,14 @@ TEST_F(UnitXmlChecks, PiecesMakeUpTheirGrid) {
   EXPECT_THAT(of_pieces({"0 10 0 3 0 2"}), HasSubstr("within WholeExtent"));
 }
 
+/// A process that had nothing to write does so.
+TEST_F(UnitXmlChecks, EmptyPiecesAndEmptyGrids) {
+  EXPECT_EQ(of_pieces({"0 9 0 3 0 2", "0 -1 0 -1 0 -1"}), "");
+  EXPECT_EQ(complaint("a.vti", grid("WholeExtent=\"0 -1 0 -1 0 -1\"", {"0 -1 0 -1 0 -1"})), "");
+  EXPECT_THAT(of_pieces({"0 -1 0 -1 0 -1"}), HasSubstr("its 0 pieces hold 0 of the 54 cells"));
+  EXPECT_THAT(of_pieces({}), HasSubstr("its 0 pieces hold 0 of the 54 cells"));
+}
+
 /// Side by side without a shared layer pieces hold every sample, and no cell between them.
 TEST_F(UnitXmlChecks, PiecesOfSamplesAlone) {
   EXPECT_EQ(of_pieces({"0 4 0 3 0 2", "5 9 0 3 0 2"}), "");
