@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/finite_vertices.h"
 #include "geometry/vertex_normals.h"
 
 namespace pellucid::geometry {
@@ -71,15 +72,21 @@ PointSet read_points(const fs::path& path) {
 }
 
 void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
-  row_with(&FormatRow::write_mesh, path, "mesh").write_mesh(path, mesh);
+  const FormatRow& row = row_with(&FormatRow::write_mesh, path, "mesh");
+  check_finite(path.string(), mesh);
+  row.write_mesh(path, mesh);
 }
 
 void write_lines(const fs::path& path, const LineSet& lines) {
-  row_with(&FormatRow::write_lines, path, "line").write_lines(path, lines);
+  const FormatRow& row = row_with(&FormatRow::write_lines, path, "line");
+  check_finite(path.string(), lines);
+  row.write_lines(path, lines);
 }
 
 void write_points(const fs::path& path, const PointSet& points) {
-  row_with(&FormatRow::write_points, path, "point").write_points(path, points);
+  const FormatRow& row = row_with(&FormatRow::write_points, path, "point");
+  check_finite(path.string(), points);
+  row.write_points(path, points);
 }
 
 }  // namespace pellucid::geometry

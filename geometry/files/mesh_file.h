@@ -33,7 +33,7 @@ PointSet read_points(const std::filesystem::path& path);
 
 /// Writes by the file's ending: .ply is binary with double positions and float attributes, .obj
 /// holds positions, normals and triangles. All scalars are kept by PLY and VTP. Throws InputError
-/// for an ending without a writer.
+/// for an ending without a writer, and for a position that is not finite.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 /// Does so with polylines; in .ply each vertex has its line's number.

@@ -28,6 +28,14 @@ FrontPoint front_point(const Trajectory& path, double t) {
   return point;
 }
 
+void FrontParticle::go_on() {
+  if (next->t > head.t) {
+    if (path.are_same(next->flow.x, head.flow.x)) next->vertex = head.vertex;
+    head = *next;
+  }
+  next.reset();
+}
+
 Separation separation(const FrontPoint& a, const FrontPoint& b) {
   const Vec3 joining = b.flow.x - a.flow.x;
   const double distance = glm::length(joining);

@@ -35,6 +35,9 @@ struct FrontParticle {
   std::unique_ptr<Trajectory> shadow;  // from halfway to the right neighbour's seed
 
   bool is_linked() const { return left >= 0 || right >= 0; }
+  /// Goes on to `next`, if it is later. Who rested meanwhile keeps its vertex: a second one there
+  /// would make triangles without an area.
+  void go_on();
 
   explicit FrontParticle(double seed, Trajectory trajectory)
       : s(seed), path(std::move(trajectory)) {}

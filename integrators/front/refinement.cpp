@@ -26,10 +26,11 @@ double time_to_move(const FrontPoint& here, double move) {
   return std::min(move / here.speed, std::numeric_limits<double>::max());
 }
 
-/// The longest time whose chord's sagitta is allowed, by the present curvature.
-double time_to_bend(const FlowPoint& here, const Vec3& acceleration, double sagitta) {
-  const double speed2 = glm::dot(here.v, here.v);
-  const Vec3 across = acceleration - glm::dot(acceleration, here.v) / speed2 * here.v;
+/// The longest time whose chord's sagitta is allowed, by the present curvature. What sets off from
+/// rest goes along its acceleration, straight at first.
+double time_to_bend(const FrontPoint& here, const Vec3& acceleration, double sagitta) {
+  if (here.speed == 0) return std::numeric_limits<double>::max();
+  const Vec3 across = acceleration - glm::dot(acceleration, here.direction) * here.direction;
   return std::sqrt(8 * sagitta / glm::length(across));
 }
 
@@ -47,12 +48,15 @@ constexpr double widest_aspect = 3;
 
 /// The shortest time that a ribbon's triangles should take, so as not to be too wide.
 double shortest_time(const FrontPoint& a, const FrontPoint& b) {
-  return separation(a, b).width / (widest_aspect * 0.5 * (a.speed + b.speed));
+  const double speed = 0.5 * (a.speed + b.speed);
+  if (speed == 0) return std::numeric_limits<double>::max();
+  return separation(a, b).width / (widest_aspect * speed);
 }
 
 /// How far the middle of the ribbon's diagonal strays from the surface in the shortest time.
 double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
-  return 0.25 * shortest_time(a, b) * twist_rate(a, b);
+  const double rate = twist_rate(a, b);
+  return rate > 0 ? 0.25 * shortest_time(a, b) * rate : 0;
 }
 
 // A trajectory that bends between two vertices by a large part of its ribbon's width tilts the
@@ -66,8 +70,7 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
   const bool is_short = moved <= shortest_edge(refinement);
   if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
   if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
-  const Vec3 middle = path.position_at(0.5 * (head.t + next.t));
-  const double sagitta = distance_to_segment(middle, head.flow.x, next.flow.x);
+  const double sagitta = path.sagitta(head.t, next.t);
   double largest = refinement.step > 0 ? refinement.step : refinement.largest_step_sagitta();
   for (const FrontPoint* neighbour : {left, right})
     if (neighbour && !is_short)
@@ -80,11 +83,13 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
 
 double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right) {
-  if (!refinement.by_tolerance() || refinement.step > 0) return time_to_move(head, refinement.step);
+  const double longest = path.longest_plan();
+  if (!refinement.by_tolerance() || refinement.step > 0)
+    return std::min(time_to_move(head, refinement.step), longest);
   const double sagitta = refinement.largest_step_sagitta();
   // A ribbon that has become as thin as the tolerance has no shape to keep.
   const double thin = 8 * refinement.tolerance;
-  double dt = time_to_bend(head.flow, path.acceleration(head.t), sagitta);
+  double dt = time_to_bend(head, path.acceleration(head.t), sagitta);
   for (const FrontPoint* neighbour : {left, right}) {
     if (!neighbour) continue;
     const double width = separation(head, *neighbour).width;
@@ -92,7 +97,7 @@ double planned_step(const Refinement& refinement, const Trajectory& path, const 
     dt = std::min({dt, std::max(twist, shortest_time(head, *neighbour)),
                    time_to_move(head, longest_aspect * std::max(width, thin))});
   }
-  return std::min(dt, std::numeric_limits<double>::max());
+  return std::min(dt, longest);
 }
 
 double allowed_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
@@ -101,13 +106,6 @@ double allowed_step(const Refinement& refinement, const Trajectory& path, const 
   if (!(moved > 0)) return std::numeric_limits<double>::infinity();
   const double part = shortening(refinement, path, head, left, right, next);
   return part >= 1 ? std::numeric_limits<double>::infinity() : std::max(part, 0.1) * moved;
-}
-
-double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const Vec3 ab = b - a;
-  const double length2 = glm::dot(ab, ab);
-  const double u = length2 > 0 ? std::clamp(glm::dot(x - a, ab) / length2, 0.0, 1.0) : 0;
-  return glm::distance(x, a + u * ab);
 }
 
 double shortest_edge(const Refinement& refinement) {

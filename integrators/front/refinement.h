@@ -6,6 +6,7 @@
 #include "core/options/option_table.h"
 #include "integrators/front/front_particle.h"
 #include "integrators/front/surface_particles.h"
+#include "integrators/paths/segment_distance.h"
 
 namespace pellucid::integrators {
 
@@ -75,8 +76,5 @@ double allowed_step(const Refinement& refinement, const Trajectory& path, const 
 std::optional<FrontPoint> next_vertex(const Refinement& refinement, Trajectory& path,
                                       const FrontPoint& head, const FrontPoint* left,
                                       const FrontPoint* right, fields::FieldSampler& sampler);
-
-/// Distance of x from the segment between a and b, world units.
-double distance_to_segment(const Vec3& x, const Vec3& a, const Vec3& b);
 
 }  // namespace pellucid::integrators

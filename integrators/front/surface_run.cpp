@@ -84,6 +84,7 @@ std::uint32_t SurfaceRun::add_vertex(const FrontParticle& particle) {
 }
 
 void SurfaceRun::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  if (a == b || b == c || c == a) return;  // a particle rests
   builder_.add_triangle(a, b, c);
   if (builder_.triangle_count() % (1 << 14) == 0)
     report(request_.progress, builder_.newest_t() / request_.duration, "surface");

@@ -24,6 +24,7 @@ class SurfaceRun {
   fields::FieldSampler& sampler() { return source_.sampler(); }
 
   std::uint32_t add_vertex(const FrontParticle& particle);
+  /// One that has a vertex twice is left out.
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
   /// The front could be refined no further between these seeds.

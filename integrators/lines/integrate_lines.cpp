@@ -12,6 +12,7 @@
 #include "core/machine/stopwatch.h"
 #include "core/options/names.h"
 #include "core/parallel.h"
+#include "geometry/finite_vertices.h"
 #include "integrators/lines/line_directions.h"
 #include "integrators/lines/line_options.h"
 #include "integrators/lines/seeds_extent.h"
@@ -260,6 +261,7 @@ IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& 
         return row.run(one, parameters);
       });
   refuse_if_nowhere(request, result);
+  geometry::check_finite(row.name, result.lines);
   return result;
 }
 

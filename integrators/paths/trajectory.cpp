@@ -8,6 +8,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "fields/finite.h"
+#include "integrators/paths/segment_distance.h"
+
 namespace pellucid::integrators {
 namespace {
 
@@ -108,6 +111,7 @@ double Trajectory::kinkless_step() const {
 
 fields::SampleStatus Trajectory::slope(double t, const State& y, State& f,
                                        fields::FieldSampler& sampler) {
+  if (!fields::is_finite(first(y))) return fields::SampleStatus::not_finite;
   const double time = options_->start_time + (options_->path ? t : 0);
   Vec3 v, w(0);
   fields::SampleStatus status;
@@ -307,6 +311,15 @@ FlowPoint Trajectory::at(double t) const {
 Vec3 Trajectory::position_at(double t) const {
   const Step& step = step_at(t);
   return step.way.position(step.theta(t));
+}
+
+double Trajectory::sagitta(double t0, double t1) const {
+  const Vec3 from = position_at(t0), to = position_at(t1);
+  const auto off = [&](double part) {
+    return distance_to_segment(position_at(t0 + part * (t1 - t0)), from, to);
+  };
+  // Not quarters: a flow that swings has a period, and they might all be multiples of it.
+  return options_->changing ? std::max({off(0.5), off(0.19), off(0.82)}) : off(0.5);
 }
 
 Vec3 Trajectory::acceleration(double t) const {

@@ -72,6 +72,18 @@ class Trajectory {
   Vec3 position_at(double t) const;
   /// Second time derivative of the position.
   Vec3 acceleration(double t) const;
+  /// How long the velocity at one point tells at most how the particle goes on: the duration; where
+  /// the field changes a tenth of it, since a particle may turn or set off meanwhile.
+  double longest_plan() const {
+    return options_->changing ? options_->duration / 10 : options_->duration;
+  }
+  /// Largest distance between its way from t0 to t1 and the chord, by the way's middle and, in a
+  /// field that changes, two more of its places: there it may have gone there and back.
+  double sagitta(double t0, double t1) const;
+  /// Whether two places of it are the same but for what counts as standing.
+  bool are_same(const Vec3& a, const Vec3& b) const {
+    return glm::distance(a, b) <= options_->still;
+  }
   /// Forgets what lies before t.
   void release(double t);
 

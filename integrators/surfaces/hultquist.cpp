@@ -117,8 +117,7 @@ void RibbonFront::advance(int p) {
   FrontParticle& particle = front_.at(p);
   const FrontPoint before = particle.head;
   const int left = particle.left, right = particle.right;
-  particle.head = *particle.next;
-  particle.next.reset();
+  particle.go_on();
   particle.path.release(particle.head.t);
   look_ahead(p);
   if (left >= 0) tile(left, p, p, before);

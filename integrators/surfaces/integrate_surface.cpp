@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/options/names.h"
+#include "geometry/finite_vertices.h"
 #include "integrators/paths/seed_place.h"
 #include "integrators/surfaces/adaptive_front.h"
 #include "integrators/surfaces/fixed_front.h"
@@ -37,6 +38,7 @@ IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRe
     throw InputError(fmt::format("{}: no triangle came of {} particles; they ended: {}{}", row.name,
                                  surface.stats.particles, in_words(surface.stats.ends),
                                  advice(request, surface.stats.ends)));
+  geometry::check_finite(row.name, surface.mesh);
   return surface;
 }
 

@@ -84,11 +84,7 @@ void SynchronousFront::advance() {
   }
   before_.resize(std::size_t(front_.size()));
   for (const int p : line_) before_[std::size_t(p)] = head_of(p);
-  for (const int p : moving_) {
-    FrontParticle& particle = front_.at(p);
-    if (particle.next->t > particle.head.t) particle.head = *particle.next;
-    particle.next.reset();
-  }
+  for (const int p : moving_) front_.at(p).go_on();
 }
 
 void SynchronousFront::advance_as_refined() {
