@@ -31,32 +31,35 @@ Abreast FrontLine::abreast(int p, int q) {
 
 void FrontLine::start(std::span<const double> seeds, bool ring) {
   std::vector<Place> places;
-  for (const double s : seeds) places.push_back(place(s, 0, {}));
-  if (ring) places.push_back({places.front().s + 1, 0, places.front().particle});
+  for (const double s : seeds) places.push_back(place(s, 0, 0, {}));
+  if (ring) places.push_back({places.front().s + 1, 0, 0, places.front().particle});
   edges_.clear();
   for (std::size_t i = 1; i < places.size(); ++i) span(places[i - 1], places[i], {}, false);
   link_edges();
 }
 
-std::span<const FrontLine::Edge> FrontLine::join(int left, int right, bool split) {
+std::span<const FrontLine::Edge> FrontLine::join(int left, int right, const Tiled& tiled,
+                                                 bool split) {
   Shadow shadow = std::move(at(left).shadow);
   if (shadow) shadow->release(0.5 * (at(left).head.t + at(right).head.t));
   at(left).right = at(right).left = -1;
   edges_.clear();
-  span({at(left).s, at(left).head.t, left}, {seed_after(left, right), at(right).head.t, right},
-       std::move(shadow), split);
+  span({at(left).s, at(left).head.t, tiled.left, left},
+       {seed_after(left, right), at(right).head.t, tiled.right, right}, std::move(shadow), split);
   link_edges();
   return edges_;
 }
 
 /// A particle from the seed at s, by the path that is known or a new one.
-FrontLine::Place FrontLine::place(double s, double t, Shadow path) {
-  if (!path) path = run_.spawn(s, t);
-  if (path && !path->reach(t, run_.sampler())) run_.drop(std::move(path), EndReason::torn);
-  if (!path) return {s, t, -1};
+FrontLine::Place FrontLine::place(double s, double t, double tiled, Shadow path) {
+  if (!path) path = run_.spawn(s, t, tiled);
+  if (path && !path->reach(t, run_.sampler()) && !(path->time() > tiled))
+    run_.drop(std::move(path), EndReason::torn);
+  if (!path) return {s, t, tiled, -1};
+  t = std::min(t, path->time());
   particles_.emplace_back(s, std::move(*path));
   particles_.back().head = front_point(particles_.back().path, t);
-  return {s, t, size() - 1};
+  return {s, t, tiled, size() - 1};
 }
 
 /// The seed of `right` as `left` sees it: on a ring the last ribbon runs on past s = 1.
@@ -70,7 +73,7 @@ double FrontLine::seed_after(int left, int right) const {
 /// particle when it gets one.
 FrontLine::Shadow FrontLine::shadow_between(const Place& a, const Place& b, Shadow known) {
   if (!refinement_.by_tolerance() || known || !run_.may_spawn()) return known;
-  return run_.spawn(0.5 * (a.s + b.s), 0.5 * (a.t + b.t));
+  return run_.spawn(0.5 * (a.s + b.s), 0.5 * (a.t + b.t), 0.5 * (a.tiled + b.tiled));
 }
 
 bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
@@ -125,7 +128,8 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   const bool torn = (narrow && at_edge) || b.s - a.s <= closest_seeds;
   if (both && torn) run_.tear(a.s, b.s);
   if (torn || (!shadow && !run_.may_spawn())) return run_.drop(std::move(shadow), EndReason::torn);
-  const Place middle = place(0.5 * (a.s + b.s), time_between(a, b), std::move(shadow));
+  const Place middle =
+      place(0.5 * (a.s + b.s), time_between(a, b), 0.5 * (a.tiled + b.tiled), std::move(shadow));
   span(a, middle, {}, false);
   span(middle, b, {}, false);
 }
@@ -158,12 +162,6 @@ void FrontLine::take_out(int middle) {
   left.right = particle.right;
   at(particle.right).left = particle.left;
   particle.left = particle.right = -1;
-}
-
-std::optional<Vec3> FrontLine::surface_between(int left, double t) {
-  Trajectory* shadow = at(left).shadow.get();
-  if (!shadow || !shadow->reach(t, run_.sampler())) return std::nullopt;
-  return shadow->position_at(t);
 }
 
 }  // namespace pellucid::integrators

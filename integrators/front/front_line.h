@@ -16,10 +16,15 @@ class FrontLine {
  public:
   using Shadow = std::unique_ptr<Trajectory>;
 
-  /// A place of the front: particle -1 when none gets there.
+  /// A place of the front: particle -1 when none gets there. What is tiled ends there at the time
+  /// `tiled`: who ends between then and t belongs to the front all the same, at its end.
   struct Place {
-    double s, t;
+    double s, t, tiled;
     int particle;
+  };
+  /// Times up to which what is tiled lies on either side of a ribbon.
+  struct Tiled {
+    double left, right;
   };
   /// An Edge joins two neighbours of the front.
   struct Edge {
@@ -36,7 +41,7 @@ class FrontLine {
   /// Joins two neighbours by edges, with as many particles between as it takes, and links them.
   /// Fewer edges than it takes come back where the ribbon had to be torn. `split`: at least one
   /// particle more. The edges are known until the next call.
-  std::span<const Edge> join(int left, int right, bool split = false);
+  std::span<const Edge> join(int left, int right, const Tiled& tiled, bool split = false);
   /// Takes a particle out: its neighbours become each other's.
   void take_out(int middle);
   /// Does it stand halfway between the seeds of its neighbours? By tolerance only such a particle
@@ -45,8 +50,6 @@ class FrontLine {
   /// Two particles as they are compared: at their heads, but in an unsteady flow, whose velocities
   /// mean nothing beside those of another time, at the later one's time.
   Abreast abreast(int p, int q);
-  /// The surface halfway between two neighbours; nothing without a shadow.
-  std::optional<Vec3> surface_between(int left, double t);
 
   FrontParticle& at(int p) { return particles_[std::size_t(p)]; }
   const FrontParticle& at(int p) const { return particles_[std::size_t(p)]; }
@@ -54,7 +57,7 @@ class FrontLine {
   std::vector<FrontParticle>& particles() { return particles_; }
 
  private:
-  Place place(double s, double t, Shadow path);
+  Place place(double s, double t, double tiled, Shadow path);
   Shadow shadow_between(const Place& a, const Place& b, Shadow known);
   bool is_fine(const Place& a, const Place& b, Trajectory* shadow);
   double time_between(const Place& a, const Place& b) const;

@@ -69,10 +69,10 @@ SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceSetup& option
       source_(request, options),
       builder_(request.start_time, options.trajectory.companion != Companion::none, request.seed) {}
 
-std::unique_ptr<Trajectory> SurfaceRun::spawn(double s, double t) {
+std::unique_ptr<Trajectory> SurfaceRun::spawn(double s, double t, double earliest) {
   auto path = std::make_unique<Trajectory>(source_.start(s));
   ++stats_.particles;
-  if (!path->exists() || !path->skip_to(t, sampler())) {
+  if (!path->exists() || (!path->skip_to(t, sampler()) && !(path->time() > earliest))) {
     drop(std::move(path), EndReason::torn);
     return nullptr;
   }
@@ -125,7 +125,7 @@ void SurfaceRun::drop(std::unique_ptr<Trajectory> path, EndReason reason) {
 void SurfaceRun::mend() {
   if (budget_) return;  // it ended before it was whole
   const auto point_at = [&](double s, double t) -> std::optional<FrontPoint> {
-    auto path = may_spawn() ? spawn(s, t) : nullptr;
+    auto path = may_spawn() ? spawn(s, t, t) : nullptr;
     if (!path) return std::nullopt;
     const FrontPoint point = front_point(*path, t);
     ++stats_.ends[EndReason::vertex];

@@ -19,8 +19,9 @@ class SurfaceRun {
  public:
   SurfaceRun(const SurfaceRequest& request, const SurfaceSetup& options);
 
-  /// A trajectory from the seed at s, integrated to time t; nothing when it ends before.
-  std::unique_ptr<Trajectory> spawn(double s, double t);
+  /// A trajectory from the seed at s, integrated to time t or, where it ends after `earliest`, to
+  /// its end; nothing when it ends before.
+  std::unique_ptr<Trajectory> spawn(double s, double t, double earliest);
   fields::FieldSampler& sampler() { return source_.sampler(); }
 
   std::uint32_t add_vertex(const FrontParticle& particle);

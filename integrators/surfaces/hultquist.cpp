@@ -143,7 +143,8 @@ std::span<const FrontLine::Edge> reached_from(int advanced,
 /// Tiles the ribbon between two neighbours, one of which just advanced from `before`. The
 /// triangle's new edge becomes several when it asks for particles on it.
 void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& before) {
-  const auto edges = front_.join(left, right);
+  const auto tiled = [&](int p) { return p == advanced ? before.t : front_.at(p).head.t; };
+  const auto edges = front_.join(left, right, {tiled(left), tiled(right)});
   for (const auto& edge : reached_from(advanced, edges))
     run_.add_triangle(before.vertex, front_.at(edge.right).head.vertex,
                       front_.at(edge.left).head.vertex);

@@ -144,12 +144,13 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
   const double sagitta = distance_to_segment(head_of(middle).flow.x, l.flow.x, r.flow.x);
   if (!can_do_without(refinement_, front_.abreast(left, right), sagitta)) return false;
   if (!is_well_shaped(m, r, l)) return false;
-  const Vec3 between = front_.at(middle).path.position_at(0.5 * (m.t + t_));
-  if (refinement_.by_tolerance() &&
-      diagonal_sagitta(left, right, between) > refinement_.largest_sagitta() / 4)
+  const Trajectory& between = front_.at(middle).path;
+  if (refinement_.by_tolerance() && diagonal_sagitta(left, right, [&](double t) {
+                                      return between.position_at(t);
+                                    }) > refinement_.largest_sagitta() / 4)
     return false;
   front_.take_out(middle);
-  front_.join(left, right);
+  front_.join(left, right, {t_, t_});
   const auto triangle = [&](const FrontPoint& x, const FrontPoint& y, const FrontPoint& z) {
     run_.add_triangle(x.vertex, y.vertex, z.vertex);
   };
@@ -159,28 +160,34 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
   return true;
 }
 
-/// How far x, from the middle of a ribbon's last piece, is from the nearer one of its diagonals.
-double SynchronousFront::diagonal_sagitta(int left, int right, const Vec3& x) const {
-  const FrontPoint &l0 = before_[std::size_t(left)], &r0 = before_[std::size_t(right)];
-  return std::min(distance_to_segment(x, l0.flow.x, head_of(right).flow.x),
-                  distance_to_segment(x, r0.flow.x, head_of(left).flow.x));
+/// How far the surface, known at any time halfway between the ribbon's seeds, is from the nearer
+/// one of the two diagonals of the ribbon's last piece. Each is held against the surface at the
+/// time of its own middle: where a neighbour has left the field within the row the two differ, and
+/// between them the surface moves along itself.
+template <class SurfaceAt>
+double SynchronousFront::diagonal_sagitta(int left, int right, const SurfaceAt& surface_at) const {
+  const auto sagitta = [&](const FrontPoint& a, const FrontPoint& b) {
+    return distance_to_segment(surface_at(0.5 * (a.t + b.t)), a.flow.x, b.flow.x);
+  };
+  return std::min(sagitta(before_[std::size_t(left)], head_of(right)),
+                  sagitta(before_[std::size_t(right)], head_of(left)));
 }
 
 /// By tolerance: does the surface leave both diagonals of the ribbon's last piece too far?
 bool SynchronousFront::diagonals_stray(const Ribbon& ribbon) {
-  if (!refinement_.by_tolerance()) return false;
-  const auto before = [&](int p) { return before_[std::size_t(p)].t; };
-  const auto x =
-      front_.surface_between(ribbon.left, (before(ribbon.left) + before(ribbon.right) +
-                                           head_of(ribbon.left).t + head_of(ribbon.right).t) /
-                                              4);
-  return x && diagonal_sagitta(ribbon.left, ribbon.right, *x) > refinement_.largest_sagitta();
+  const auto [left, right] = ribbon;
+  Trajectory* shadow = front_.at(left).shadow.get();
+  if (!refinement_.by_tolerance() || !shadow) return false;
+  shadow->reach(std::max(head_of(left).t, head_of(right).t), run_.sampler());
+  const double end = shadow->time();
+  const auto surface_at = [&](double t) { return shadow->position_at(std::min(t, end)); };
+  return diagonal_sagitta(left, right, surface_at) > refinement_.largest_sagitta();
 }
 
 void SynchronousFront::tile(const Ribbon& ribbon) {
   const FrontPoint &l0 = before_[std::size_t(ribbon.left)],
                    &r0 = before_[std::size_t(ribbon.right)];
-  const auto edges = front_.join(ribbon.left, ribbon.right, diagonals_stray(ribbon));
+  const auto edges = front_.join(ribbon.left, ribbon.right, {l0.t, r0.t}, diagonals_stray(ribbon));
   chain_.clear();
   for (const auto& edge : edges) {
     if (!chain_.empty() && chain_.back() != edge.left) break;

@@ -37,7 +37,8 @@ class SynchronousFront {
   void tile(const Ribbon& ribbon);
   void tile(const FrontPoint& left, const FrontPoint& right, std::span<const int> chain);
   bool diagonals_stray(const Ribbon& ribbon);
-  double diagonal_sagitta(int left, int right, const Vec3& x) const;
+  template <class SurfaceAt>
+  double diagonal_sagitta(int left, int right, const SurfaceAt& surface_at) const;
   bool moves_on(int p) const { return !front_.at(p).path.end() || head_of(p).t < path_end(p); }
   const FrontPoint& head_of(int p) const { return front_.at(p).head; }
   double path_end(int p) const { return front_.at(p).path.time(); }
