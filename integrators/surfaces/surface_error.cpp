@@ -15,11 +15,22 @@ namespace {
 
 constexpr double degrees = 57.295779513082320877;
 
-/// A point of the mesh with its parameters on the surface.
+/// Parameters of the surface.
+struct Place {
+  double s = 0, t = 0;
+};
+struct Move {
+  double ds, dt;
+};
+
+/// A point of the mesh with its parameters on the surface, and those of its facet's corners.
 struct Sample {
-  double s, t;
+  Place place;
+  std::array<Place, 3> corners;
   Vec3 x, facet;  // facet: unit normal
 };
+
+class Tangents;
 
 struct Deviation {
   double distance = 0, degrees = 0;
@@ -29,12 +40,14 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
   const auto& corners = mesh.triangles[place.triangle];
   const auto &s = mesh.scalars.at("s"), &t = mesh.scalars.at("t");
   const double first = s[corners[0]];
-  Sample sample{0, 0, position_of(mesh, place), Vec3(0)};
+  Sample sample{{}, {}, position_of(mesh, place), Vec3(0)};
   for (std::size_t k = 0; k < 3; ++k) {
     // Over the seam of a closed curve s jumps from 1 to 0.
     const double turn = closed ? std::round(first - s[corners[k]]) : 0;
-    sample.s += place.barycentric[k] * (s[corners[k]] + turn);
-    sample.t += place.barycentric[k] * std::abs(t[corners[k]]);  // below 0 on the way back
+    const Place corner{s[corners[k]] + turn, std::abs(t[corners[k]])};  // t < 0 on the way back
+    sample.corners[k] = corner;
+    sample.place.s += place.barycentric[k] * corner.s;
+    sample.place.t += place.barycentric[k] * corner.t;
   }
   const Vec3& x = mesh.positions[corners[0]];
   const Vec3 area = glm::cross(mesh.positions[corners[1]] - x, mesh.positions[corners[2]] - x);
@@ -46,17 +59,27 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
 class ExactSurface {
  public:
   ExactSurface(const SurfaceRequest& request, const SurfaceSetup& setup)
-      : request_(request), source_(request, setup) {}
+      : request_(request), source_(request, setup), extent_(setup.extent) {}
 
-  Deviation deviation(Sample sample);
+  Deviation deviation(const Sample& sample);
   /// Points of the surface at seed s, spread over the particle's time.
   std::vector<Vec3> points_at(double s);
 
  private:
+  /// A point of the surface, and whether its distance is the smallest around.
+  struct Nearest {
+    FlowPoint here;
+    double distance;
+    bool settled;
+  };
+
   FlowPoint point(double s, double& t);
+  Move move_within(const Tangents& tangents, const Place& from, const Vec3& off) const;
+  Nearest descend(Place place, const Vec3& x);
 
   const SurfaceRequest& request_;
   ParticleSource source_;
+  double extent_;  // world units
 };
 
 /// Where the surface ends before t, its last point: t is set back.
@@ -78,38 +101,104 @@ std::vector<Vec3> ExactSurface::points_at(double s) {
   return points;
 }
 
-Deviation ExactSurface::deviation(Sample sample) {
-  double &s = sample.s, &t = sample.t;
-  FlowPoint here = point(s, t);
-  for (int iteration = 0; iteration < 8; ++iteration) {
-    const Vec3 off = sample.x - here.x;
-    // Least squares for off ≈ w ds + v dt.
-    const double ww = glm::dot(here.w, here.w), vv = glm::dot(here.v, here.v);
-    const double wv = glm::dot(here.w, here.v), determinant = ww * vv - wv * wv;
-    if (!(determinant > 1e-12 * ww * vv)) break;
-    const double wo = glm::dot(here.w, off), vo = glm::dot(here.v, off);
-    double next_s = s + (vv * wo - wv * vo) / determinant;
-    double next_t = t + (ww * vo - wv * wo) / determinant;
-    // On the surface's border one parameter is fixed, and the other one alone is corrected.
-    if (!request_.seed.closed && (next_s < 0 || next_s > 1)) {
-      next_s = std::clamp(next_s, 0.0, 1.0);
-      next_t = t + (vo - wv * (next_s - s)) / vv;
-    }
-    if (next_t < 0 || next_t > request_.duration) {
-      next_t = std::clamp(next_t, 0.0, request_.duration);
-      next_s = s + (wo - wv * (next_t - t)) / ww;
-      if (!request_.seed.closed) next_s = std::clamp(next_s, 0.0, 1.0);
-    }
-    const FlowPoint next = point(next_s, next_t);
-    if (!(glm::distance(next.x, sample.x) < glm::length(off))) break;
-    const bool settled = glm::distance(next.x, here.x) < 1e-4 * glm::length(off);
-    s = next_s, t = next_t, here = next;
-    if (settled) break;
+/// Unit vectors of ∂x/∂s and ∂x/∂t and their lengths: products of the vectors themselves would
+/// leave a double's range where a flow is slow or fast enough.
+class Tangents {
+ public:
+  explicit Tangents(const FlowPoint& here)
+      : w_length_(glm::length(here.w)),
+        v_length_(glm::length(here.v)),
+        w_(unit(here.w, w_length_)),
+        v_(unit(here.v, v_length_)),
+        cosine_(glm::dot(w_, v_)) {}
+
+  /// Neither vanishes, and they are not parallel.
+  bool span_a_plane() const { return w_ != Vec3(0) && v_ != Vec3(0) && sine2() > 1e-12; }
+  /// Least squares for off ≈ w ds + v dt; where they span no plane one of them alone.
+  Move move_towards(const Vec3& off) const {
+    const double wo = glm::dot(w_, off), vo = glm::dot(v_, off);
+    if (!span_a_plane()) return v_ != Vec3(0) ? Move{0, vo / v_length_} : along_s(off, 0);
+    return {(wo - cosine_ * vo) / sine2() / w_length_, (vo - cosine_ * wo) / sine2() / v_length_};
   }
-  const Vec3 normal = glm::cross(here.w, here.v);
+  /// The same with one of the two given.
+  Move along_s(const Vec3& off, double dt) const {
+    const double ds = (glm::dot(w_, off) - cosine_ * dt * v_length_) / w_length_;
+    return {w_length_ > 0 ? ds : 0, dt};
+  }
+  Move along_t(const Vec3& off, double ds) const {
+    const double dt = (glm::dot(v_, off) - cosine_ * ds * w_length_) / v_length_;
+    return {ds, v_length_ > 0 ? dt : 0};
+  }
+  /// How far the move takes a point, world units.
+  double way(const Move& move) const {
+    return glm::length(move.ds * w_length_ * w_ + move.dt * v_length_ * v_);
+  }
+
+ private:
+  static Vec3 unit(const Vec3& x, double length) { return length > 0 ? x / length : Vec3(0); }
+  double sine2() const { return 1 - cosine_ * cosine_; }
+
+  double w_length_, v_length_;
+  Vec3 w_, v_;
+  double cosine_;
+};
+
+/// On the surface's border one parameter is fixed, and the other one alone is corrected.
+Move ExactSurface::move_within(const Tangents& tangents, const Place& from, const Vec3& off) const {
+  const auto inside_s = [&](double ds) {
+    return request_.seed.closed ? ds : std::clamp(from.s + ds, 0.0, 1.0) - from.s;
+  };
+  Move move = tangents.move_towards(off);
+  if (inside_s(move.ds) != move.ds) move = tangents.along_t(off, inside_s(move.ds));
+  const double t = from.t + move.dt;
+  if (t < 0 || t > request_.duration) {
+    move = tangents.along_s(off, std::clamp(t, 0.0, request_.duration) - from.t);
+    move.ds = inside_s(move.ds);
+  }
+  return move;
+}
+
+/// The place's own distance is left for smaller ones by Gauss-Newton, whose moves are halved until
+/// they come nearer: near a fold or a place of rest, where v all but vanishes, they overshoot.
+ExactSurface::Nearest ExactSurface::descend(Place place, const Vec3& x) {
+  constexpr int iterations = 24, halvings = 16;
+  FlowPoint here = point(place.s, place.t);
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const Vec3 off = x - here.x;
+    const double distance = glm::length(off);
+    const Tangents tangents(here);
+    const bool regular = tangents.span_a_plane();
+    Move move = move_within(tangents, place, off);
+    // No closer than what two trajectories differ by. Near rest a long time makes a short way.
+    const bool stays = std::abs(move.ds) <= 1e-2 && std::abs(move.dt) <= 1e-2 * request_.duration;
+    if (tangents.way(move) <= std::max(1e-4 * distance, 1e-12 * extent_) && (stays || !regular))
+      return {here, distance, regular};
+    Place next;
+    FlowPoint there;
+    int halving = 0;
+    for (;; ++halving, move.ds *= 0.5, move.dt *= 0.5) {
+      next = {place.s + move.ds, place.t + move.dt};
+      there = point(next.s, next.t);
+      if (glm::distance(there.x, x) < distance) break;
+      if (halving == halvings) return {here, distance, false};
+    }
+    place = next, here = there;
+  }
+  return {here, glm::distance(here.x, x), false};
+}
+
+/// Where the sample's own (s, t) leads to no smallest distance, those of its facet's corners do: in
+/// a fan about a place of rest what is interpolated between them may be anything.
+Deviation ExactSurface::deviation(const Sample& sample) {
+  Nearest nearest = descend(sample.place, sample.x);
+  for (const Place& corner : sample.corners) {
+    if (nearest.settled || nearest.distance <= 1e-12 * extent_) break;
+    const Nearest other = descend(corner, sample.x);
+    if (other.distance < nearest.distance) nearest = other;
+  }
+  const Vec3 normal = glm::cross(nearest.here.w, nearest.here.v);
   const double sine = glm::length(glm::cross(normal, sample.facet));
-  return {glm::distance(here.x, sample.x),
-          degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
+  return {nearest.distance, degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
 }
 
 std::vector<double> spread_to_vertices(const geometry::TriangleMesh& mesh,

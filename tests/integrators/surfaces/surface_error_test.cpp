@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The measure of error where the surface has no two tangents: at rest, on an axis, at a fold. The
+// meshes lie in a plane that the surface fills, so that nothing is off.
+#include "integrators/surfaces/surface_error.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "fields/make_field.h"
+#include "integrators/surfaces/integrate_surface.h"
+
+namespace pellucid::integrators {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Flat {
+  const char *field, *integrator;
+  Vec3 to;  // from the origin
+  double duration;
+  bool path;
+};
+
+constexpr Flat flats[] = {
+    {"u=t,v=0,w=0", "adaptive-front:particles=9,tolerance=1e-3", {0, 0, 1}, 2, true},
+    {"u=t,v=0,w=0", "fixed-front:particles=5,rows=1", {0, 0, 1}, 2, true},
+    {"u=cos(t),v=0,w=0", "fixed-front:particles=9,rows=7", {0, 0, 1}, pi, true},
+    {"u=cos(t),v=0,w=0", "hultquist:threshold=0.1,facet-angle=180", {0, 0, 1}, pi, true},
+    {"u=max(0,t-1),v=0,w=0", "fixed-front:particles=9,rows=7", {0, 0, 1}, 2, true},
+    {"u=-y,v=x,w=0", "hultquist:threshold=0.1", {2, 0, 0}, 2 * pi, false}};
+
+TEST(UnitSurfaceError, WhatLiesInItsSurfaceIsNotOff) {
+  for (const auto& [velocity, integrator, to, duration, path] : flats) {
+    const auto field = fields::make_field(std::string("formula:") + velocity);
+    const SurfaceRequest request{field.get(), segment_seed({0, 0, 0}, to), duration, 0, path, {}};
+    const auto surface = integrate_surface(integrator, request);
+    // Two trajectories of some units' length, each right to 1e-9 of it.
+    EXPECT_LE(measure_error(surface.mesh, request, 300).max, 1e-8) << velocity << ' ' << integrator;
+  }
+}
+
+/// A prism of 8 sides in a cylinder of radius 1, swept from rest: each side's middle is off by its
+/// sagitta, 1 - cos(π / 8), and on the seed circle, where all particles rest, no less.
+TEST(UnitSurfaceError, WhatIsOffIsSoFromRestToo) {
+  const auto field = fields::make_field("formula:u=0,v=0,w=t");
+  const SurfaceRequest request{
+      field.get(), circle_seed({0, 0, 0}, {0, 0, 1}, 1), 2, 0, true, {}};
+  const auto surface = integrate_surface("fixed-front:particles=8,rows=1", request);
+  EXPECT_NEAR(measure_error(surface.mesh, request, 1000).max, 1 - std::cos(pi / 8), 1e-8);
+}
+
+}  // namespace
+}  // namespace pellucid::integrators
