@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrators/paths/magnitude.h"
+
 namespace pellucid::integrators {
 namespace {
 
-// Each vector is normalized by itself: velocities of 1e±200 would leave the range of a product.
-Vec3 unit_or_zero(const Vec3& v, double length) { return length > 0 ? v / length : Vec3(0); }
-
 Vec3 surface_normal(const Vec3& w, const Vec3& direction) {
-  const Vec3 normal = glm::cross(unit_or_zero(w, glm::length(w)), direction);
+  const Vec3 normal = glm::cross(direction_of(w), direction);
   const double sine = glm::length(normal);
   return sine > 1e-9 ? normal / sine : Vec3(0);
 }
@@ -22,8 +21,8 @@ FrontPoint front_point(const Trajectory& path, double t) {
   FrontPoint point;
   point.t = t;
   point.flow = path.at(t);
-  point.speed = glm::length(point.flow.v);
-  point.direction = unit_or_zero(point.flow.v, point.speed);
+  point.speed = magnitude(point.flow.v);
+  point.direction = direction_of(point.flow.v);
   point.normal = surface_normal(point.flow.w, point.direction);
   return point;
 }

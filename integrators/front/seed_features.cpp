@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "integrators/paths/magnitude.h"
 #include "integrators/paths/seed_place.h"
 
 namespace pellucid::integrators {
@@ -24,7 +25,7 @@ class Looks {
       Vec3 v;
       const bool there = sampler->velocity(x, request.start_time, v) == fields::SampleStatus::ok;
       velocities_.push_back(there ? std::optional(v) : std::nullopt);
-      if (there) largest_speed_ = std::max(largest_speed_, glm::length(v));
+      if (there) largest_speed_ = std::max(largest_speed_, magnitude(v));
     }
   }
 
@@ -39,7 +40,7 @@ class Looks {
       if (!is_there(i)) continue;
       const Vec3 line = glm::mix(*velocities_[std::size_t(a)], *velocities_[std::size_t(b)],
                                  double(i - a) / (b - a));
-      const double bend = glm::distance(*velocities_[std::size_t(i)], line);
+      const double bend = magnitude(*velocities_[std::size_t(i)] - line);
       if (bend > largest) largest = bend, found = i;
     }
     return found;

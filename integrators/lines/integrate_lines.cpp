@@ -13,10 +13,12 @@
 #include "core/options/names.h"
 #include "core/parallel.h"
 #include "geometry/finite_vertices.h"
+#include "integrators/lines/line_budget.h"
 #include "integrators/lines/line_directions.h"
 #include "integrators/lines/line_options.h"
 #include "integrators/lines/seeds_extent.h"
 #include "integrators/paths/counting_sampler.h"
+#include "integrators/paths/magnitude.h"
 #include "integrators/paths/seed_place.h"
 #include "integrators/paths/trajectory_options.h"
 
@@ -31,6 +33,7 @@ struct Line {
   };
   std::vector<Point> points;
   EndCounts ends;
+  bool is_cut = false;  // it would have had more points than it may have
 };
 
 /// Where vertices go on a trajectory.
@@ -51,8 +54,8 @@ double next_time_from_rest(Trajectory& path, double t, const Spacing& spacing,
     dt = std::min(dt, path.time() - t);
     const FlowPoint middle = path.at(t + 0.5 * dt), end = path.at(t + dt);
     const double way = glm::distance(path.position_at(t), end.x);
-    const double turn =
-        std::atan2(glm::length(glm::cross(middle.v, end.v)), glm::dot(middle.v, end.v));
+    const Vec3 before = direction_of(middle.v), after = direction_of(end.v);
+    const double turn = std::atan2(glm::length(glm::cross(before, after)), glm::dot(before, after));
     if (spacing.step > 0 ? way <= spacing.step : turn <= spacing.turn) break;
   }
   return t + dt;
@@ -61,25 +64,32 @@ double next_time_from_rest(Trajectory& path, double t, const Spacing& spacing,
 double next_time(Trajectory& path, double t, const Spacing& spacing,
                  fields::FieldSampler& sampler) {
   const FlowPoint here = path.at(t);
-  const double speed = glm::length(here.v);
+  const double speed = magnitude(here.v);
   if (speed == 0) return next_time_from_rest(path, t, spacing, sampler);
   if (spacing.step > 0) return t + std::min(spacing.step / speed, spacing.longest);
-  const double turning = glm::length(glm::cross(here.v, path.acceleration(t))) / (speed * speed);
+  const double turning = magnitude(glm::cross(direction_of(here.v), path.acceleration(t))) / speed;
   return t + std::min(spacing.turn / turning, spacing.longest);
 }
 
 Line::Point line_point(const FlowPoint& flow, double t, double time) {
-  return {flow.x, t, time, glm::length(flow.v)};
+  return {flow.x, t, time, magnitude(flow.v)};
+}
+
+Line cut(Line line) {
+  line.is_cut = true;
+  ++line.ends[EndReason::vertices];
+  return line;
 }
 
 Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& spacing,
-            fields::FieldSampler& sampler) {
+            std::uint64_t most_vertices, fields::FieldSampler& sampler) {
   Line line;
   Trajectory path(options, seed, Vec3(0), sampler);
   const auto add = [&](double t) {
     line.points.push_back(line_point(path.at(t), t, options.start_time + (options.path ? t : 0)));
   };
   for (double t = 0; path.exists();) {
+    if (line.points.size() == most_vertices) return cut(std::move(line));
     add(t);
     path.release(t);
     // The first step's own acceleration is not known before it is made.
@@ -96,14 +106,15 @@ Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& s
 
 /// A streak line at the end of the journey: of the particles let go at the seed one after another,
 /// the youngest first.
-Line streak(TrajectoryOptions options, const Vec3& seed, int releases,
+Line streak(TrajectoryOptions options, const Vec3& seed, int releases, std::uint64_t most_vertices,
             fields::FieldSampler& sampler) {
   const double duration = options.duration, begin = options.start_time;
   Line line;
   Vec3 v;
   if (sampler.velocity(seed, begin + duration, v) == fields::SampleStatus::ok)
-    line.points.push_back({seed, 0, begin + duration, glm::length(v)});
+    line.points.push_back({seed, 0, begin + duration, magnitude(v)});
   for (int i = 1; i <= releases; ++i) {
+    if (line.points.size() == most_vertices) return cut(std::move(line));
     options.duration = duration * i / releases;
     options.start_time = begin + duration - options.duration;
     Trajectory path(options, seed, Vec3(0), sampler);
@@ -141,8 +152,8 @@ void check(const LineRequest& request) {
       throw InputError(fmt::format("seed ({}, {}, {}) is not finite", x.x, x.y, x.z));
 }
 
-/// A line goes somewhere when it has two vertices. When none does because the field ends where they
-/// begin, there is nothing to write.
+/// A line goes somewhere when it has two vertices. When none does, since the field ends where they
+/// begin or they rest, there is nothing to write.
 void refuse_if_nowhere(const LineRequest& request, const IntegratedLines& result) {
   const auto field_lacks = [](const EndCounts::value_type& end) {
     return is_for_want_of_field(end.first);
@@ -151,16 +162,26 @@ void refuse_if_nowhere(const LineRequest& request, const IntegratedLines& result
   const EndCounts& ends = result.stats.ends;
   for (std::size_t i = 1; i < offsets.size(); ++i)
     if (offsets[i] > offsets[i - 1] + 1) return;
-  if (!std::all_of(ends.begin(), ends.end(), field_lacks)) return;
-  throw InputError(fmt::format("seeds: no line comes of {}, the first at {}; they ended: {}; {}",
+  const bool lacks = std::any_of(ends.begin(), ends.end(), field_lacks);
+  throw InputError(fmt::format("seeds: no line comes of {}, the first at {}; they ended: {}{}",
                                request.seeds.size(), in_words(request.seeds.front()),
-                               in_words(ends), accepted_seeds(*request.field)));
+                               in_words(ends), lacks ? "; " + accepted_seeds(*request.field) : ""));
 }
 
-/// Runs `one(options, seed, sampler)` for all seeds in parallel.
+/// What the lines of one direction may have; a line has two at least.
+std::uint64_t vertex_budget(const LineRequest& request, std::uint64_t max_vertices) {
+  const std::uint64_t budget = request.both ? max_vertices / 2 : max_vertices;
+  if (budget / 2 < request.seeds.size())
+    throw InputError(fmt::format("max-vertices={}; accepted: at least 2 of each of {} lines{}",
+                                 max_vertices, request.seeds.size(),
+                                 request.both ? ", in both directions" : ""));
+  return budget;
+}
+
+/// Runs `one(options, seed, most_vertices, sampler)` for all seeds in parallel.
 template <class One>
 IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepping, bool path,
-                        const One& one) {
+                        std::uint64_t max_vertices, const One& one) {
   const Stopwatch watch;
   const Journey journey{request.duration, request.start_time, path};
   const TrajectoryOptions options =
@@ -168,11 +189,12 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
   const Box3 domain = request.field->domain();
   tbb::enumerable_thread_specific<CountingSampler> samplers(
       [&] { return CountingSampler(*request.field); });
-  std::vector<Line> lines(request.seeds.size());
-  parallel_for(std::size_t(0), lines.size(), [&](std::size_t i) {
-    const Vec3 seed = onto_edge(domain, request.seeds[i]);
-    lines[i] = one(options, seed, samplers.local());
-  });
+  const std::vector<Line> lines =
+      lines_within<Line>(vertex_budget(request, max_vertices), request.seeds.size(),
+                         [&](std::size_t i, std::uint64_t most_vertices) {
+                           const Vec3 seed = onto_edge(domain, request.seeds[i]);
+                           return one(options, seed, most_vertices, samplers.local());
+                         });
   IntegratedLines result;
   result.lines = joined(lines, result.stats);
   for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;
@@ -192,20 +214,20 @@ template <bool path>
 IntegratedLines run_following(const LineRequest& request, const Parameters& parameters) {
   const FollowingOptions options = following_options().read(parameters);
   const Spacing spacing = spacing_of(request, options);
-  return run_all(
-      request, options.stepping, path,
-      [&](const TrajectoryOptions& trajectory, const Vec3& seed, fields::FieldSampler& sampler) {
-        return follow(trajectory, seed, spacing, sampler);
-      });
+  return run_all(request, options.stepping, path, options.max_vertices,
+                 [&](const TrajectoryOptions& trajectory, const Vec3& seed,
+                     std::uint64_t most_vertices, fields::FieldSampler& sampler) {
+                   return follow(trajectory, seed, spacing, most_vertices, sampler);
+                 });
 }
 
 IntegratedLines run_streaks(const LineRequest& request, const Parameters& parameters) {
   const StreakOptions options = streak_options().read(parameters);
-  return run_all(
-      request, options.stepping, true,
-      [&](const TrajectoryOptions& trajectory, const Vec3& seed, fields::FieldSampler& sampler) {
-        return streak(trajectory, seed, options.releases, sampler);
-      });
+  return run_all(request, options.stepping, true, options.max_vertices,
+                 [&](const TrajectoryOptions& trajectory, const Vec3& seed,
+                     std::uint64_t most_vertices, fields::FieldSampler& sampler) {
+                   return streak(trajectory, seed, options.releases, most_vertices, sampler);
+                 });
 }
 
 int following_particles(const Parameters& parameters) {

@@ -7,6 +7,12 @@ namespace {
 constexpr OptionText particles_text = {
     .min = 1, .max = 1e6, .unit = "particles", .help = "lines, evenly spaced on the seed curve"};
 
+constexpr OptionText max_vertices_text = {
+    .min = 2,
+    .max = 1e10,
+    .unit = "vertices",
+    .help = "of all lines together, shared evenly: a line ends that would have more"};
+
 }  // namespace
 
 const OptionTable<FollowingOptions>& following_options() {
@@ -22,6 +28,7 @@ const OptionTable<FollowingOptions>& following_options() {
               .max = 90,
               .unit = "degrees",
               .help = "a line turns at most so far between two vertices"}),
+      number("max-vertices", &Options::max_vertices, max_vertices_text),
       part(&Options::stepping, stepping_options())};
   return table;
 }
@@ -35,6 +42,7 @@ const OptionTable<StreakOptions>& streak_options() {
               .max = 1e6,
               .unit = "particles",
               .help = "let go at each seed, evenly spaced in time"}),
+      number("max-vertices", &Options::max_vertices, max_vertices_text),
       part(&Options::stepping, stepping_options())};
   return table;
 }

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "integrators/paths/magnitude.h"
+
 namespace pellucid::integrators {
 namespace {
 
 double norm(const Mat3& m) {
-  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+  return magnitude({magnitude(m[0]), magnitude(m[1]), magnitude(m[2])});
 }
 
 /// |v| / ‖∂v/∂x‖ at x and time t; nothing where that is no length.
@@ -17,7 +19,7 @@ std::optional<double> length_of_change(fields::FieldSampler& sampler, const Vec3
   Vec3 v;
   Mat3 jacobian;
   if (sampler.velocity_and_jacobian(x, t, v, jacobian) != fields::SampleStatus::ok) return {};
-  const double length = glm::length(v) / norm(jacobian);
+  const double length = magnitude(v) / norm(jacobian);
   if (!(length > 0) || !std::isfinite(length)) return {};
   return length;
 }
@@ -30,7 +32,7 @@ double length_along(const LineRequest& request, bool path) {
   const auto sampler = request.field->sampler();
   Vec3 v;
   if (sampler->velocity(seed, request.start_time, v) != fields::SampleStatus::ok) v = Vec3(0);
-  const double way = glm::length(v) * request.duration;
+  const double way = magnitude(v) * request.duration;
   for (int i = halvings + 1; i >= 0; --i) {
     const double t = i > halvings ? 0 : std::ldexp(request.duration, -i);
     const double time = request.start_time + (path ? t : 0);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "integrators/paths/magnitude.h"
+
 namespace pellucid::integrators {
 
 ParticleState DenseOutput::state(double theta) const {
@@ -32,7 +34,7 @@ Vec3 DenseOutput::second_derivative(double theta) const {
 double DenseOutput::arc_length(double theta) const {
   constexpr int pieces = 16;
   const double half = 0.5 * theta / pieces, node = std::sqrt(0.6) * half;
-  const auto speed = [this](double at) { return glm::length(derivative(at)); };
+  const auto speed = [this](double at) { return magnitude(derivative(at)); };
   double length = 0;
   for (int i = 0; i < pieces; ++i) {
     const double middle = (2 * i + 1) * half;

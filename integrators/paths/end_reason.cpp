@@ -31,6 +31,8 @@ std::string_view name_of(EndReason reason) {
       return "particles";
     case EndReason::triangles:
       return "triangles";
+    case EndReason::vertices:
+      return "vertices";
   }
   return "";
 }

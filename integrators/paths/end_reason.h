@@ -21,7 +21,8 @@ enum class EndReason {
   vertex,       // it was sent for a single vertex, to mend a facet
   torn,         // the ribbons on both its sides were torn
   particles,    // a neighbour was needed and there were too many particles
-  triangles     // the surface has as many triangles as are allowed
+  triangles,    // the surface has as many triangles as are allowed
+  vertices      // the lines have as many vertices as are allowed
 };
 
 /// "duration", "left-domain", …; as `trace --json` prints them.

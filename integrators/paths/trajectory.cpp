@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "fields/finite.h"
+#include "integrators/paths/magnitude.h"
 #include "integrators/paths/segment_distance.h"
 
 namespace pellucid::integrators {
@@ -41,7 +42,7 @@ constexpr double edge_durations = edge_tolerances * 1e-9;
 /// Of a step's stages, world units per time.
 double fastest(const std::array<ParticleState, 7>& k) {
   double speed = 0;
-  for (const auto& stage : k) speed = std::max(speed, glm::length(first(stage)));
+  for (const auto& stage : k) speed = std::max(speed, magnitude(first(stage)));
   return speed;
 }
 
@@ -77,15 +78,15 @@ double Trajectory::first_step(fields::FieldSampler& sampler) {
   State y = y_, f;
   add(y, probe, f_);
   if (slope(probe, y, f, sampler) != fields::SampleStatus::ok) return probe;
-  const double turn = glm::length(first(f) - first(f_)) / probe;
+  const double turn = magnitude(first(f) - first(f_)) / probe;
   if (turn <= 1e-9 * speed() / options_->duration) return largest_step();
   // From rest the velocity of the Euler step's end stands for what is not yet there.
-  const double tau = std::max(speed(), glm::length(first(f))) / turn;
+  const double tau = std::max(speed(), magnitude(first(f))) / turn;
   if (speed() == 0) return std::min(tau, std::sqrt(options_->tolerance / turn));
   return tau * std::pow(options_->tolerance / (speed() * tau), 1. / options_->stepper->order);
 }
 
-double Trajectory::speed() const { return glm::length(first(f_)); }
+double Trajectory::speed() const { return magnitude(first(f_)); }
 
 double Trajectory::largest_step() const {
   const double move = std::max(options_->max_move / speed(), kinkless_step());
@@ -203,10 +204,10 @@ double Trajectory::error_of(double h, const std::array<State, 7>& k, const State
   State e{};
   for (int i = 0; i <= rk.stages; ++i)
     if (rk.error[i] != 0) add(e, h * rk.error[i], k[i]);
-  const double position = glm::length(first(e)) / (step_tolerance(h) + rounding_at(first(y1)));
+  const double position = magnitude(first(e)) / (step_tolerance(h) + rounding_at(first(y1)));
   if (options_->companion != Companion::variation) return position;
-  return std::max(position, glm::length(second(e)) / (companion_tolerance() *
-                                                      std::max(glm::length(second(y_)), 1e-300)));
+  return std::max(position, magnitude(second(e)) /
+                                (companion_tolerance() * std::max(magnitude(second(y_)), 1e-300)));
 }
 
 /// Of w, in its own length: its direction needs far less than the position, 1e-6 is 1e-4 degrees.

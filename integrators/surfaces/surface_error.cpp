@@ -9,6 +9,7 @@
 #include "integrators/front/surface_particles.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
+#include "integrators/paths/magnitude.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -106,10 +107,10 @@ std::vector<Vec3> ExactSurface::points_at(double s) {
 class Tangents {
  public:
   explicit Tangents(const FlowPoint& here)
-      : w_length_(glm::length(here.w)),
-        v_length_(glm::length(here.v)),
-        w_(unit(here.w, w_length_)),
-        v_(unit(here.v, v_length_)),
+      : w_length_(magnitude(here.w)),
+        v_length_(magnitude(here.v)),
+        w_(direction_of(here.w)),
+        v_(direction_of(here.v)),
         cosine_(glm::dot(w_, v_)) {}
 
   /// Neither vanishes, and they are not parallel.
@@ -135,7 +136,6 @@ class Tangents {
   }
 
  private:
-  static Vec3 unit(const Vec3& x, double length) { return length > 0 ? x / length : Vec3(0); }
   double sine2() const { return 1 - cosine_ * cosine_; }
 
   double w_length_, v_length_;
@@ -196,7 +196,7 @@ Deviation ExactSurface::deviation(const Sample& sample) {
     const Nearest other = descend(corner, sample.x);
     if (other.distance < nearest.distance) nearest = other;
   }
-  const Vec3 normal = glm::cross(nearest.here.w, nearest.here.v);
+  const Vec3 normal = glm::cross(direction_of(nearest.here.w), direction_of(nearest.here.v));
   const double sine = glm::length(glm::cross(normal, sample.facet));
   return {nearest.distance, degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
 }

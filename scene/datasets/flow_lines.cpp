@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/datasets/dataset.h"
 
+#include <fmt/format.h>
+
 #include "fields/make_field.h"
 #include "integrators/lines/integrate_lines.h"
 #include "scene/datasets/flow_quantity.h"
@@ -150,6 +152,13 @@ constexpr FlowLines icon{11'500,
                          {.none = 0.75, .full = 0.98},
                          [](const IndexedRandom& random) { return on_shell(random, 0.2, 0.9); }};
 
+/// As many lines as are asked for, whole: their count is the data set's own bound.
+geometry::LineSet all_lines(std::string_view integrator, const integrators::LineRequest& request) {
+  return integrators::integrate_lines(fmt::format("{},max-vertices=10000000000", integrator),
+                                      request)
+      .lines;
+}
+
 template <const FlowLines& set>
 struct FlowLinesOptions {
   static constexpr std::string_view unit = "lines";
@@ -165,7 +174,7 @@ Dataset make(const Parameters& parameters, const Progress& progress) {
                                    .seeds = make_elements(options.count, options.seed, set.seed),
                                    .duration = set.duration,
                                    .progress = progress};
-  geometry::LineSet lines = integrators::integrate_lines(set.integrator, request).lines;
+  geometry::LineSet lines = all_lines(set.integrator, request);
   set_importance(set.scalar, measure_flow(set.quantity, *field, lines.positions), set.shares,
                  lines);
   return lines;
@@ -189,8 +198,7 @@ Dataset make_tornado_particles(const Parameters& parameters, const Progress& pro
                              }),
       .duration = 12,
       .progress = progress};
-  const geometry::LineSet lines =
-      integrators::integrate_lines("stream-lines:turn=5,accuracy=1e-5", request).lines;
+  const geometry::LineSet lines = all_lines("stream-lines:turn=5,accuracy=1e-5", request);
   geometry::PointSet points;
   for (std::size_t i = 0; i < lines.line_count(); ++i) {
     const std::size_t first = lines.offsets[i], count = lines.offsets[i + 1] - first;

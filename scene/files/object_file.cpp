@@ -212,6 +212,11 @@ class ObjectReader {
           node.has("both") && node["both"].boolean()};
       return integrators::integrate_lines(integrator, request);
     });
+    if (lines.stats.ends.contains(integrators::EndReason::vertices))
+      node.fail(fmt::format(
+          "its lines end unfinished after {} vertices; accepted: fewer particles, a shorter "
+          "duration, a longer step or turn, a larger max-vertices",
+          lines.lines.positions.size()));
     integrators::turn_back(lines.lines, *source.field);
     note(fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
                      lines.lines.line_count(), lines.lines.positions.size()));

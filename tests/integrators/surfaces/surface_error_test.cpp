@@ -44,8 +44,7 @@ TEST(UnitSurfaceError, WhatLiesInItsSurfaceIsNotOff) {
 /// sagitta, 1 - cos(π / 8), and on the seed circle, where all particles rest, no less.
 TEST(UnitSurfaceError, WhatIsOffIsSoFromRestToo) {
   const auto field = fields::make_field("formula:u=0,v=0,w=t");
-  const SurfaceRequest request{
-      field.get(), circle_seed({0, 0, 0}, {0, 0, 1}, 1), 2, 0, true, {}};
+  const SurfaceRequest request{field.get(), circle_seed({0, 0, 0}, {0, 0, 1}, 1), 2, 0, true, {}};
   const auto surface = integrate_surface("fixed-front:particles=8,rows=1", request);
   EXPECT_NEAR(measure_error(surface.mesh, request, 1000).max, 1 - std::cos(pi / 8), 1e-8);
 }
