@@ -144,10 +144,13 @@ IntegratedSurface SurfaceRun::finish() {
   return {builder_.finish(), stats_};
 }
 
-void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement) {
+void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement,
+                  int particles) {
   setup.refines = true;
   setup.facet_angle = facet_angle;
-  setup.shortest_edge = shortest_edge(refinement);
+  // A tolerance as large as the surface is wide, or as its ribbons, would have it trimmed away.
+  const double narrow = 0.5 * setup.extent / std::max(particles, 16);
+  setup.shortest_edge = std::min(shortest_edge(refinement), narrow);
 }
 
 IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup& options,

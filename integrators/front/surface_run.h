@@ -58,8 +58,10 @@ class SurfaceRun {
 };
 
 /// For rows that refine: no facet is to be farther from its corners' normals than `facet_angle`
-/// degrees, and features of the field along the seed curve get particles of their own.
-void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement);
+/// degrees, and features of the field along the seed curve get particles of their own, beside the
+/// first `particles`.
+void bound_facets(SurfaceSetup& setup, double facet_angle, const Refinement& refinement,
+                  int particles);
 
 /// Sweeps a stretch of the seed curve from these seeds, ascending in s; a ring closes from the last
 /// to the first.

@@ -10,6 +10,7 @@
 #include "integrators/mesh/mesh_quality.h"
 #include "tests/integrators/closed_forms.h"
 #include "tests/integrators/test_fields.h"
+#include "tests/support/mesh_area.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -174,6 +175,19 @@ TEST(UnitExtremes, BudgetsEndTheWork) {
   const auto few = integrate_surface("hultquist:particles=30,max-particles=40",
                                      {field.get(), seed, 5, 0, false, {}});
   EXPECT_LE(few.stats.particles, 40u);
+}
+
+/// A fixed front of fine rows has an area of 2.15.
+TEST(UnitExtremes, TolerancesLargerThanTheSurfaceMakeACoarseMesh) {
+  const auto field = fields::make_field("abc");
+  for (const char* integrator :
+       {"hultquist:tolerance=3", "hultquist:tolerance=1e6", "adaptive-front:tolerance=10",
+        "adaptive-front:particles=2,tolerance=10", "adaptive-front:threshold=1000"}) {
+    const auto surface = sweep(*field, integrator, segment_seed({0, 0, 0}, {0, 1, 0}), 1);
+    expect_sound(surface, integrator);
+    EXPECT_GE(surface.mesh.triangles.size(), 4u) << integrator;
+    EXPECT_NEAR(testing::area_of(surface.mesh), 2.15, 0.1) << integrator;
+  }
 }
 
 TEST(UnitExtremes, RepeatedPointsOfTheSeedCurve) {
