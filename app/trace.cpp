@@ -168,6 +168,8 @@ void trace(const TraceOptions& options, const GlobalOptions& globals) {
     if (!value->empty() && !measures)
       throw InputError(
           fmt::format("{}: accepted: with a surface and --samples of at least 1", name));
+  if (options.path && draws_lines(options.integrator))
+    integrators::check_runs_along("--path", options.integrator);
   if (draws_lines(options.integrator))
     trace_lines(options, globals, *field);
   else
@@ -196,17 +198,19 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_flag("--both", options->both, "Lines: as far back in time, too, as one line");
   command->add_option("--start-time", options->start_time, "The field's time at the seeds")
       ->check(finite_number());
-  command->add_flag("--path", options->path, "Path surface: the field's time runs along");
+  command->add_flag("--path", options->path, "Path surface, or path lines: the field's time runs along");
   command
       ->add_option("-o,--output", options->output,
                    fmt::format("Surfaces: {}; lines: {}",
                                geometry::endings_with(&geometry::FormatRow::write_mesh),
                                geometry::endings_with(&geometry::FormatRow::write_lines)))
       ->required();
-  command->add_option(
-      "--samples", options->samples,
-      "Points where the distance to the exact surface is measured; 0: none. The mesh's "
-      "scalar 'error' is the largest near each vertex");
+  command
+      ->add_option(
+          "--samples", options->samples,
+          "Points where the distance to the exact surface is measured; 0: none. The mesh's "
+          "scalar 'error' is the largest near each vertex")
+      ->check(CLI::Range(0, 100'000'000));
   command->add_option(
       "--error-picture", options->error_picture,
       "Picture of the distance on the surface, from a millionth of its size (black) "

@@ -246,11 +246,11 @@ std::span<const LineIntegratorRow> line_integrators() {
   const auto following = following_options().specs(), streaks = streak_options().specs();
   static const LineIntegratorRow rows[] = {
       {"stream-lines", "Stream lines: the field stands still at the start time", survey, following,
-       following_particles, run_following<false>},
+       following_particles, false, run_following<false>},
       {"path-lines", "Path lines: the field's time runs along", survey, following,
-       following_particles, run_following<true>},
+       following_particles, true, run_following<true>},
       {"streak-lines", "Streak lines: particles let go at a seed one after another", survey,
-       streaks, streak_particles, run_streaks},
+       streaks, streak_particles, true, run_streaks},
   };
   return rows;
 }
@@ -273,6 +273,16 @@ RowAndParameters parse(std::string_view integrator) {
 int line_particles(std::string_view integrator) {
   const auto [row, parameters] = parse(integrator);
   return row.particles(parameters);
+}
+
+void check_runs_along(std::string_view option, std::string_view integrator) {
+  const LineIntegratorRow& row = parse(integrator).row;
+  if (row.runs_along) return;
+  std::string others;
+  for (const LineIntegratorRow& other : line_integrators())
+    if (other.runs_along) others += fmt::format("{}{}", others.empty() ? "" : ", ", other.name);
+  throw InputError(fmt::format("{}: {}: the field stands still at the start time; accepted: {}",
+                               option, row.name, others));
 }
 
 IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& request) {

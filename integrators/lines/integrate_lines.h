@@ -48,6 +48,7 @@ struct LineIntegratorRow {
   std::string_view citation;
   std::span<const ParameterSpec> parameters;
   int (*particles)(const Parameters&);  // lines on a seed curve
+  bool runs_along;                      // the field's time does, not only the particles'
   IntegratedLines (*run)(const LineRequest&, const Parameters&);
 };
 
@@ -60,6 +61,9 @@ IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& 
 
 /// How many particles "NAME[:key=value,…]" puts on a seed curve. Throws InputError.
 int line_particles(std::string_view integrator);
+
+/// Throws InputError that names `option` where the field stands still on the integrator's lines.
+void check_runs_along(std::string_view option, std::string_view integrator);
 
 /// `count` points evenly spaced in s.
 std::vector<Vec3> seeds_on(const SeedCurve& curve, int count);

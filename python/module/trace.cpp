@@ -82,6 +82,8 @@ py::object trace(const py::object& field, const py::object& integrator, const py
                         integer_of(samples, "trace: samples")};
   if (request.seed.empty()) throw InputError("trace: seed: no point; accepted: at least one");
   if (request.samples < 0) throw InputError("trace: samples: accepted: 0 or more");
+  if (draws_lines(request.integrator) && request.path)
+    integrators::check_runs_along("trace: path", request.integrator);
   if (draws_lines(request.integrator))
     return py::cast(result_unlocked([&](const Progress& progress) {
       return trace_lines(request, *fields::make_field(request.field), progress);

@@ -25,6 +25,15 @@ TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
               HasSubstr("--error-picture"));
 }
 
+TEST_F(UnitCommandLine, RefusesWhatATraceWouldIgnore) {
+  const std::string trace = "trace --field formula:u=0,v=0,w=1 --duration 2 --quiet -o " +
+                            (folder_ / "l.vtp").string() + " --seed 0,0,0:1,0,0 --integrator ";
+  EXPECT_THAT(refusal(trace + "stream-lines --path"),
+              AllOf(HasSubstr("--path: stream-lines"), HasSubstr("path-lines")));
+  for (const char* samples : {"-1", "100000001", "2.5"})
+    EXPECT_THAT(refusal(trace + "fixed-front --samples " + samples), HasSubstr("--samples"));
+}
+
 TEST_F(UnitCommandLine, TracesAgainstTime) {
   // (x, y) = (x₀ exp t, y₀ exp -t): the line's last point is at t = -1, or at 1 and its first at
   // -1.
