@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/trace_seeds.h"
 #include "compare/methods/distance_picture.h"
 #include "compare/pictures/image_file.h"
 #include "compare/results/surface_json.h"
@@ -14,7 +15,6 @@
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/options/names.h"
-#include "core/options/split.h"
 #include "fields/make_field.h"
 #include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
@@ -30,8 +30,8 @@ namespace pellucid::app {
 namespace {
 
 struct TraceOptions {
-  std::string field, integrator, seed, output;
-  bool closed = false;
+  std::string field, integrator, output;
+  SeedTexts seed;
   double duration = 0;
   bool both = false;
   double start_time = 0;
@@ -40,22 +40,6 @@ struct TraceOptions {
   std::string error_picture;
   std::string against;
 };
-
-Vec3 parse_point(std::string_view text) {
-  const auto parts = split(text, ',');
-  Vec3 x;
-  bool valid = parts.size() == 3;
-  for (int i = 0; valid && i < 3; ++i) valid = parse_number(parts[std::size_t(i)], x[i]);
-  if (!valid)
-    throw InputError(fmt::format("--seed: '{}'; accepted: X,Y,Z:X,Y,Z[:...] in numbers", text));
-  return x;
-}
-
-std::vector<Vec3> parse_seed(std::string_view text) {
-  std::vector<Vec3> points;
-  for (const std::string_view point : split(text, ':')) points.push_back(parse_point(point));
-  return points;
-}
 
 nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
   return {{"mean", distance.mean}, {"rms", distance.rms}, {"max", distance.max}};
@@ -100,7 +84,7 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
   const auto way = options.duration < 0 ? fields::reversed(field, options.start_time) : field;
   integrators::SurfaceRequest request;
   request.field = way.get();
-  request.seed = integrators::polyline_seed(parse_seed(options.seed), options.closed);
+  request.seed = surface_seed(options.seed);
   request.duration = std::abs(options.duration);
   request.start_time = options.start_time;
   request.path = options.path;
@@ -129,10 +113,7 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
                  const fields::VectorField& field) {
   integrators::LineRequest request;
   request.field = &field;
-  request.seeds = parse_seed(options.seed);
-  if (request.seeds.size() > 1)
-    request.seeds = integrators::seeds_on(integrators::polyline_seed(request.seeds, options.closed),
-                                          integrators::line_particles(options.integrator));
+  request.seeds = line_seeds(options.seed, options.integrator);
   request.duration = options.duration;
   request.start_time = options.start_time;
   request.both = options.both;
@@ -187,9 +168,12 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
       ->add_option("--integrator", options->integrator,
                    "NAME[:key=value,...]; see 'list integrators'")
       ->required();
-  command->add_option("--seed", options->seed, "Polyline X,Y,Z:X,Y,Z[:...] of the seeds")
-      ->required();
-  command->add_flag("--closed", options->closed, "Join the polyline's ends");
+  command->add_option("--seed", options->seed.seed, "Polyline X,Y,Z:X,Y,Z[:...] of the seeds");
+  command->add_option("--seeds", options->seed.seeds,
+                      "Instead: circle:center=X,Y,Z,radius=R,normal=X,Y,Z; of lines "
+                      "grid:from=X,Y,Z,to=X,Y,Z,count=NX,NY,NZ; or a FILE of points, of lines one "
+                      "each and else joined, or of one polyline");
+  command->add_flag("--closed", options->seed.closed, "Join the polyline's ends");
   command
       ->add_option("--duration", options->duration,
                    "Time to integrate, not 0; below 0 back in time")
@@ -198,7 +182,8 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_flag("--both", options->both, "Lines: as far back in time, too, as one line");
   command->add_option("--start-time", options->start_time, "The field's time at the seeds")
       ->check(finite_number());
-  command->add_flag("--path", options->path, "Path surface, or path lines: the field's time runs along");
+  command->add_flag("--path", options->path,
+                    "Path surface, or path lines: the field's time runs along");
   command
       ->add_option("-o,--output", options->output,
                    fmt::format("Surfaces: {}; lines: {}",
@@ -224,6 +209,8 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
       "      --seed 2.6,3.1,3.1:3.6,3.1,3.1 --duration 4 -o surface.ply\n"
       "  pellucid trace --field winds.nc:array=u,v,time=last \\\n"
       "      --integrator stream-lines:particles=1 --seed 10,45,0 --duration 3 --both -o line.vtp\n"
+      "  pellucid trace --field abc --integrator stream-lines --duration 2 -o lines.vtp \\\n"
+      "      --seeds grid:from=0,0,0,to=6,6,6,count=5,5,5\n"
       "What may stand behind a file's name: docs/fields.md; formats: pellucid list formats.");
   add_global_options(*command, globals);
   command->callback([options, &globals] { trace(*options, globals); });

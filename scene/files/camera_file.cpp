@@ -11,9 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/options/names.h"
+#include "core/options/keyed_words.h"
 #include "core/options/option_table.h"
-#include "core/options/split.h"
 #include "scene/files/any_number.h"
 #include "scene/view/camera_path.h"
 
@@ -24,26 +23,6 @@ constexpr std::array<std::string_view, 5> keys{"eye", "target", "up", "fov", "he
 
 std::string text_of(const Vec3& v) {
   return fmt::format("{},{},{}", number_text(v.x), number_text(v.y), number_text(v.z));
-}
-
-/// The numbers of each key: a word with "=" begins one, those without go on with it.
-std::map<std::string_view, std::vector<std::string_view>> words_of(std::string_view text) {
-  std::map<std::string_view, std::vector<std::string_view>> words;
-  std::string_view key;
-  for (std::string_view word : split(text, ',')) {
-    if (const std::size_t equals = word.find('='); equals != word.npos) {
-      key = word.substr(0, equals);
-      word.remove_prefix(equals + 1);
-      if (words.contains(key)) throw InputError(fmt::format("--camera: '{}' is given twice", key));
-    }
-    if (key.empty())
-      throw InputError(
-          fmt::format("--camera: '{}'; accepted: KEY=NUMBERS, such as eye=0,0,5", word));
-    if (std::ranges::find(keys, key) == keys.end())
-      throw InputError("--camera: " + unknown_name("key", key, keys));
-    words[key].push_back(word);
-  }
-  return words;
 }
 
 double number_of(std::string_view key, std::string_view word) {
@@ -123,7 +102,7 @@ std::string camera_text(const Camera& camera) {
 }
 
 Camera camera_of_text(std::string_view text, Camera camera) {
-  const auto words = words_of(text);
+  const auto words = keyed_words("--camera", text, keys);
   if (words.contains("fov") && words.contains("height"))
     throw InputError(
         "--camera: accepted: one of fov (a perspective camera) and height (an orthographic one)");

@@ -25,6 +25,53 @@ TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
               HasSubstr("--error-picture"));
 }
 
+/// Of lines every seed is a line; z = 0 stays so, since the flow goes along z.
+TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
+  write_text(folder_ / "p.csv", "x,y,z\n0,0,0\n1,0,0\n1,1,0\n");
+  write_text(folder_ / "open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
+  write_text(folder_ / "closed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 1\n");
+  write_text(folder_ / "two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2\nl 2 3\n");
+  const std::string up = "trace --field formula:u=0,v=0,w=1 --duration 2 --json --quiet ";
+  const std::string lines =
+      up + "--integrator stream-lines:particles=4 -o " + (folder_ / "l.vtp").string() + " --seeds ";
+  const std::string surface = up + "--samples 0 --integrator fixed-front:particles=25,rows=2 -o " +
+                              (folder_ / "s.vtp").string() + " --seeds ";
+  const auto of_file = [&](const char* name) { return (folder_ / name).string(); };
+  const std::string circle = "circle:center=1,2,3,radius=1,normal=0,0,2";
+  const std::string grid = "grid:from=0,0,0,to=1,1,0,count=3,2,1";
+  const std::vector<std::pair<std::string, int>> line_counts{
+      {circle, 4}, {grid, 6}, {of_file("p.csv"), 3}, {of_file("open.obj"), 4}};
+  for (const auto& [seeds, count] : line_counts) {
+    const Outcome outcome = run(lines + seeds);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["lines"], count) << seeds;
+  }
+  // An open curve has a border all around, a closed one two.
+  const std::vector<std::pair<std::string, int>> borders{{circle, 2 * 25},
+                                                         {of_file("closed.obj"), 2 * 27},
+                                                         {of_file("p.csv") + " --closed", 2 * 27},
+                                                         {of_file("p.csv"), 2 * 24 + 4},
+                                                         {of_file("open.obj"), 2 * 24 + 4}};
+  for (const auto& [seeds, edges] : borders) {
+    const Outcome outcome = run(surface + seeds);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["boundary_edges"], edges) << seeds;
+  }
+  fs::remove(folder_ / "l.vtp");
+  fs::remove(folder_ / "s.vtp");
+  EXPECT_THAT(refusal(surface + grid), HasSubstr("a grid is no curve"));
+  EXPECT_THAT(refusal(lines + of_file("two.obj")), HasSubstr("two.obj: it holds 2 polylines"));
+  EXPECT_THAT(refusal(lines + of_file("none.csv")), HasSubstr("none.csv"));
+  EXPECT_THAT(refusal(lines + circle + " --closed"), HasSubstr("--closed"));
+  EXPECT_THAT(refusal(lines + circle + " --seed 0,0,0"), HasSubstr("both are given"));
+  EXPECT_THAT(refusal(lines.substr(0, lines.rfind("--seeds"))), HasSubstr("neither is given"));
+  EXPECT_THAT(refusal(lines + "circle:center=1,2,radius=1,normal=0,0,1"),
+              HasSubstr("center=1,2; accepted: three finite numbers"));
+  EXPECT_THAT(refusal(lines + "circle:centre=1,2,3"), HasSubstr("known: center, radius, normal"));
+  EXPECT_THAT(refusal(lines + "grid:from=0,0,0,to=1,1,1"), HasSubstr("'count' is missing"));
+  EXPECT_THAT(refusal(lines + "grid:from=0,0,0,to=1,1,1,count=9,9,0.5"), HasSubstr("9,9,0.5"));
+}
+
 TEST_F(UnitCommandLine, RefusesWhatATraceWouldIgnore) {
   const std::string trace = "trace --field formula:u=0,v=0,w=1 --duration 2 --quiet -o " +
                             (folder_ / "l.vtp").string() + " --seed 0,0,0:1,0,0 --integrator ";

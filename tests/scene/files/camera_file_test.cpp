@@ -58,7 +58,7 @@ TEST(UnitCameraText, WhatIsPrintedReadsBackAsTheSame) {
 
 TEST(UnitCameraText, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(refusal("eyes=1,2,3"), HasSubstr("unknown key 'eyes'; known: eye"));
-  EXPECT_THAT(refusal("1,2,3"), HasSubstr("'1'; accepted: KEY=NUMBERS"));
+  EXPECT_THAT(refusal("1,2,3"), HasSubstr("'1'; accepted: KEY=VALUES"));
   EXPECT_THAT(refusal("eye=1,2"), HasSubstr("eye=1,2; accepted: three numbers"));
   EXPECT_THAT(refusal("eye=1,2,x"), HasSubstr("'x'; accepted: a finite number"));
   EXPECT_THAT(refusal("eye=1,2,inf"), HasSubstr("'inf'"));
