@@ -87,8 +87,8 @@ integrators::SeedCurve curve_of(const std::string& file, const geometry::LineSet
   for (std::size_t k = 0; k < lines.line_count(); ++k)
     if (lines.offsets[k + 1] - lines.offsets[k] > 1) only = k, ++count;
   if (count != 1)
-    throw InputError(fmt::format("--seeds: {}: it holds {} polylines; accepted: one, or points",
-                                 file, count));
+    throw InputError(
+        fmt::format("--seeds: {}: it holds {} polylines; accepted: one, or points", file, count));
   const auto first = lines.positions.begin() + std::ptrdiff_t(lines.offsets[*only]);
   const auto end = lines.positions.begin() + std::ptrdiff_t(lines.offsets[*only + 1]);
   return integrators::polyline_seed({first, end}, closed || *first == *(end - 1));

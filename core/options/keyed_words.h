@@ -10,8 +10,8 @@
 
 namespace pellucid {
 
-/// KeyedWords are the words of each key of a text such as "eye=0,0,5,fov=45": a word with "=" begins
-/// a key, those without go on with it. They are views into the text.
+/// KeyedWords are the words of each key of a text such as "eye=0,0,5,fov=45": a word with "="
+/// begins a key, those without go on with it. They are views into the text.
 using KeyedWords = std::map<std::string_view, std::vector<std::string_view>>;
 
 /// Splits such a text. Throws InputError that names `option` for a key that is not known or given

@@ -9,8 +9,8 @@
 #include "core/error.h"
 #include "fields/make_field.h"
 #include "integrators/lines/integrate_lines.h"
-#include "integrators/surfaces/surface_error.h"
 #include "integrators/surfaces/integrate_surface.h"
+#include "integrators/surfaces/surface_error.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -58,9 +58,9 @@ TEST(UnitLineBudget, IsSharedByThoseThatNeedIt) {
 TEST(UnitLineBudget, ThatGivesALineLessThanTwoIsRefused) {
   const std::vector<Vec3> seeds(6, Vec3(0));
   EXPECT_THROW(lines_in("u=1,v=0,w=0", "stream-lines:max-vertices=11", seeds, 2), InputError);
-  EXPECT_EQ(lines_in("u=1,v=0,w=0", "stream-lines:max-vertices=12", seeds, 2)
-                .lines.positions.size(),
-            12u);
+  EXPECT_EQ(
+      lines_in("u=1,v=0,w=0", "stream-lines:max-vertices=12", seeds, 2).lines.positions.size(),
+      12u);
 }
 
 /// e^709 is below the largest double, e^710 above: x there, not its square, is what ends.
@@ -81,8 +81,7 @@ TEST(UnitLineBudget, SlowFlowsMoveInLongTimes) {
   EXPECT_NEAR(straight.lines.positions.back().x, 1, 1e-8);
   const auto length = lines_in("u=1e-200,v=0,w=0", "stream-lines:length=0.3", {Vec3(0)}, 1e200);
   EXPECT_NEAR(length.lines.positions.back().x, 0.3, 1e-8);
-  const auto round =
-      lines_in("u=-1e-200*y,v=1e-200*x,w=0", "stream-lines", {Vec3(1, 0, 0)}, 1e200);
+  const auto round = lines_in("u=-1e-200*y,v=1e-200*x,w=0", "stream-lines", {Vec3(1, 0, 0)}, 1e200);
   EXPECT_NEAR(round.lines.positions.back().y, std::sin(1.), 1e-8);
   const auto field = fields::make_field("formula:u=-1e-200*y,v=1e-200*x,w=0");
   const SurfaceRequest request{field.get(), segment_seed({0, 0, 0}, {2, 0, 0}), 2e200, 0, false,
