@@ -195,7 +195,7 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
           "--samples", options->samples,
           "Points where the distance to the exact surface is measured; 0: none. The mesh's "
           "scalar 'error' is the largest near each vertex")
-      ->check(CLI::Range(0, 100'000'000));
+      ->check(CLI::Range(0, int(integrators::most_error_samples)));
   command->add_option(
       "--error-picture", options->error_picture,
       "Picture of the distance on the surface, from a millionth of its size (black) "

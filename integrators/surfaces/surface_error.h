@@ -21,6 +21,9 @@ struct SurfaceError {
   std::vector<double> at_vertices;
 };
 
+/// How many samples a user may ask for: their places and distances then take some gigabytes.
+constexpr std::uint64_t most_error_samples = 100'000'000;
+
 /// Samples the mesh evenly over its area for mean and rms, and where triangles err most for the
 /// maximum (sample_mesh), and finds each sample's nearest point of the exact surface: a particle is
 /// sent from the seed curve again at the tightest tolerance, and s and t are corrected by

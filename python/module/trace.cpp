@@ -81,7 +81,9 @@ py::object trace(const py::object& field, const py::object& integrator, const py
                         path,
                         integer_of(samples, "trace: samples")};
   if (request.seed.empty()) throw InputError("trace: seed: no point; accepted: at least one");
-  if (request.samples < 0) throw InputError("trace: samples: accepted: 0 or more");
+  if (request.samples < 0 || std::uint64_t(request.samples) > integrators::most_error_samples)
+    throw InputError(fmt::format("trace: samples: {}; accepted: 0 … {}", request.samples,
+                                 integrators::most_error_samples));
   if (draws_lines(request.integrator) && request.path)
     integrators::check_runs_along("trace: path", request.integrator);
   if (draws_lines(request.integrator))

@@ -81,6 +81,18 @@ TEST_F(UnitCommandLine, RefusesWhatATraceWouldIgnore) {
     EXPECT_THAT(refusal(trace + "fixed-front --samples " + samples), HasSubstr("--samples"));
 }
 
+TEST_F(UnitCommandLine, RefusesScenesOfFlowsThatEndUnfinished) {
+  const std::string flow = R"({"field": "abc", "seed": {"from": [0, 0, 0], "to": [1, 0, 0]},
+                              "duration": 2, "integrator": )";
+  for (const auto& [object, integrator] :
+       {std::pair("surface", "hultquist:max-triangles=20"),
+        std::pair("lines", "stream-lines:particles=4,max-vertices=20")}) {
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "objects": [{")" +
+                            std::string(object) + "\": " + flow + '"' + integrator + "\"}}]}");
+    EXPECT_THAT(refusal(render("raytrace")), HasSubstr("unfinished after 2")) << object;
+  }
+}
+
 TEST_F(UnitCommandLine, TracesAgainstTime) {
   // (x, y) = (x₀ exp t, y₀ exp -t): the line's last point is at t = -1, or at 1 and its first at
   // -1.
