@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the benchmarks that benchmarks/bounds.json bounds, and says which bounds are met.
 
-Each line of bounds.json bounds one counter of one benchmark; most are ratios of two things timed in turn in one run,
+Each line of bounds.json bounds one counter of one benchmark, or how many times that of another one (`over`); most are ratios of two things timed in turn in one run,
 so that they mean something on other machines. Programs run one after another, `--repeat` times each: the median is held
 against the bound, the least and the largest stand beside it. `--against` compares with an earlier run's file: a number
 has changed where the two ranges do not overlap.
@@ -19,6 +19,7 @@ import os
 import pathlib
 import platform
 import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -70,9 +71,14 @@ def command_of(program, build):
     return ["xvfb-run", "-a", *command] if program == "bench_peeling" else command
 
 
+def can_run(program):
+    return program != "bench_peeling" or shutil.which("xvfb-run")
+
+
 def run_once(program, bounds, build):
     """Returns the numbers of the program's bounds, by name; those of a benchmark that fails are missing."""
-    wanted = "|".join(sorted({"^" + re.escape(bound["benchmark"]) + "(/|$)" for bound in bounds}))
+    names = {bound[key] for bound in bounds for key in ("benchmark", "over") if key in bound}
+    wanted = "|".join(sorted("^" + escaped(name) + "(/|$)" for name in names))
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "out.json"
         run = subprocess.run([*command_of(program, build), f"--benchmark_filter={wanted}", f"--benchmark_out={output}",
@@ -81,14 +87,27 @@ def run_once(program, bounds, build):
             print(f"bench: {program} failed: {run.stderr.strip().splitlines()[-1:] or run.returncode}", file=sys.stderr)
             return {}
         measured = json.loads(output.read_text())["benchmarks"]
-    return {name_of(bound): row[bound["counter"]] for bound in bounds for row in measured
-            if is_of(bound, row["name"]) and bound["counter"] in row}
+    values = {name_of(bound): value_of(bound, measured) for bound in bounds}
+    return {name: value for name, value in values.items() if value is not None}
 
 
-def is_of(bound, name):
+def escaped(name):
+    """For the regular expressions of POSIX, which know fewer escapes than Python's."""
+    return re.sub(r"([][.*^$+?(){}|\\])", r"\\\1", name)
+
+
+def value_of(bound, measured):
+    def counter(benchmark):
+        return next((row[bound["counter"]] for row in measured if is_of(benchmark, row["name"]) and bound["counter"] in row), None)
+
+    value, other = counter(bound["benchmark"]), counter(bound["over"]) if "over" in bound else 1
+    return None if value is None or other is None else value / other
+
+
+def is_of(benchmark, name):
     """Google Benchmark adds to a name how often, and by which clock, it ran."""
     suffixes = r"(/(iterations:\d+|manual_time|real_time|process_time|repeats:\d+|min_time:[\d.]+))*"
-    return name.startswith(bound["benchmark"]) and re.fullmatch(suffixes, name.removeprefix(bound["benchmark"]))
+    return name.startswith(benchmark) and re.fullmatch(suffixes, name.removeprefix(benchmark))
 
 
 def names_of(program, build):
@@ -98,7 +117,9 @@ def names_of(program, build):
 
 def check(bounds, build):
     """Says which bounds are of a benchmark that is not there, and returns how many."""
-    missing = [bound for bound in bounds if not any(is_of(bound, name) for name in names_of(bound["program"], build))]
+    names = {program: names_of(program, build) for program in {bound["program"] for bound in bounds} if can_run(program)}
+    missing = [bound for bound in bounds if bound["program"] in names
+               and not any(is_of(bound["benchmark"], name) for name in names[bound["program"]])]
     for bound in missing:
         print(f"bench: {bound['program']} has no '{bound['benchmark']}'", file=sys.stderr)
     return len(missing)
@@ -107,6 +128,9 @@ def check(bounds, build):
 def measure(bounds, build, repeat):
     numbers = {}
     for program in dict.fromkeys(bound["program"] for bound in bounds):
+        if not can_run(program):
+            print(f"bench: {program} needs xvfb-run: apt-get install xvfb", file=sys.stderr)
+            continue
         of_program = [bound for bound in bounds if bound["program"] == program]
         for turn in range(repeat):
             print(f"bench: {program}, {turn + 1} of {repeat}", file=sys.stderr)
@@ -116,16 +140,18 @@ def measure(bounds, build, repeat):
 
 
 def print_table(bounds, numbers):
-    """Returns how many bounds are not met."""
-    missed = 0
+    """Returns how many bounds are not met, of those that have a number."""
+    missed = unknown = 0
     print(f"{'':6} {'median':>9} {'least … largest':>21} {'bound':>9}  what")
     for bound in bounds:
         values = numbers.get(name_of(bound))
         met = bool(values) and is_met(bound, statistics.median(values))
-        missed += not met
-        shown = f"{statistics.median(values):9.3g} {min(values):9.3g} … {max(values):9.3g}" if values else " " * 25 + "no number"
-        print(f"{'met' if met else 'MISSED':6} {shown} {limit_of(bound):>9}  {name_of(bound)}: {bound['what']}")
-    print(f"\n{len(bounds) - missed} of {len(bounds)} bounds met")
+        missed += bool(values) and not met
+        unknown += not values
+        verdict = "–" if not values else "met" if met else "MISSED"
+        shown = f"{statistics.median(values):9.3g} {min(values):9.3g} … {max(values):9.3g}" if values else f"{'no number':>31}"
+        print(f"{verdict:6} {shown} {limit_of(bound):>9}  {name_of(bound)}: {bound['what']}")
+    print(f"\n{len(bounds) - missed - unknown} of {len(bounds)} bounds met, {missed} missed, {unknown} without a number")
     return missed
 
 
