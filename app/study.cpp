@@ -118,7 +118,7 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
   command->footer(
       "Example: pellucid study quickstart -o first --resume --report folder\n"
       "Cell by cell, on any machines: pellucid study quickstart -o first --plan\n"
-      "  pellucid study quickstart -o first --cell abc/raytrace\n"
+      "  pellucid study quickstart -o first --cell abc-24-surfaces/raytrace\n"
       "  pellucid study quickstart -o first --collect\n"
       "Exit code: 0 done; 1 a cell failed or is missing; 2 wrong input.");
   add_global_options(*command, globals);
