@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "compare/report/tables.h"
@@ -66,10 +67,11 @@ std::string screen_note(const std::string& scene, std::span<const ScreenedCall> 
       "Of {}, {} calls were not drawn in full: in smaller pictures another one erred less in less "
       "time, with no more memory. ",
       scene, screened.size());
-  for (std::size_t i = 0; i < screened.size(); ++i)
-    text +=
-        fmt::format("{}{} by {}", i ? "; " : "", text_of(screened[i].own), text_of(screened[i].by));
-  return text + '.';
+  constexpr std::size_t shown = 3;
+  for (std::size_t i = 0; i < std::min(shown, screened.size()); ++i)
+    text += fmt::format("{}{} by {}", i ? "; " : "", text_of(screened[i].own),
+                        text_of(screened[i].by));
+  return text + (screened.size() > shown ? "; all of them are in screened.csv." : ".");
 }
 
 std::string csv_screen(const std::string& scene, std::span<const ScreenedCall> screened) {
