@@ -69,8 +69,8 @@ std::string screen_note(const std::string& scene, std::span<const ScreenedCall> 
       scene, screened.size());
   constexpr std::size_t shown = 3;
   for (std::size_t i = 0; i < std::min(shown, screened.size()); ++i)
-    text += fmt::format("{}{} by {}", i ? "; " : "", text_of(screened[i].own),
-                        text_of(screened[i].by));
+    text +=
+        fmt::format("{}{} by {}", i ? "; " : "", text_of(screened[i].own), text_of(screened[i].by));
   return text + (screened.size() > shown ? "; all of them are in screened.csv." : ".");
 }
 
