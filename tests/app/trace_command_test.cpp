@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/command_line.h"
+
+namespace pellucid::app {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
+  const fs::path mesh = folder_ / "s.ply", picture = folder_ / "s.png";
+  const std::string trace =
+      "trace --field formula:u=-y,v=x,w=0 --integrator fixed-front:particles=3,rows=10 "
+      "--seed 1,0,0:1,0,1 --duration 3 --json --quiet -o " +
+      mesh.string();
+  const Outcome outcome = run(trace + " --error-picture " + picture.string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"triangles\": 40"));
+  EXPECT_THAT(read_text(mesh), HasSubstr("property double error\n"));
+  EXPECT_TRUE(fs::is_regular_file(picture));
+  fs::remove(mesh);
+  fs::remove(picture);
+  EXPECT_THAT(refusal(trace + " --samples 0 --error-picture " + picture.string()),
+              HasSubstr("--error-picture"));
+}
+
+/// Of lines every seed is a line; z = 0 stays so, since the flow goes along z.
+TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
+  write_text(folder_ / "p.csv", "x,y,z\n0,0,0\n1,0,0\n1,1,0\n");
+  write_text(folder_ / "open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
+  write_text(folder_ / "closed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 1\n");
+  write_text(folder_ / "two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2\nl 2 3\n");
+  const std::string up = "trace --field formula:u=0,v=0,w=1 --duration 2 --json --quiet ";
+  const std::string lines =
+      up + "--integrator stream-lines:particles=4 -o " + (folder_ / "l.vtp").string() + " --seeds ";
+  const std::string surface = up + "--samples 0 --integrator fixed-front:particles=25,rows=2 -o " +
+                              (folder_ / "s.vtp").string() + " --seeds ";
+  const auto of_file = [&](const char* name) { return (folder_ / name).string(); };
+  const std::string circle = "circle:center=1,2,3,radius=1,normal=0,0,2";
+  const std::string grid = "grid:from=0,0,0,to=1,1,0,count=3,2,1";
+  const std::vector<std::pair<std::string, int>> line_counts{
+      {circle, 4}, {grid, 6}, {of_file("p.csv"), 3}, {of_file("open.obj"), 4}};
+  for (const auto& [seeds, count] : line_counts) {
+    const Outcome outcome = run(lines + seeds);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["lines"], count) << seeds;
+  }
+  // An open curve has a border all around, a closed one two.
+  const std::vector<std::pair<std::string, int>> borders{{circle, 2 * 25},
+                                                         {of_file("closed.obj"), 2 * 27},
+                                                         {of_file("p.csv") + " --closed", 2 * 27},
+                                                         {of_file("p.csv"), 2 * 24 + 4},
+                                                         {of_file("open.obj"), 2 * 24 + 4}};
+  for (const auto& [seeds, edges] : borders) {
+    const Outcome outcome = run(surface + seeds);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["boundary_edges"], edges) << seeds;
+  }
+  fs::remove(folder_ / "l.vtp");
+  fs::remove(folder_ / "s.vtp");
+  EXPECT_THAT(refusal(surface + grid), HasSubstr("a grid is no curve"));
+  EXPECT_THAT(refusal(lines + of_file("two.obj")), HasSubstr("two.obj: it holds 2 polylines"));
+  EXPECT_THAT(refusal(lines + of_file("none.csv")), HasSubstr("none.csv"));
+  EXPECT_THAT(refusal(lines + circle + " --closed"), HasSubstr("--closed"));
+  EXPECT_THAT(refusal(lines + circle + " --seed 0,0,0"), HasSubstr("both are given"));
+  EXPECT_THAT(refusal(lines.substr(0, lines.rfind("--seeds"))), HasSubstr("neither is given"));
+  EXPECT_THAT(refusal(lines + "circle:center=1,2,radius=1,normal=0,0,1"),
+              HasSubstr("center=1,2; accepted: three finite numbers"));
+  EXPECT_THAT(refusal(lines + "circle:centre=1,2,3"), HasSubstr("known: center, radius, normal"));
+  EXPECT_THAT(refusal(lines + "grid:from=0,0,0,to=1,1,1"), HasSubstr("'count' is missing"));
+  EXPECT_THAT(refusal(lines + "grid:from=0,0,0,to=1,1,1,count=9,9,0.5"), HasSubstr("9,9,0.5"));
+}
+
+TEST_F(UnitCommandLine, RefusesWhatATraceWouldIgnore) {
+  const std::string trace = "trace --field formula:u=0,v=0,w=1 --duration 2 --quiet -o " +
+                            (folder_ / "l.vtp").string() + " --seed 0,0,0:1,0,0 --integrator ";
+  EXPECT_THAT(refusal(trace + "stream-lines --path"),
+              AllOf(HasSubstr("--path: stream-lines"), HasSubstr("path-lines")));
+  for (const char* samples : {"-1", "100000001", "2.5"})
+    EXPECT_THAT(refusal(trace + "fixed-front --samples " + samples), HasSubstr("--samples"));
+}
+
+TEST_F(UnitCommandLine, RefusesScenesOfFlowsThatEndUnfinished) {
+  const std::string flow = R"({"field": "abc", "seed": {"from": [0, 0, 0], "to": [1, 0, 0]},
+                              "duration": 2, "integrator": )";
+  for (const auto& [object, integrator] :
+       {std::pair("surface", "hultquist:max-triangles=20"),
+        std::pair("lines", "stream-lines:particles=4,max-vertices=20")}) {
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "objects": [{")" +
+                            std::string(object) + "\": " + flow + '"' + integrator + "\"}}]}");
+    EXPECT_THAT(refusal(render("raytrace")), HasSubstr("unfinished after 2")) << object;
+  }
+}
+
+TEST_F(UnitCommandLine, TracesAgainstTime) {
+  // (x, y) = (x₀ exp t, y₀ exp -t): the line's last point is at t = -1, or at 1 and its first at
+  // -1.
+  const fs::path file = folder_ / "l.obj";
+  const std::string trace = "trace --field saddle --seed 1,1,0 -o " + file.string() +
+                            " --integrator stream-lines:particles=1 --quiet";
+  EXPECT_EQ(run(trace + " --duration -1").exit_code, 0);
+  EXPECT_THAT(read_text(file), HasSubstr("v 0.36787944"));
+  EXPECT_THAT(read_text(file), ::testing::Not(HasSubstr("v 2.7182818")));
+  EXPECT_EQ(run(trace + " --duration 1 --both").exit_code, 0);
+  EXPECT_THAT(read_text(file), AllOf(HasSubstr("v 0.36787944"), HasSubstr("v 2.7182818")));
+  fs::remove(file);
+  EXPECT_THAT(refusal(trace + " --duration 0"), HasSubstr("duration"));
+  // A surface's sheet goes the other way, and is as good.
+  const fs::path mesh = folder_ / "s.obj";
+  const std::string surface =
+      "trace --field formula:u=1,v=0,w=0 --seed 0,0,0:0,1,0 --duration -2 "
+      "--integrator fixed-front:particles=3,rows=4 --json --quiet -o " +
+      mesh.string();
+  const Outcome outcome = run(surface);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_LE(json["distance"]["max"], 1e-9);
+  EXPECT_LE(json["normal_degrees"]["max"], 1e-6);
+  EXPECT_THAT(read_text(mesh), ContainsRegex("v -(2|1[.]99999999999999[0-9]*) "));  // four steps
+  fs::remove(mesh);
+  EXPECT_THAT(refusal(surface + " --both"), HasSubstr("--both"));
+}
+
+TEST_F(UnitCommandLine, TraceMeasuresASurfaceAgainstAnotherRun) {
+  const std::string trace =
+      "trace --field formula:u=-y,v=x,w=0 --integrator fixed-front:particles=3,rows=10 "
+      "--seed 1,0,0:1,0,1 --duration 3 --json --quiet -o " +
+      (folder_ / "s.ply").string();
+  const Outcome outcome = run(trace + " --against hultquist:tolerance=1e-3");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\"integrator\": \"hultquist:tolerance=1e-3\""));
+  EXPECT_THAT(outcome.out, HasSubstr("\"from_other\""));
+  fs::remove(folder_ / "s.ply");
+  EXPECT_THAT(refusal(trace + " --samples 0 --against hultquist"), HasSubstr("--against"));
+}
+
+}  // namespace
+}  // namespace pellucid::app
