@@ -8,10 +8,10 @@
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "geometry/default_color.h"
-#include "geometry/files/color_names.h"
 #include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
-#include "geometry/files/ply_format.h"
+#include "geometry/files/ply_columns.h"
+#include "geometry/files/ply_lines.h"
 #include "geometry/files/ply_writer.h"
 #include "geometry/files/splats.h"
 #include "geometry/polygons/triangulate.h"
@@ -19,93 +19,9 @@
 namespace pellucid::geometry {
 namespace {
 
-/// 8- and 16-bit colours count in steps of 1/255 and 1/65535; anything else is used as it stands.
-double color_scale(ply::Type type) {
-  if (type == ply::Type::uint8) return 255;
-  if (type == ply::Type::uint16) return 65535;
-  return 1;
-}
-
-/// Nothing that a header claims sizes an allocation unchecked: every value takes at least one byte.
-void check_count(const ply::Reader& reader, const ply::Element& element) {
-  if (!element.properties.empty() &&
-      element.count > reader.bytes_left() / element.properties.size())
-    throw InputError(fmt::format("{}: the header declares {} × '{}', but only {} bytes follow",
-                                 reader.where(), element.count, element.name, reader.bytes_left()));
-}
-
-/// The length of a list, which a file may write as any number type. The reader throws long before
-/// a length that no file holds.
-std::uint64_t list_length(ply::Reader& reader, const ply::Property& property) {
-  constexpr double most = 1e18;
-  const double length = reader.next(property.count_type);
-  if (!(length >= 0 && length < most) || length != std::floor(length))
-    throw InputError(
-        fmt::format("{}: '{}': a list of {} values; accepted: a whole number from 0 on",
-                    reader.where(), property.name, length));
-  return std::uint64_t(length);
-}
-
-void skip(ply::Reader& reader, const ply::Property& property) {
-  const std::uint64_t count = property.is_list ? list_length(reader, property) : 1;
-  for (std::uint64_t i = 0; i < count; ++i) reader.next(property.type);
-}
-
-void skip(ply::Reader& reader, const ply::Element& element) {
-  for (std::uint64_t i = 0; i < element.count; ++i)
-    for (const ply::Property& property : element.properties) skip(reader, property);
-}
-
-/// Columns are the numbers of an element's records by name, colours by their channels; lists are
-/// none of them.
-class Columns {
- public:
-  explicit Columns(const ply::Element& element) {
-    std::vector<std::string> names;
-    for (const ply::Property& property : element.properties)
-      if (!property.is_list) names.push_back(property.name);
-    const auto channels = color_channels(names);
-    for (const ply::Property& property : element.properties) {
-      const auto channel = channels.find(property.name);
-      const bool is_color = channel != channels.end();
-      columns_.push_back(
-          {property.is_list ? nullptr : &values_[is_color ? channel->second : property.name],
-           is_color ? color_scale(property.type) : 1});
-      if (columns_.back().values) columns_.back().values->reserve(element.count);
-    }
-  }
-
-  /// Reads the value of a property, by its number, which is no list.
-  void read(ply::Reader& reader, const ply::Property& property, std::size_t number) {
-    columns_[number].values->push_back(reader.next(property.type) / columns_[number].scale);
-  }
-  VertexAttributes take() { return std::move(values_); }
-
- private:
-  struct Column {
-    std::vector<double>* values = nullptr;  // none: of a list
-    double scale = 1;
-  };
-  VertexAttributes values_;
-  std::vector<Column> columns_;
-};
-
-VertexAttributes read_columns(ply::Reader& reader, const ply::Element& element) {
-  Columns columns(element);
-  for (std::uint64_t i = 0; i < element.count; ++i)
-    for (std::size_t k = 0; k < element.properties.size(); ++k) {
-      const ply::Property& property = element.properties[k];
-      if (property.is_list)
-        skip(reader, property);
-      else
-        columns.read(reader, property, k);
-    }
-  return columns.take();
-}
-
 VertexAttributes read_vertices(ply::Reader& reader, const ply::Element& element,
                                Vertices& vertices) {
-  VertexAttributes attributes = read_columns(reader, element);
+  VertexAttributes attributes = ply::read_columns(reader, element);
   for (const char* axis : {"x", "y", "z"})
     if (!attributes.contains(axis))
       throw InputError(
@@ -136,7 +52,7 @@ std::uint32_t read_index(ply::Reader& reader, ply::Type type, std::uint64_t face
 
 void read_polygon(ply::Reader& reader, const ply::Property& property, std::uint64_t face,
                   TriangleMesh& mesh) {
-  const std::uint64_t count = list_length(reader, property);
+  const std::uint64_t count = ply::list_length(reader, property);
   std::vector<std::uint32_t> corners;
   for (std::uint64_t k = 0; k < count; ++k)
     corners.push_back(read_index(reader, property.type, face, mesh.positions.size()));
@@ -154,7 +70,7 @@ struct FaceNumbers {
 FaceNumbers read_faces(ply::Reader& reader, const ply::Element& element, TriangleMesh& mesh) {
   FaceNumbers numbers;
   numbers.faces.assign(mesh.triangles.size(), no_face);
-  Columns columns(element);
+  ply::Columns columns(element);
   mesh.triangles.reserve(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
@@ -164,7 +80,7 @@ FaceNumbers read_faces(ply::Reader& reader, const ply::Element& element, Triangl
       else if (is_corners(property))
         read_polygon(reader, property, i, mesh);
       else
-        skip(reader, property);
+        ply::skip(reader, property);
     }
     numbers.faces.resize(mesh.triangles.size(), i);
   }
@@ -195,7 +111,7 @@ void take_face_numbers(FaceNumbers numbers, TriangleMesh& mesh) {
 /// of a strip is turned round, so that all face the same way.
 void read_strip(ply::Reader& reader, const ply::Property& property, std::uint64_t row,
                 TriangleMesh& mesh) {
-  const std::uint64_t count = list_length(reader, property);
+  const std::uint64_t count = ply::list_length(reader, property);
   std::vector<std::uint32_t> strip;
   for (std::uint64_t k = 0; k < count; ++k) {
     const double index = reader.next(property.type);
@@ -217,7 +133,7 @@ void read_strips(ply::Reader& reader, const ply::Element& element, TriangleMesh&
       if (property.is_list && is_corners(property))
         read_strip(reader, property, i, mesh);
       else
-        skip(reader, property);
+        ply::skip(reader, property);
 }
 
 /// Calls `read(element, reader)` for each element after the vertices, whose positions it fills;
@@ -229,11 +145,11 @@ VertexAttributes read_elements(const std::filesystem::path& path, Vertices& vert
   ply::Reader reader(path.string(), without_mark(content));
   VertexAttributes attributes;
   for (const ply::Element& element : reader.read_header().elements) {
-    check_count(reader, element);
+    ply::check_count(reader, element);
     if (element.name == "vertex")
       attributes = read_vertices(reader, element, vertices);
     else if (!read(element, reader))
-      skip(reader, element);
+      ply::skip(reader, element);
   }
   return attributes;
 }
@@ -263,70 +179,13 @@ TriangleMesh read_ply(const std::filesystem::path& path) {
   return mesh;
 }
 
-/// Puts the points of `order`, one after another, in the place of the vertices.
-void reorder(const std::vector<std::uint32_t>& order, Vertices& vertices,
-             VertexAttributes& attributes) {
-  const auto pick = [&](auto& values) {
-    std::remove_reference_t<decltype(values)> picked;
-    picked.reserve(order.size());
-    for (const std::uint32_t i : order) picked.push_back(values[i]);
-    values = std::move(picked);
-  };
-  pick(vertices.positions);
-  for (auto& [name, values] : attributes) pick(values);
-}
-
-std::uint32_t end_of_edge(const std::vector<double>& ends, std::size_t edge, std::size_t vertices,
-                          const std::string& file) {
-  const double end = ends[edge];
-  if (!(end >= 0 && end < double(vertices)) || end != std::uint32_t(end))
-    throw InputError(fmt::format("{}: edge {}: vertex index {}, but the file has {} vertices", file,
-                                 edge, end, vertices));
-  return std::uint32_t(end);
-}
-
-/// Edges become lines of two points; one that starts where the one before ended goes on with its
-/// line, unless the edges have numbers of their own. Those, such as colours, go to both points, in
-/// the place of the vertices' of that name.
-void join_by_edges(VertexAttributes edges, const std::string& file, LineSet& lines,
-                   VertexAttributes& attributes) {
-  const auto first = edges.extract("vertex1"), second = edges.extract("vertex2");
-  if (!first || !second)
-    throw InputError(file + ": element 'edge': expected properties vertex1 and vertex2");
-  std::vector<std::uint32_t> order;
-  for (std::size_t i = 0; i < first.mapped().size(); ++i) {
-    const std::size_t count = lines.positions.size();
-    const std::uint32_t from = end_of_edge(first.mapped(), i, count, file);
-    const std::uint32_t to = end_of_edge(second.mapped(), i, count, file);
-    if (order.empty() || order.back() != from || !edges.empty()) {
-      if (!order.empty()) lines.offsets.push_back(order.size());
-      order.push_back(from);
-    }
-    order.push_back(to);
-  }
-  if (!order.empty()) lines.offsets.push_back(order.size());
-  reorder(order, lines, attributes);
-  for (const auto& [name, values] : edges) {
-    std::vector<double>& column = attributes[name];
-    column.clear();
-    for (const double value : values) column.insert(column.end(), 2, value);
-  }
-}
-
-/// Joins consecutive vertices of equal `line`.
-void join_by_number(const std::vector<double>& line, LineSet& lines) {
-  for (std::size_t i = 1; i < line.size(); ++i)
-    if (line[i] != line[i - 1]) lines.offsets.push_back(i);
-  lines.offsets.push_back(line.size());
-}
-
 LineSet read_ply_lines(const std::filesystem::path& path) {
   LineSet lines;
   std::optional<VertexAttributes> edges;
   VertexAttributes attributes =
       read_elements(path, lines, [&](const ply::Element& element, ply::Reader& reader) {
         if (element.name != "edge") return false;
-        edges = read_columns(reader, element);
+        edges = ply::read_columns(reader, element);
         return true;
       });
   const auto line = attributes.extract("line");
