@@ -155,17 +155,12 @@ void check(const LineRequest& request) {
 /// A line goes somewhere when it has two vertices. When none does, since the field ends where they
 /// begin or they rest, there is nothing to write.
 void refuse_if_nowhere(const LineRequest& request, const IntegratedLines& result) {
-  const auto field_lacks = [](const EndCounts::value_type& end) {
-    return is_for_want_of_field(end.first);
-  };
   const auto& offsets = result.lines.offsets;
-  const EndCounts& ends = result.stats.ends;
   for (std::size_t i = 1; i < offsets.size(); ++i)
     if (offsets[i] > offsets[i - 1] + 1) return;
-  const bool lacks = std::any_of(ends.begin(), ends.end(), field_lacks);
-  throw InputError(fmt::format("seeds: no line comes of {}, the first at {}; they ended: {}{}",
+  throw InputError(fmt::format("seeds: no line comes of {}, the first at {}; {}",
                                request.seeds.size(), in_words(request.seeds.front()),
-                               in_words(ends), lacks ? "; " + accepted_seeds(*request.field) : ""));
+                               ended_in_words(result.stats.ends, *request.field)));
 }
 
 /// What the lines of one direction may have; a line has two at least.

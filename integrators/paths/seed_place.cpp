@@ -3,9 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pellucid::integrators {
+namespace {
+
+std::string accepted_seeds(const fields::VectorField& field) {
+  const Box3 domain = field.domain();
+  if (domain.empty() || !std::isfinite(domain.diagonal()))
+    return fmt::format("accepted: seeds at which {} has a velocity", field.description());
+  return fmt::format("accepted: seeds from {} to {} at which {} has a velocity",
+                     in_words(domain.min), in_words(domain.max), field.description());
+}
+
+}  // namespace
 
 Vec3 onto_edge(const Box3& domain, const Vec3& seed) {
   if (domain.empty() || domain.contains(seed)) return seed;
@@ -23,12 +35,12 @@ Vec3 onto_edge(const Box3& domain, const Vec3& seed) {
 
 std::string in_words(const Vec3& x) { return fmt::format("({}, {}, {})", x.x, x.y, x.z); }
 
-std::string accepted_seeds(const fields::VectorField& field) {
-  const Box3 domain = field.domain();
-  if (domain.empty() || !std::isfinite(domain.diagonal()))
-    return fmt::format("accepted: seeds at which {} has a velocity", field.description());
-  return fmt::format("accepted: seeds from {} to {} at which {} has a velocity",
-                     in_words(domain.min), in_words(domain.max), field.description());
+std::string ended_in_words(const EndCounts& ends, const fields::VectorField& field) {
+  const bool lacks = std::any_of(ends.begin(), ends.end(), [](const EndCounts::value_type& end) {
+    return is_for_want_of_field(end.first);
+  });
+  if (lacks) return fmt::format("they ended: {}; {}", in_words(ends), accepted_seeds(field));
+  return fmt::format("they ended: {}, in {}", in_words(ends), field.description());
 }
 
 }  // namespace pellucid::integrators

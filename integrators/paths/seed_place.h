@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fields/field.h"
+#include "integrators/paths/end_reason.h"
 
 namespace pellucid::integrators {
 
@@ -15,7 +16,8 @@ Vec3 onto_edge(const Box3& domain, const Vec3& seed);
 /// Returns a position for messages: "(0, 0.5, 1)".
 std::string in_words(const Vec3& x);
 
-/// Returns what a message says of the seeds that the field accepts: its bounds.
-std::string accepted_seeds(const fields::VectorField& field);
+/// Returns what a message says of particles that went nowhere: how they ended, with the field's
+/// name, and its bounds where they ended since it has no velocity.
+std::string ended_in_words(const EndCounts& ends, const fields::VectorField& field);
 
 }  // namespace pellucid::integrators

@@ -12,17 +12,6 @@
 #include "integrators/surfaces/hultquist.h"
 
 namespace pellucid::integrators {
-namespace {
-
-/// What may help, when the field has no velocity where particles began or ended.
-std::string advice(const SurfaceRequest& request, const EndCounts& ends) {
-  for (const auto& [reason, count] : ends)
-    if (is_for_want_of_field(reason)) return "; " + accepted_seeds(*request.field);
-  return "";
-}
-
-}  // namespace
-
 std::span<const IntegratorRow> integrators() {
   static const IntegratorRow table[] = {fixed_front_integrator(), adaptive_front_integrator(),
                                         hultquist_integrator()};
@@ -35,9 +24,9 @@ IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRe
   IntegratedSurface surface =
       row.run(request, Parameters(row.name, row.parameters, parsed.options));
   if (surface.mesh.triangles.empty())
-    throw InputError(fmt::format("{}: no triangle came of {} particles; they ended: {}{}", row.name,
-                                 surface.stats.particles, in_words(surface.stats.ends),
-                                 advice(request, surface.stats.ends)));
+    throw InputError(fmt::format("{}: no triangle came of {} particles; {}", row.name,
+                                 surface.stats.particles,
+                                 ended_in_words(surface.stats.ends, *request.field)));
   geometry::check_finite(row.name, surface.mesh);
   return surface;
 }

@@ -96,7 +96,7 @@ TEST(UnitLineBudget, RestEverywhereMakesNoLine) {
       lines_in("u=0,v=0,w=0", integrator, {Vec3(0), Vec3(1)}, 2);
       ADD_FAILURE() << integrator;
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), ::testing::HasSubstr("they ended: 2 stagnated"));
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("they ended: 2 stagnated, in formula"));
     }
   }
 }
