@@ -15,7 +15,6 @@
 #include "core/files/json_text.h"
 #include "core/files/output_folder.h"
 #include "core/machine/program_run.h"
-#include "core/options/names.h"
 
 namespace pellucid::app {
 namespace {
@@ -45,9 +44,7 @@ compare::MethodCall call_of(const ConformArguments& arguments) {
                                    .timeout = arguments.timeout,
                                    .ending = '.' + arguments.output,
                                    .base = fs::current_path()});
-  const NameAndOptions named = parse_name_and_options(arguments.method);
-  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
-  return {&row, Parameters(row.name, row.parameters, named.options)};
+  return compare::parse_call(arguments.method);
 }
 
 void print_case(const compare::CaseResult& result) {

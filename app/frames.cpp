@@ -14,7 +14,6 @@
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
-#include "core/options/names.h"
 #include "scene/files/scene_file.h"
 
 namespace pellucid::app {
@@ -106,12 +105,6 @@ class FrameTable {
   double rmse_ = 0, worst_ = 0, flicker_ = 0;  // sums; the worst
 };
 
-compare::MethodCall parse_call(const std::string& text) {
-  const NameAndOptions named = parse_name_and_options(text);
-  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
-  return {&row, Parameters(row.name, row.parameters, named.options)};
-}
-
 /// A method that chooses opacities itself differs from the exact picture on purpose.
 void check_reference(const FramesOptions& options, const compare::MethodCall& method) {
   if (!options.reference.empty() && method.row->promises.optimizes_opacity)
@@ -129,10 +122,10 @@ void make_folder(const fs::path& folder) {
 
 void frames(const FramesOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
-  const compare::MethodCall method = parse_call(options.method);
+  const compare::MethodCall method = compare::parse_call(options.method);
   check_reference(options, method);
   std::optional<compare::MethodCall> reference;
-  if (!options.reference.empty()) reference = parse_call(options.reference);
+  if (!options.reference.empty()) reference = compare::parse_call(options.reference);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(options.scene, progress, options.view);

@@ -45,6 +45,7 @@ nlohmann::ordered_json list_methods() {
          {"order spread", row.promises.order_spread},
          {"convex hull", row.promises.convex_hull},
          {"fixed memory", row.promises.fixed_memory},
+         {"parts add up", row.promises.adds_up},
          {"draws isosurfaces", row.promises.draws_isosurfaces},
          {"optimizes opacity", row.promises.optimizes_opacity},
          {"optimizes vertices", row.promises.optimizes_vertices},

@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/deep.h"
 #include "app/part_number.h"
+#include "app/sums.h"
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/parts/load_part.h"
@@ -15,11 +16,11 @@
 #include "compare/pictures/sums_file.h"
 #include "compare/results/probe_json.h"
 #include "compare/results/render_json.h"
+#include "compare/sums/draw_sums.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
-#include "core/options/names.h"
 #include "scene/files/camera_file.h"
 #include "scene/files/scene_file.h"
 
@@ -27,7 +28,8 @@ namespace pellucid::app {
 namespace {
 
 struct RenderOptions {
-  std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep, part;
+  std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep, part,
+      partial, totals;
   std::vector<int> probe;  // x, y, x, y, …
   scene::ViewRequest view;
   bool explain = false;
@@ -75,6 +77,20 @@ void render_part(const RenderOptions& options, const GlobalOptions& globals,
   write_part({options.deep, options.output, fingerprint}, part, progress, globals);
 }
 
+/// Sums up over a part of the scene, or all of it.
+void write_partial(const RenderOptions& options, const GlobalOptions& globals,
+                   const compare::MethodCall& call) {
+  const scene::PartNumber part =
+      options.part.empty() ? scene::PartNumber() : part_number_of(options.part);
+  std::optional<compare::SumsFile> totals;
+  if (!options.totals.empty()) totals = compare::read_sums_file(options.totals);
+  const compare::SumsFile sums =
+      compare::draw_sums({options.scene, options.view, call, part, globals.gl},
+                         totals ? &*totals : nullptr, console_progress(globals));
+  compare::write_sums_file(options.partial, sums);
+  print_sums(options.partial, sums.info, globals);
+}
+
 /// The picture by the method, and what it took.
 void write_picture(const RenderOptions& options, const GlobalOptions& globals,
                    const compare::MethodCall& call,
@@ -106,14 +122,20 @@ void write_picture(const RenderOptions& options, const GlobalOptions& globals,
     print_summary(options, scene, rendering.stats);
 }
 
+void check_part(const RenderOptions& options) {
+  if (!options.part.empty() && options.deep.empty() && options.partial.empty())
+    throw CLI::RequiresError("--part", "--deep or --partial");
+}
+
 void render(const RenderOptions& options, const GlobalOptions& globals) {
-  if (options.output.empty() && options.deep.empty()) throw CLI::RequiredError("-o,--output");
+  check_part(options);
+  if (options.output.empty() && options.deep.empty() && options.partial.empty())
+    throw CLI::RequiredError("-o,--output");
   const ProtectedInputs inputs;
   const FilesRead read;
-  const NameAndOptions named = parse_name_and_options(options.method);
-  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
-  const Parameters parameters(row.name, row.parameters, named.options);
-  if (!options.part.empty()) return render_part(options, globals, {&row, parameters}, read);
+  const compare::MethodCall call = compare::parse_call(options.method);
+  if (!options.partial.empty()) return write_partial(options, globals, call);
+  if (!options.part.empty()) return render_part(options, globals, call, read);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
@@ -126,7 +148,7 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
     write_deep({options.deep, {}, compare::scene_fingerprint(read.paths(), options.opacities)},
                scene, progress, globals, options.output.empty());
   if (options.output.empty()) return;
-  write_picture(options, globals, {&row, parameters}, opacities, scene, progress);
+  write_picture(options, globals, call, opacities, scene, progress);
 }
 
 }  // namespace
@@ -140,7 +162,7 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   CLI::Option* output = command
                             ->add_option("-o,--output", options->output,
                                          "Picture: .exr (32-bit float) or .png; only with "
-                                         "--deep may it be left out")
+                                         "--deep or --partial may it be left out")
                             ->check(ending_among({".exr", ".png"}));
   CLI::Option* stats =
       command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
@@ -167,23 +189,37 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
                                        "Write every crossing of every pixel: a deep .exr, or .npz "
                                        "for NumPy")
                           ->check(ending_among({".exr", ".npz"}));
-  CLI::Option* part = command->add_option(
-      "--part", options->part,
-      "I/N: with --deep, draw only the I-th of N parts of the primitives, for 'merge'");
+  CLI::Option* part = command->add_option("--part", options->part,
+                                          "I/N: with --deep or --partial, draw only the I-th of N "
+                                          "parts of the primitives, for 'merge'");
+  CLI::Option* partial =
+      command
+          ->add_option("--partial", options->partial,
+                       "Write what the method sums up, as channels of an .exr, in the place of a "
+                       "picture: 'merge' adds the parts' up and composites them")
+          ->check(ending_among({".exr"}));
+  CLI::Option* totals = command->add_option(
+      "--totals", options->totals,
+      "With --partial, of a method of two phases: draw the second, given the first one's totals "
+      "over all parts (merge --partial FILE)");
   add_view_options(*command, options->view);
   CLI::Option* opacities = add_opacities_option(*command, options->opacities);
   CLI::Option* explain = command->add_flag("--explain", options->explain,
                                            "Print what was modelled and left out, and why");
-  part->needs(deep);
+  totals->needs(partial);
+  for (CLI::Option* of_picture : {output, deep, sums, probe, stats, layers, explain})
+    partial->excludes(of_picture);
   for (CLI::Option* of_method : {stats, layers, explain}) {
     of_method->needs(output);
     part->excludes(of_method);
   }
   for (CLI::Option* of_whole : {probe, sums, opacities}) part->excludes(of_whole);
+  partial->excludes(opacities);
   command->footer(
       "Examples:\n  pellucid render scene.json -m raytrace -o picture.exr\n"
       "  pellucid render scene.json -m fourier:bands=5 -o a.png --view +x --resolution 640x480\n"
-      "  pellucid render scene.json -m raytrace --deep part-1.exr --part 1/8");
+      "  pellucid render scene.json -m raytrace --deep part-1.exr --part 1/8\n"
+      "  pellucid render scene.json -m fourier --partial part-1.exr --part 1/8");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([options, &globals] { render(*options, globals); });

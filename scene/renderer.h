@@ -15,7 +15,9 @@
 #include "core/progress.h"
 #include "core/raster.h"
 #include "scene/elements/optimized_opacities.h"
+#include "scene/parts/partial_sums.h"
 #include "scene/scene.h"
+#include "scene/view_depth.h"
 
 namespace pellucid::scene {
 
@@ -136,12 +138,19 @@ class Renderer {
   /// Returns the opacities of least energy that it found for its last picture. Nothing where it
   /// finds none, finds one for each fragment, or has not rendered yet.
   virtual std::optional<OptimizedOpacities> optimized_opacities() { return std::nullopt; }
+  /// Returns what draws a part of a scene by this method, as long as the renderer lives; null where
+  /// its pictures are no sums. Throws InputError for parameters by which they are none.
+  virtual PartialSums* partial_sums() { return nullptr; }
 };
 
 /// A RenderContext is what a method is given beside its scene.
 struct RenderContext {
   std::string gl = "osmesa";      // "osmesa", "egl", "egl:N", "egl:software"
   FrameMemory* memory = nullptr;  // along a camera path; has to outlive the renderer
+  /// Of the whole, where the scene is a part of one; has to outlive the renderer, as what follows.
+  const DepthRange* depths = nullptr;
+  /// What PartialSums::behind() returned of a part, in the place of opaque objects.
+  const Image* behind = nullptr;
 };
 
 /// Promises are what a row of the method table promises of the picture by its default settings, and
@@ -171,6 +180,9 @@ struct Promises {
   /// It chooses one opacity for each vertex, so that other methods can composite the same: where a
   /// scene has importance, Renderer::optimized_opacities() returns them, by default settings.
   bool optimizes_vertices = false;
+  /// Its pictures are made of sums over fragments (see PartialSums): parts of a scene add up to the
+  /// whole, up to twice `order_spread`.
+  bool adds_up = false;
   /// Pictures are made by random numbers, which hang on depths and samples: of the same scene
   /// sampled or placed otherwise only the picture's mean is the same.
   bool random = false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // pellucid-read-picture: parses one OpenEXR or PNG file for the process that starts it
 // (core/files/child_reader.h). With "deep" it is a deep picture's head that is asked for, with
-// "deep" and two numbers its rows from the first up to and without the second.
+// "deep" and two numbers its rows from the first up to and without the second, with "text" what
+// partial sums say of themselves.
 
 #include <cstdlib>
 #include <fstream>
@@ -19,9 +20,13 @@ int main(int argc, char** argv) {
                                if (what.size() == 3)
                                  return readers::parse_deep_rows(file, std::atoi(what[1].c_str()),
                                                                  std::atoi(what[2].c_str()), out);
-                               if (what.size() == 1) return readers::parse_deep_head(file, out);
                                const bool is_png =
                                    std::ifstream(file, std::ios::binary).get() == 0x89;
+                               if (what.size() == 1 && what[0] == "text") {
+                                 if (!is_png) readers::parse_exr_text(file, out);
+                                 return;
+                               }
+                               if (what.size() == 1) return readers::parse_deep_head(file, out);
                                (is_png ? readers::parse_png : readers::parse_exr)(file, out);
                              });
 }

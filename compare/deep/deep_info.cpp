@@ -6,7 +6,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/files/json_node.h"
 #include "core/machine/build_info.h"
 #include "scene/files/camera_file.h"
 
@@ -60,7 +59,10 @@ std::string text_of(const DeepInfo& info) {
 
 DeepInfo deep_info_of(const std::string& file, const std::string& text) {
   const nlohmann::json json = parse_json(file, text);
-  const JsonNode root(file, json);
+  return deep_info_of(JsonNode(file, json));
+}
+
+DeepInfo deep_info_of(const JsonNode& root) {
   root.accept_keys({"format", "version", "scene", "fingerprint", "camera", "resolution",
                     "background", "opaque", "program", "build", "part"});
   root["format"].one_of({"pellucid-deep"});

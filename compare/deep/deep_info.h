@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/files/json_node.h"
 #include "scene/parts/scene_part.h"
 
 namespace pellucid::compare {
@@ -35,5 +36,7 @@ std::string text_of(const DeepInfo& info);
 
 /// Returns what such a text says. Throws InputError that begins with `file` for any other.
 DeepInfo deep_info_of(const std::string& file, const std::string& text);
+/// Returns what such a text says within a larger one. Throws InputError likewise.
+DeepInfo deep_info_of(const JsonNode& node);
 
 }  // namespace pellucid::compare

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/options/names.h"
 #include "groundtruth/methods/decoupled.h"
 #include "groundtruth/methods/march.h"
 #include "groundtruth/methods/raytrace.h"
@@ -28,6 +29,12 @@ std::span<const scene::MethodRow> callable_methods() {
     return rows;
   }();
   return table;
+}
+
+MethodCall parse_call(std::string_view text, std::span<const scene::MethodRow> rows) {
+  const NameAndOptions named = parse_name_and_options(text);
+  const scene::MethodRow& row = find_row("method", named.name, rows);
+  return {&row, Parameters(row.name, row.parameters, named.options)};
 }
 
 }  // namespace pellucid::compare

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
-#include "scene/renderer.h"
+#include "compare/methods/method_call.h"
 
 namespace pellucid::compare {
 
@@ -13,5 +14,10 @@ std::span<const scene::MethodRow> methods();
 
 /// Returns methods() and `glsl`, which is whatever its file says: all that a call can name.
 std::span<const scene::MethodRow> callable_methods();
+
+/// Reads a call of one of the rows: "fourier:bands=5". Throws InputError that says what is
+/// accepted.
+MethodCall parse_call(std::string_view text,
+                      std::span<const scene::MethodRow> rows = callable_methods());
 
 }  // namespace pellucid::compare

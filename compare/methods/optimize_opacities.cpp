@@ -9,7 +9,6 @@
 
 #include "compare/methods/methods.h"
 #include "core/error.h"
-#include "core/options/names.h"
 
 namespace pellucid::compare {
 namespace {
@@ -32,9 +31,7 @@ MethodCall checked_opacities(MethodCall call) {
 
 std::optional<MethodCall> parse_opacities(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const NameAndOptions named = parse_name_and_options(text);
-  const scene::MethodRow& row = find_row("method", named.name, methods());
-  return checked_opacities({&row, Parameters(row.name, row.parameters, named.options)});
+  return checked_opacities(parse_call(text, methods()));
 }
 
 void optimize_opacities(const MethodCall& call, const scene::RenderContext& context,

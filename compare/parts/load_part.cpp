@@ -37,13 +37,14 @@ MeasuredScene measure(const fs::path& path, const Progress& progress,
 }  // namespace
 
 groundtruth::ScenePart load_part(const fs::path& path, const Progress& progress,
-                                 const scene::ViewRequest& view, const scene::PartNumber& part) {
+                                 const scene::ViewRequest& view, const scene::PartNumber& part,
+                                 scene::PartOf of) {
   MeasuredScene measured = measure(path, progress, view);
   if (measured.scene.objects.size() == 1)
-    return groundtruth::take_part(std::move(measured.scene), part);
+    return groundtruth::take_part(std::move(measured.scene), part, of);
   if (measured.any_halo)
-    return groundtruth::take_part(scene::load_scene(path, progress, view), part);
-  groundtruth::PartCutter cutter(measured.scene, measured.bounds, part);
+    return groundtruth::take_part(scene::load_scene(path, progress, view), part, of);
+  groundtruth::PartCutter cutter(measured.scene, measured.bounds, part, of);
   scene::Scene cut = scene::load_scene_by_objects(
       path, progress, view, [&](scene::SceneObject& object, std::size_t) { cutter.cut(object); });
   groundtruth::WholeScene whole = cutter.whole(cut);

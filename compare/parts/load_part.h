@@ -15,6 +15,7 @@ namespace pellucid::compare {
 /// with halos, which lie around whole lines, is read as a whole. Throws as load_scene() and
 /// take_part() do.
 groundtruth::ScenePart load_part(const std::filesystem::path& path, const Progress& progress,
-                                 const scene::ViewRequest& view, const scene::PartNumber& part);
+                                 const scene::ViewRequest& view, const scene::PartNumber& part,
+                                 scene::PartOf of = scene::PartOf::all_objects);
 
 }  // namespace pellucid::compare

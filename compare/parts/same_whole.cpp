@@ -36,7 +36,9 @@ constexpr Trait traits[] = {
      [](const DeepInfo& i) { return fmt::format("{}", fmt::join(i.opaque, " ")); }},
 };
 
-void check_same(const NamedInfo& first, const NamedInfo& other) {
+}  // namespace
+
+void check_same_picture(const NamedInfo& first, const NamedInfo& other) {
   for (const Trait& trait : traits)
     if (const std::string a = trait.value(first.info), b = trait.value(other.info); a != b)
       throw InputError(
@@ -44,12 +46,10 @@ void check_same(const NamedInfo& first, const NamedInfo& other) {
                       other.file.string(), trait.name, b, first.file.string(), a));
 }
 
-}  // namespace
-
 void check_same_whole(const std::vector<NamedInfo>& parts) {
   std::map<int, const NamedInfo*> by_number;
   for (const NamedInfo& part : parts) {
-    check_same(parts.front(), part);
+    check_same_picture(parts.front(), part);
     const auto [there, is_new] = by_number.try_emplace(part.info.part.part, &part);
     if (!is_new)
       throw InputError(fmt::format("{}: is part {} of {}, as {} is; accepted: each part once",

@@ -14,6 +14,9 @@ struct NamedInfo {
   DeepInfo info;
 };
 
+/// Throws InputError that names both files unless they are parts of one picture, cut into as many.
+void check_same_picture(const NamedInfo& first, const NamedInfo& other);
+
 /// Throws InputError that names the file unless these are all parts of one whole, each once.
 void check_same_whole(const std::vector<NamedInfo>& parts);
 

@@ -7,11 +7,13 @@
 
 namespace pellucid::groundtruth {
 
-PartCutter::PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part)
+PartCutter::PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part,
+                       scene::PartOf of)
     : frame_(scene, bounds),
       camera_(scene.camera),
       depths_(scene.camera, scene.width, scene.height),
-      whole_{part, bounds, {}, 0, {}} {}
+      whole_{part, bounds, {}, 0, {}},
+      of_(of) {}
 
 void PartCutter::cut(scene::SceneObject& object) {
   const std::size_t index = whole_.first_primitives.size();
@@ -22,7 +24,8 @@ void PartCutter::cut(scene::SceneObject& object) {
     const auto geometry = make_geometry(object, std::uint32_t(index), unlit);
     whole_.largest = std::max(whole_.largest, geometry->largest_coordinate());
   }
-  whole_.first_primitives.push_back(scene::cut_object(object, index, whole_.part));
+  const bool stays = object.opaque && of_ == scene::PartOf::transparent_objects;
+  whole_.first_primitives.push_back(stays ? 0 : scene::cut_object(object, index, whole_.part));
 }
 
 WholeScene PartCutter::whole(const scene::Scene& scene) const {
@@ -31,8 +34,8 @@ WholeScene PartCutter::whole(const scene::Scene& scene) const {
   return whole;
 }
 
-ScenePart take_part(scene::Scene scene, const scene::PartNumber& part) {
-  PartCutter cutter(scene, scene.bounds(), part);
+ScenePart take_part(scene::Scene scene, const scene::PartNumber& part, scene::PartOf of) {
+  PartCutter cutter(scene, scene.bounds(), part, of);
   for (scene::SceneObject& object : scene.objects) cutter.cut(object);
   WholeScene whole = cutter.whole(scene);
   return {std::move(scene), std::move(whole)};

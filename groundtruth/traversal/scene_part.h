@@ -33,7 +33,8 @@ class PartCutter {
  public:
   /// Takes the scene's picture and camera (its objects do not count), and the box of all that is
   /// drawn, in world units.
-  PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part);
+  PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part,
+             scene::PartOf of = scene::PartOf::all_objects);
 
   /// Cuts the next object. Throws InputError for more primitives than a Crossing counts, and for
   /// coordinates that are too large.
@@ -47,9 +48,11 @@ class PartCutter {
   scene::Camera camera_;
   scene::DepthBounds depths_;
   WholeScene whole_;
+  scene::PartOf of_;
 };
 
 /// Cuts a scene that is in memory down to a part of its primitives. Throws as PartCutter does.
-ScenePart take_part(scene::Scene scene, const scene::PartNumber& part);
+ScenePart take_part(scene::Scene scene, const scene::PartNumber& part,
+                    scene::PartOf of = scene::PartOf::all_objects);
 
 }  // namespace pellucid::groundtruth

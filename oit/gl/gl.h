@@ -39,7 +39,8 @@
   X(TextureBuffer, TEXTUREBUFFER) X(TextureParameteri, TEXTUREPARAMETERI)                       \
   X(BindTextureUnit, BINDTEXTUREUNIT) X(BindImageTexture, BINDIMAGETEXTURE)                     \
   X(GetTextureImage, GETTEXTUREIMAGE) X(GetTextureSubImage, GETTEXTURESUBIMAGE)                 \
-  X(ClearTexImage, CLEARTEXIMAGE)                                                               \
+  X(ClearTexImage, CLEARTEXIMAGE) X(TextureSubImage2D, TEXTURESUBIMAGE2D)                       \
+  X(TextureSubImage3D, TEXTURESUBIMAGE3D)                                                       \
   X(CreateFramebuffers, CREATEFRAMEBUFFERS) X(DeleteFramebuffers, DELETEFRAMEBUFFERS)           \
   X(BindFramebuffer, BINDFRAMEBUFFER) X(NamedFramebufferTexture, NAMEDFRAMEBUFFERTEXTURE)       \
   X(NamedFramebufferTextureLayer, NAMEDFRAMEBUFFERTEXTURELAYER)                                 \

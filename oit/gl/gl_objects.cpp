@@ -52,6 +52,7 @@ Texture::Texture(const Gl& gl, GLenum format, int width, int height, int layers)
       format_(format),
       width_(width),
       height_(height),
+      layers_(layers),
       bytes_(texel_bytes(format) * std::uint64_t(width) * height * std::max(layers, 1)) {
   if (layers)
     gl.TextureStorage3D(id(), 1, format, width, height, layers);
@@ -79,6 +80,20 @@ void Texture::read(GLenum format, GLenum type, std::size_t bytes, void* data) co
 void Texture::read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
                          void* data) const {
   name_.gl().GetTextureSubImage(id(), 0, x, y, 0, 1, 1, layers, format, type, GLsizei(bytes), data);
+}
+
+void Texture::read_layer(int layer, GLenum format, GLenum type, std::size_t bytes,
+                         void* data) const {
+  name_.gl().GetTextureSubImage(id(), 0, 0, 0, layer, width_, height_, 1, format, type,
+                                GLsizei(bytes), data);
+}
+
+void Texture::write_layer(int layer, GLenum format, GLenum type, const void* data) const {
+  const Gl& gl = name_.gl();
+  if (layers_)
+    gl.TextureSubImage3D(id(), 0, 0, 0, layer, width_, height_, 1, format, type, data);
+  else
+    gl.TextureSubImage2D(id(), 0, 0, 0, width_, height_, format, type, data);
 }
 
 Buffer::Buffer(const Gl& gl, std::uint64_t bytes, const void* data, GLbitfield flags)

@@ -51,6 +51,7 @@ class Texture {
   GLenum format() const { return format_; }
   int width() const { return width_; }
   int height() const { return height_; }
+  int layers() const { return layers_; }  // 0 of a plain texture
   std::uint64_t bytes() const { return bytes_; }
   /// Names it as what a sampler2D or sampler2DArray finds; units are those of bindings.glsl, here
   /// and below.
@@ -67,11 +68,16 @@ class Texture {
   /// Reads one pixel of all `layers`, the first layer first.
   void read_pixel(int x, int y, int layers, GLenum format, GLenum type, std::size_t bytes,
                   void* data) const;
+  /// Reads, or writes, all texels of one layer of an array, or of a plain texture.
+  ///@{
+  void read_layer(int layer, GLenum format, GLenum type, std::size_t bytes, void* data) const;
+  void write_layer(int layer, GLenum format, GLenum type, const void* data) const;
+  ///@}
 
  private:
   GlName<&Gl::DeleteTextures> name_;
   GLenum format_ = 0;
-  int width_ = 0, height_ = 0;
+  int width_ = 0, height_ = 0, layers_ = 0;
   std::uint64_t bytes_ = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oit/stage/oit_renderer.h"
+#include "oit/stage/summing_method.h"
 
 namespace pellucid::oit {
 
@@ -32,14 +32,18 @@ class OpticalDepthPasses {
 
   const Texture& coefficients(int target) const { return coefficients_[std::size_t(target)]; }
 
-  void weight_and_composite(Frame& frame) const;
+  /// Returns the targets of a round of SummingMethod: 0 projects, 1 weights. The coefficients'
+  /// texels hold `numbers`.
+  std::vector<SumTarget> targets(int round,
+                                 SumTarget::Numbers numbers = SumTarget::Numbers::floats) const;
+  void weight(Frame& frame) const;
+  void composite(Frame& frame) const;
 
  private:
   Resources coefficient_images() const;
-  void weight_colors() const;
-  void composite(const Framebuffer& picture) const;
 
   const Stage& stage_;
+  std::vector<std::string_view> names_;
   std::vector<Texture> coefficients_;
   Texture color_sum_;
   Framebuffer color_sum_target_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "oit/stage/part_sums.h"
 #include "oit_glsl.h"
 #include "scene/view/pixel_samples.h"
 
@@ -65,6 +66,11 @@ class OitRenderer final : public scene::Renderer {
     stage_.make_current();
     return method_->optimized_opacities();
   }
+  scene::PartialSums* partial_sums() override {
+    auto* const method = dynamic_cast<SummingMethod*>(method_.get());
+    if (method && !partial_sums_) partial_sums_.emplace(stage_, *method, picture_, picture_target_);
+    return partial_sums_ ? &*partial_sums_ : nullptr;
+  }
 
  private:
   /// Draws the picture once for each of a pixel's samples and averages.
@@ -78,6 +84,7 @@ class OitRenderer final : public scene::Renderer {
   Texture picture_;
   Framebuffer picture_target_;
   std::unique_ptr<OitMethod> method_;
+  std::optional<PartSums> partial_sums_;
 };
 
 scene::Rendering OitRenderer::render(const scene::RenderRequest& request) {

@@ -14,6 +14,8 @@ class OpaqueContext {
 
   std::uint64_t bytes() const { return picture_.bytes() + keys_.bytes() + depth_.bytes(); }
   void draw(const glm::vec3& background) const;
+  /// Returns the colour and 1 of every pixel that has one, else the background's colour and 0.
+  const Texture& picture() const { return picture_; }
   /// Returns what programs with the define OPAQUE_CONTEXT find in composite.glsl and fragment.glsl.
   Resources resources() const;
 

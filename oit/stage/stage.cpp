@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
+#include "oit/gl/bindings.h"
 #include "oit/gl/driver_check.h"
 #include "oit_glsl.h"
 
@@ -19,6 +22,17 @@ void check_size(const Gl& gl, int width, int height) {
         fmt::format("resolution: {} x {}; accepted: 1 … {} each way", width, height, largest));
 }
 
+Geometry geometry_of(const Gl& gl, const scene::Scene& scene, const scene::RenderContext& context) {
+  if (!context.depths) return {gl, scene};
+  return {gl, scene, *context.depths, primitive_ranges(scene)};
+}
+
+Texture texture_of(const Gl& gl, const Image& image) {
+  Texture texture(gl, GL_RGBA32F, image.width, image.height);
+  texture.write_layer(0, GL_RGBA, GL_FLOAT, image.pixels.data());
+  return texture;
+}
+
 }  // namespace
 
 Stage::Stage(const scene::Scene& scene, const scene::RenderContext& context)
@@ -28,7 +42,7 @@ Stage::Stage(const scene::Scene& scene, const scene::RenderContext& context)
       width_(scene.width),
       height_(scene.height),
       background_(scene.background),
-      geometry_(context_.gl(), scene),
+      geometry_(geometry_of(context_.gl(), scene, context)),
       no_attributes_(context_.gl()) {
   check_size(gl(), width_, height_);
   check_driver(context_);
@@ -36,6 +50,7 @@ Stage::Stage(const scene::Scene& scene, const scene::RenderContext& context)
     opaque_.emplace(context_, geometry_, width_, height_);
     record("opaque context", opaque_->bytes());
   }
+  if (context.behind) given_behind_ = texture_of(gl(), *context.behind);
   context_.check("uploading the scene");
 }
 
@@ -60,7 +75,7 @@ GeometryProgram Stage::geometry_program(std::string_view fragment, Defines defin
 }
 
 Program Stage::screen_program(std::string_view fragment, Defines defines) const {
-  if (opaque_) defines.emplace_back("OPAQUE_CONTEXT", 1);
+  if (opaque_ || given_behind_) defines.emplace_back("OPAQUE_CONTEXT", 1);
   Program program(context_, oit_glsl::screen_vert_glsl(), {fragment}, defines);
   program.set_if_used("background", background_);  // where it does not composite, it has none
   return program;
@@ -81,9 +96,20 @@ void Stage::draw_opaque_context() const {
   if (opaque_) opaque_->draw(background_);
 }
 
+Image Stage::behind() const {
+  Image image(width_, height_);
+  std::fill(image.pixels.begin(), image.pixels.end(), glm::vec4(background_, 0));
+  if (opaque_)
+    opaque_->picture().read(GL_RGBA, GL_FLOAT, image.pixels.size() * sizeof image.pixels[0],
+                            image.pixels.data());
+  return image;
+}
+
 void Stage::begin(Pass pass, const Resources& of_program) const {
   pass.resources.add(of_program);
   if (opaque_) pass.resources.add(opaque_->resources());
+  if (given_behind_)
+    pass.resources.add(given_behind_->as_texture(bindings::opaque_picture_texture));
   pass.begin(gl());
 }
 

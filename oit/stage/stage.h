@@ -42,6 +42,9 @@ class Stage {
   /// pixel_samples.h): all passes of a picture share it, so that it is no argument of each.
   void sample_at(const Vec2& sample);
   bool has_opaque_context() const { return opaque_.has_value(); }
+  /// Returns what lies behind the transparent fragments, as scene::PartialSums::behind() does, once
+  /// draw_opaque_context() has drawn it.
+  Image behind() const;
   /// Draws what is opaque, before the picture, sampled as the picture will be.
   void draw_opaque_context() const;
   const Ledger& ledger() const { return ledger_; }
@@ -88,6 +91,7 @@ class Stage {
   VertexArray no_attributes_;
   Ledger ledger_;
   std::optional<OpaqueContext> opaque_;
+  std::optional<Texture> given_behind_;  // in the place of opaque objects
 };
 
 }  // namespace pellucid::oit

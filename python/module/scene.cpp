@@ -11,7 +11,6 @@
 #include "compare/pictures/png_file.h"
 #include "compare/results/render_json.h"
 #include "core/error.h"
-#include "core/options/names.h"
 #include "module/shapes.h"
 #include "module/values.h"
 #include "module/work.h"
@@ -75,9 +74,7 @@ void add(Scene& scene, const py::object& object, const py::kwargs& keys) {
 }
 
 compare::MethodCall call_of(const py::handle& method) {
-  const NameAndOptions named = parse_name_and_options(text_of(method, "render: method"));
-  const scene::MethodRow& row = find_row("method", named.name, compare::callable_methods());
-  return {&row, Parameters(row.name, row.parameters, named.options)};
+  return compare::parse_call(text_of(method, "render: method"));
 }
 
 struct RenderRequest {

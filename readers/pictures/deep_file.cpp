@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/files/child_reader.h"
+#include "readers/pictures/of_picture.h"
 
 namespace pellucid::readers {
 namespace {
@@ -15,16 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view program = "pellucid-read-picture";
-
-/// What blocks say wrongly is said of the file that they are of.
-template <class Read>
-auto of_file(const fs::path& path, const Read& read) {
-  try {
-    return read();
-  } catch (const BlockError& error) {
-    throw InputError(fmt::format("{}: cannot read the picture: {}", path.string(), error.what()));
-  }
-}
 
 template <class T>
 std::span<const T> of_length(const Block& block, std::uint64_t length) {
@@ -76,11 +67,11 @@ bool is_deep_picture(const fs::path& path) {
 }
 
 DeepHead read_deep_head(const fs::path& path) {
-  return of_file(path, [&] { return head_of(read_in_child(program, path, {"deep"})); });
+  return of_picture(path, [&] { return head_of(read_in_child(program, path, {"deep"})); });
 }
 
 DeepSamples read_deep_rows(const fs::path& path, const DeepHead& head, int first, int end) {
-  return of_file(path, [&] {
+  return of_picture(path, [&] {
     Blocks blocks =
         read_in_child(program, path, {"deep", std::to_string(first), std::to_string(end)},
                       memory_for(head, first, end));

@@ -5,10 +5,12 @@
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <limits>
 #include <thread>
 
+#include "readers/pictures/deep_channels.h"
 #include "readers/pictures/parse_picture.h"
 
 namespace pellucid::readers {
@@ -56,7 +58,17 @@ void read_channels(Imf::InputPart part, const Imath::Box2i& box,
   part.readPixels(box.min.y, box.max.y);
 }
 
+void write_exr_text(const Imf::Header& header, BlockWriter& out) {
+  if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(deep_attribute))
+    out.add_text("text", text->value());
+}
+
 }  // namespace
+
+void parse_exr_text(const std::filesystem::path& path, BlockWriter& out) {
+  const Imf::MultiPartInputFile file(path.c_str(), 0);
+  write_exr_text(file.header(0), out);
+}
 
 void parse_exr(const std::filesystem::path& path, BlockWriter& out) {
   Imf::MultiPartInputFile file(path.c_str(), int(std::thread::hardware_concurrency()));
@@ -69,6 +81,7 @@ void parse_exr(const std::filesystem::path& path, BlockWriter& out) {
   for (ChannelValues& channel : channels) channel.bits.resize(std::size_t(data.pixels()));
   read_channels(Imf::InputPart(file, 0), box, channels);
   write_windows(data, picture, out);
+  write_exr_text(header, out);
   for (const ChannelValues& channel : channels)
     out.add(std::string(channel_prefix) + channel.name,
             channel.type == Imf::UINT ? NumberType::u32 : NumberType::f32, 1, channel.bits.size(),

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/files/child_reader.h"
 #include "core/files/output_file.h"
+#include "readers/pictures/of_picture.h"
 
 namespace pellucid::readers {
 namespace {
@@ -50,7 +51,8 @@ PictureFile picture_of(Blocks blocks) {
   if (windows.size() != 8) blocks.at("window").fail("does not hold two windows");
   const PictureWindow data = window_of(windows.first(4)), picture = window_of(windows.last(4));
   std::vector<Block> channels = channels_of(blocks, data);
-  return {data, picture, std::move(channels), std::move(blocks)};
+  std::string text = blocks.text("text");
+  return {data, picture, std::move(text), std::move(channels), std::move(blocks)};
 }
 
 /// A picture that is nearly all of one colour is a small file: memory for all the values it may
@@ -62,15 +64,19 @@ std::uint64_t memory_for(const fs::path& path) {
                                            most, max_picture_compression * fs::file_size(path));
 }
 
+Blocks blocks_of(const fs::path& path, const std::vector<std::string>& what) {
+  require_file(path);
+  return read_in_child(program_for(path), path, what, memory_for(path));
+}
+
 }  // namespace
 
 PictureFile read_picture_file(const fs::path& path) {
-  require_file(path);
-  try {
-    return picture_of(read_in_child(program_for(path), path, {}, memory_for(path)));
-  } catch (const BlockError& error) {
-    throw InputError(fmt::format("{}: cannot read the picture: {}", path.string(), error.what()));
-  }
+  return of_picture(path, [&] { return picture_of(blocks_of(path, {})); });
+}
+
+std::string read_picture_text(const fs::path& path) {
+  return of_picture(path, [&] { return blocks_of(path, {"text"}).text("text"); });
 }
 
 }  // namespace pellucid::readers

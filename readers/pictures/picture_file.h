@@ -3,6 +3,7 @@
 // Pictures as the programs that parse them leave them, as blocks:
 //
 //     window          i32 × 4, twice: x, y, width, height of the data, then of the picture; pixels
+//     text            what an OpenEXR file of partial sums says of itself; no others have it
 //     channel:NAME    of each channel: a value per pixel of the data, row by row from the top; f32
 //     as
 //                     it is stored (n/255 for 8 bits, n/65535 for 16), or u32
@@ -35,9 +36,13 @@ constexpr std::string_view channel_prefix = "channel:";
 struct PictureFile {
   PictureWindow data;           // where the channels have values
   PictureWindow picture;        // what is shown, of which the data may leave pixels out
+  std::string text;             // of sums of a part of a scene: what they are; else empty
   std::vector<Block> channels;  // by their names in the file
   Blocks blocks;                // what the channels' values lie in
 };
+
+/// Reads PictureFile::text alone. Throws as read_picture_file() does.
+std::string read_picture_text(const std::filesystem::path& path);
 
 /// Reads a picture of any format that OpenImageIO knows; OpenEXR and PNG by their own libraries,
 /// since OpenImageIO takes a third of a second to load. Throws InputError that names the file when

@@ -20,6 +20,10 @@ struct PartNumber {
   bool operator==(const PartNumber&) const = default;
 };
 
+/// A PartOf says of which objects a part has a share: of all, or of those that are not opaque,
+/// while opaque ones stay whole, since they hide what other parts hold.
+enum class PartOf { all_objects, transparent_objects };
+
 /// A Share is the elements begin … end - 1 of an object.
 struct Share {
   std::uint64_t begin = 0, end = 0;

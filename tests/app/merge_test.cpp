@@ -82,7 +82,7 @@ TEST_F(UnitMerge, WhatAreNotAllPartsOfOneSceneIsRefused) {
   ASSERT_EQ(run(render_part("2/2", "2.exr")).exit_code, 0);
   EXPECT_THAT(refusal("merge " + path("1.exr") + ' ' + path("2.exr") + output),
               HasSubstr("2.exr: its content of the scene is"));
-  EXPECT_THAT(refusal("merge " + path("1.exr")), HasSubstr("--output or --deep"));
+  EXPECT_THAT(refusal("merge " + path("1.exr")), HasSubstr("--output, --deep or --partial"));
   EXPECT_THAT(refusal("merge " + path("1.exr") + " -o " + path("1.exr")), HasSubstr("1.exr"));
   EXPECT_THAT(refusal("merge " + scene().string() + output), HasSubstr("scene.json"));
 }

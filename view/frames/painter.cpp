@@ -22,11 +22,7 @@ namespace {
 using nlohmann::json;
 
 compare::MethodCall read_call(const JsonNode& node) {
-  return at_place(node, [&]() -> compare::MethodCall {
-    const NameAndOptions named = parse_name_and_options(node.string());
-    const scene::MethodRow& row = find_row("method", named.name, compare::methods());
-    return {&row, Parameters(row.name, row.parameters, named.options)};
-  });
+  return at_place(node, [&] { return compare::parse_call(node.string(), compare::methods()); });
 }
 
 void accept(const JsonNode& node, std::initializer_list<std::string_view> others) {

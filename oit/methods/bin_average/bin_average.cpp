@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "oit/gl/bindings.h"
-#include "oit/stage/oit_renderer.h"
+#include "oit/stage/summing_method.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
 namespace {
 
-class BinAverage final : public OitMethod {
+class BinAverage final : public SummingMethod {
  public:
   BinAverage(Stage& stage, const BinAverageOptions& options)
       : stage_(stage),
@@ -29,14 +29,21 @@ class BinAverage final : public OitMethod {
         gather_(stage.screen_program(oit_glsl::bin_average_gather_frag_glsl())),
         composite_(stage.screen_program(oit_glsl::bin_average_composite_frag_glsl())) {}
 
-  void draw(Frame& frame) override {
-    gathered_target_.clear_all(0);
-    locks_.clear(0);
-    for (int first = 0; first < bins_; first += per_pass_) {
-      const int here = std::min(per_pass_, bins_ - first);
-      frame.step("accumulate", [&] { accumulate(first, here); });
-      frame.step("gather", [&] { gather(here); });
-    }
+  // Each round has the bins of one pass.
+  int rounds() const override { return (bins_ + per_pass_ - 1) / per_pass_; }
+  bool rounds_are_apart() const override { return true; }
+  std::vector<SumTarget> targets(int) const override {
+    return {{"sums of bins", &sums_},
+            {"counts of bins", &counts_, scene::Combine::add, SumTarget::Numbers::counts}};
+  }
+  void sum(int round, Frame& frame) override {
+    frame.step("accumulate", [&] { accumulate(round * per_pass_, bins_of(round)); });
+  }
+  void close(int round, Frame& frame) override {
+    if (round == 0) gathered_target_.clear_all(0);
+    frame.step("gather", [&] { gather(bins_of(round)); });
+  }
+  void composite(Frame& frame) override {
     frame.step("composite", [&] {
       const Resource gathered = gathered_.as_texture(bindings::gathered_bins_texture);
       stage_.draw_screen({frame.picture(), {Blend::replace}, gathered}, composite_);
@@ -44,19 +51,21 @@ class BinAverage final : public OitMethod {
   }
 
   std::vector<std::string> explain() const override {
-    return {
-        fmt::format("bins: {} in {} passes over the scene, {} at once; all in one pass would "
-                    "take {} bytes",
-                    bins_, (bins_ + per_pass_ - 1) / per_pass_, per_pass_,
-                    (20 * std::uint64_t(bins_) + 20) * stage_.pixel_count())};
+    return {fmt::format(
+        "bins: {} in {} passes over the scene, {} at once; all in one pass would "
+        "take {} bytes",
+        bins_, rounds(), per_pass_, (20 * std::uint64_t(bins_) + 20) * stage_.pixel_count())};
   }
 
  private:
+  int bins_of(int round) const { return std::min(per_pass_, bins_ - round * per_pass_); }
+
   Resources bins() const {
     return {sums_.as_image(bindings::bin_sums_image), counts_.as_image(bindings::bin_counts_image)};
   }
 
   void accumulate(int first, int here) {
+    locks_.clear(0);
     counts_.clear(0);
     accumulate_.set("first_bin", first);
     accumulate_.set("bins_here", here);
@@ -107,7 +116,10 @@ const scene::MethodRow& bin_average_method() {
           "at hand",
       .parameters = bin_average_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
-      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 1e-4,
+                   .convex_hull = true,
+                   .fixed_memory = true,
+                   .adds_up = true},
       .bytes_per_pixel = "20 bins-per-pass + 20",
       .sweep = "bins=50|200|1000",
       .make = make_oit<BinAverage, bin_average_options>};

@@ -10,7 +10,7 @@
 namespace pellucid::oit {
 namespace {
 
-class Binning final : public OitMethod {
+class Binning final : public SummingMethod {
  public:
   Binning(Stage& stage, const BinningOptions& options)
       : Binning(stage, options,
@@ -18,14 +18,22 @@ class Binning final : public OitMethod {
                  {"LINEAR", options.mode == BinMode::linear},
                  {"NORMALIZE", options.normalize}}) {}
 
-  void draw(Frame& frame) override {
+  int rounds() const override { return 2; }
+  std::vector<SumTarget> targets(int round) const override {
+    return passes_.targets(round, SumTarget::Numbers::bits_of_floats);
+  }
+  void sum(int round, Frame& frame) override {
+    if (round == 1) return passes_.weight(frame);
     frame.step("project", [&] { project(); });
+  }
+  void close(int round, Frame& frame) override {
+    if (round == 1) return;
     frame.step("accumulate", [&] {
       stage_.draw_screen({no_targets_, {Blend::replace}, bins()}, accumulate_);
       finish_stores();
     });
-    passes_.weight_and_composite(frame);
   }
+  void composite(Frame& frame) override { passes_.composite(frame); }
 
   // As the weight pass does it.
   std::optional<scene::RaySeries> ray_series(scene::RaySum sum, int x, int y,
@@ -106,6 +114,7 @@ const scene::MethodRow& binning_method() {
       .promises = {.order_spread = 1e-3,
                    .convex_hull = true,
                    .fixed_memory = true,
+                   .adds_up = true,
                    .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "4 bins + 16",
       .sweep = "bins=3|11|50|200",

@@ -1,25 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/fourier/fourier.h"
 
+#include <fmt/format.h>
+
+#include "core/error.h"
 #include "oit/optical_depth/series_readback.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
 namespace {
 
-class Fourier final : public OitMethod {
+class Fourier final : public SummingMethod {
  public:
   Fourier(Stage& stage, const FourierOptions& options, const FragmentOpacity& opacity = {})
       : bands_(options.bands),
+        subset_(options.series.subset),
         margin_(float(options.series.margin)),
         passes_(stage, {target(options)}, weight_program(stage, options, opacity),
                 stage.screen_program(oit_glsl::fourier_composite_frag_glsl(),
                                      {{"NORMALIZE", options.normalize}})),
         projection_(stage, passes_.coefficients(0), bands_, options.series, {}, opacity) {}
 
-  void draw(Frame& frame) override {
+  int rounds() const override { return 2; }
+  std::vector<SumTarget> targets(int round) const override { return passes_.targets(round); }
+  void sum(int round, Frame& frame) override {
+    if (round == 1) return passes_.weight(frame);
     frame.step("project", [&] { projection_.project(); });
-    passes_.weight_and_composite(frame);
+  }
+  void composite(Frame& frame) override { passes_.composite(frame); }
+  // Every n-th primitive of a part is not one of the whole's every n-th.
+  void check_parts() const override {
+    if (subset_ > 1)
+      throw InputError(fmt::format("subset={}; accepted for sums of parts: 1", subset_));
   }
 
   std::optional<scene::RaySeries> ray_series(scene::RaySum sum, int x, int y,
@@ -43,7 +55,7 @@ class Fourier final : public OitMethod {
     return {"Fourier coefficients", format, layers};
   }
 
-  int bands_;
+  int bands_, subset_;
   float margin_;
   OpticalDepthPasses passes_;
   FourierProjection projection_;
@@ -84,6 +96,7 @@ const scene::MethodRow& fourier_method() {
       .promises = {.order_spread = 1e-3,
                    .convex_hull = true,
                    .fixed_memory = true,
+                   .adds_up = true,
                    .one_layer_unless = "normalize=off"},
       .bytes_per_pixel = "precision / 2 ceil((2 bands + 1) / 4) + 16",
       .sweep = "bands=1|2|3|5|8|10|15",

@@ -32,7 +32,7 @@ std::vector<OpticalDepthPasses::Target> moments(const MomentOptions& options) {
   return targets;
 }
 
-class Moment final : public OitMethod {
+class Moment final : public SummingMethod {
  public:
   Moment(Stage& stage, const MomentOptions& options)
       : stage_(stage),
@@ -42,13 +42,16 @@ class Moment final : public OitMethod {
                 stage.screen_program(oit_glsl::moment_composite_frag_glsl())),
         moment_targets_(targets(options)) {}
 
-  void draw(Frame& frame) override {
+  int rounds() const override { return 2; }
+  std::vector<SumTarget> targets(int round) const override { return passes_.targets(round); }
+  void sum(int round, Frame& frame) override {
+    if (round == 1) return passes_.weight(frame);
     frame.step("project", [&] {
       moment_targets_.clear_all(0);
       stage_.draw_geometry({moment_targets_, {Blend::add}}, project_);
     });
-    passes_.weight_and_composite(frame);
   }
+  void composite(Frame& frame) override { passes_.composite(frame); }
 
  private:
   GeometryProgram geometry_program(std::string_view fragment, const MomentOptions& options) const {
@@ -117,7 +120,10 @@ const scene::MethodRow& moment_method() {
           "authors' code for bias and overestimation; the paper was not at hand",
       .parameters = moment_options().specs(),
       // The reconstruction amplifies roundings of the moments by up to 1 / bias.
-      .promises = {.order_spread = 0.05, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 0.05,
+                   .convex_hull = true,
+                   .fixed_memory = true,
+                   .adds_up = true},
       .bytes_per_pixel = "36 (4 moments), 44 (6) or 52 (8)",
       .sweep = "moments=4|6|8,basis=power|trigonometric",
       .make = make_oit<Moment, moment_options>};

@@ -2,13 +2,13 @@
 #include "oit/methods/weighted/weighted_average.h"
 
 #include "oit/gl/bindings.h"
-#include "oit/stage/oit_renderer.h"
+#include "oit/stage/summing_method.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
 namespace {
 
-class WeightedAverage final : public OitMethod {
+class WeightedAverage final : public SummingMethod {
  public:
   explicit WeightedAverage(Stage& stage)
       : stage_(stage),
@@ -18,11 +18,17 @@ class WeightedAverage final : public OitMethod {
         accumulate_(stage.geometry_program(oit_glsl::weighted_average_accumulate_frag_glsl())),
         composite_(stage.screen_program(oit_glsl::weighted_average_composite_frag_glsl())) {}
 
-  void draw(Frame& frame) override {
+  int rounds() const override { return 1; }
+  std::vector<SumTarget> targets(int) const override {
+    return {{"sums of colour and opacity", &sums_}, {"fragment count", &count_}};
+  }
+  void sum(int, Frame& frame) override {
     frame.step("accumulate", [&] {
       targets_.clear_all(0);
       stage_.draw_geometry({targets_, {Blend::add}}, accumulate_);
     });
+  }
+  void composite(Frame& frame) override {
     frame.step("composite", [&] {
       stage_.draw_screen({frame.picture(),
                           {Blend::replace},
@@ -51,7 +57,10 @@ const scene::MethodRow& weighted_average_method() {
       .checked_against = "not recorded",
       .parameters = {},
       // Sums of n float terms in another order differ by n roundings at most.
-      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 1e-4,
+                   .convex_hull = true,
+                   .fixed_memory = true,
+                   .adds_up = true},
       .bytes_per_pixel = "20",
       .make = make_oit<WeightedAverage>};
   return row;

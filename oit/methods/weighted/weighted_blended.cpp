@@ -2,13 +2,13 @@
 #include "oit/methods/weighted/weighted_blended.h"
 
 #include "oit/gl/bindings.h"
-#include "oit/stage/oit_renderer.h"
+#include "oit/stage/summing_method.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
 namespace {
 
-class WeightedBlended final : public OitMethod {
+class WeightedBlended final : public SummingMethod {
  public:
   WeightedBlended(Stage& stage, const WeightedBlendedOptions& options)
       : stage_(stage),
@@ -19,12 +19,19 @@ class WeightedBlended final : public OitMethod {
                                            {{"WEIGHT", options.weight}})),
         composite_(stage.screen_program(oit_glsl::weighted_blended_composite_frag_glsl())) {}
 
-  void draw(Frame& frame) override {
+  int rounds() const override { return 1; }
+  std::vector<SumTarget> targets(int) const override {
+    return {{"weighted sums of colour and opacity", &sums_},
+            {"transmittance", &transmittance_, scene::Combine::multiply}};
+  }
+  void sum(int, Frame& frame) override {
     frame.step("accumulate", [&] {
       targets_.clear(0, 0);
       targets_.clear(1, 1);
       stage_.draw_geometry({targets_, {Blend::add, Blend::transmit}}, accumulate_);
     });
+  }
+  void composite(Frame& frame) override {
     frame.step("composite", [&] {
       stage_.draw_screen({frame.picture(),
                           {Blend::replace},
@@ -65,7 +72,10 @@ const scene::MethodRow& weighted_blended_method() {
           "paper was not at hand",
       .parameters = weighted_blended_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
-      .promises = {.order_spread = 1e-4, .convex_hull = true, .fixed_memory = true},
+      .promises = {.order_spread = 1e-4,
+                   .convex_hull = true,
+                   .fixed_memory = true,
+                   .adds_up = true},
       .bytes_per_pixel = "20",
       .sweep = "weight=7|8|9|10",
       .make = make_oit<WeightedBlended, weighted_blended_options>};

@@ -2,13 +2,13 @@
 #include "oit/methods/weighted/weighted_sum.h"
 
 #include "oit/gl/bindings.h"
-#include "oit/stage/oit_renderer.h"
+#include "oit/stage/summing_method.h"
 #include "oit_glsl.h"
 
 namespace pellucid::oit {
 namespace {
 
-class WeightedSum final : public OitMethod {
+class WeightedSum final : public SummingMethod {
  public:
   WeightedSum(Stage& stage, const WeightedSumOptions& options)
       : stage_(stage),
@@ -18,11 +18,17 @@ class WeightedSum final : public OitMethod {
         composite_(stage.screen_program(oit_glsl::weighted_sum_composite_frag_glsl(),
                                         {{"CLAMP", options.clamp}})) {}
 
-  void draw(Frame& frame) override {
+  int rounds() const override { return 1; }
+  std::vector<SumTarget> targets(int) const override {
+    return {{"sums of colour and opacity", &sums_}};
+  }
+  void sum(int, Frame& frame) override {
     frame.step("accumulate", [&] {
       target_.clear_all(0);
       stage_.draw_geometry({target_, {Blend::add}}, accumulate_);
     });
+  }
+  void composite(Frame& frame) override {
     frame.step("composite", [&] {
       const Resource sums = sums_.as_texture(bindings::weighted_sums_texture);
       stage_.draw_screen({frame.picture(), {Blend::replace}, sums}, composite_);
@@ -57,7 +63,7 @@ const scene::MethodRow& weighted_sum_method() {
           "talk was not at hand",
       .parameters = weighted_sum_options().specs(),
       // Sums of n float terms in another order differ by n roundings at most.
-      .promises = {.order_spread = 1e-4, .fixed_memory = true},
+      .promises = {.order_spread = 1e-4, .fixed_memory = true, .adds_up = true},
       .bytes_per_pixel = "16",
       .make = make_oit<WeightedSum, weighted_sum_options>};
   return row;
