@@ -98,7 +98,7 @@ void print_json(const std::vector<compare::CaseResult>& results) {
 }
 
 void make_scenes(const ConformArguments& arguments, const GlobalOptions& globals) {
-  OutputFolder out(arguments.make, "cases.json");
+  OutputFolder out(arguments.make);
   compare::make_conformance_scenes(out.temporary(), arguments.only);
   out.commit();
   if (!globals.json && !globals.quiet)

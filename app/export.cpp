@@ -37,7 +37,7 @@ void print_summary(const fs::path& folder, const nlohmann::json& json) {
 void run(const ExportArguments& arguments, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   const auto opacities = compare::parse_opacities(arguments.opacities);
-  OutputFolder out(arguments.folder, compare::exported_scene_name);
+  OutputFolder out(arguments.folder);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(arguments.scene, progress);
   if (opacities) compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);

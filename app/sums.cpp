@@ -26,8 +26,8 @@ SumsFile earlier_totals(const SumsMerge& request, const SumsInfo& second) {
   SumsFile totals = compare::read_sums_file(request.totals);
   compare::check_same_sums(request.files.front(), second, request.totals, totals.info);
   if (totals.info.phase != 1 || totals.info.of.part != scene::PartNumber())
-    throw InputError(fmt::format("{}: accepted: the totals of the first phase over all parts",
-                                 request.totals));
+    throw InputError(
+        fmt::format("{}: accepted: the totals of the first phase over all parts", request.totals));
   return totals;
 }
 

@@ -142,7 +142,7 @@ RowCurve view_curve(const std::string& symbol, std::size_t first, std::vector<do
   return curve;
 }
 
-/// JSON has no infinity, which the PSNR of equal pictures is.
+/// The PSNR of equal pictures is none.
 bool is_finite(double value) { return std::isfinite(value); }
 
 /// The worst of each metric, and the curves of those that caption a picture.
@@ -150,13 +150,13 @@ void add_metrics(const Rows& rows, ResultRow& row) {
   for (std::size_t m = 0; m < metrics().size(); ++m) {
     const MetricRow& metric = metrics()[m];
     const auto values = all_of(rows, [m](const ResultRow& r) { return r.metrics.linear[m]; });
-    if (!values || metric.better == Better::neither || !std::ranges::all_of(*values, is_finite))
-      continue;
+    if (!values || metric.better == Better::neither) continue;
     const auto [least, most] = std::ranges::minmax(*values);
     row.measures.push_back({fmt::format("{}_worst", metric.name),
                             fmt::format("{}, worst view", metric.symbol), "",
                             metric.better == Better::lower ? most : least, metric.better});
-    if (metric.shown.card) row.curves.push_back(view_curve(std::string(metric.symbol), 1, *values));
+    if (metric.shown.card && std::ranges::all_of(*values, is_finite))
+      row.curves.push_back(view_curve(std::string(metric.symbol), 1, *values));
   }
 }
 

@@ -21,11 +21,12 @@ struct Verdict {
 struct Fault {
   static constexpr std::string_view background = "background";
   static constexpr std::string_view eight_bits = "8 bits";
+  static constexpr std::string_view precision = "precision";
   static constexpr std::string_view missed = "missed";
   static constexpr std::string_view capped = "capped";
   static constexpr std::string_view doubled = "doubled";
-  static constexpr std::string_view misordered = "misordered";
   static constexpr std::string_view picture = "picture";
+  static constexpr std::string_view misordered = "misordered";
   static constexpr std::string_view no_picture = "no picture";
   static constexpr std::string_view other = "other";
 };
@@ -36,14 +37,17 @@ inline constexpr double conformance_tolerance = 1e-4;
 
 /// Holds a picture of the case's size and of finite values against the right one. Of pictures that
 /// are stored in 8 bits as much more is allowed as these round. A fault is named when it explains
-/// nine tenths of the wrong pixels by the layers that are known of each:
+/// nine tenths of the wrong pixels by the layers that are known of each, leaving less than half of
+/// each one's error:
 /// - background: the layers are right, what shows through them is another colour;
 /// - 8 bits: of a picture that is stored so, right to two steps; else as if every step of the
-/// composite were rounded to 8 bits, or its result;
+/// composite, or its result, or what is stored of fragments were rounded to 8 bits;
+/// - precision: the same of half floats, or off by a 50th at most in a way that nothing else
+/// explains;
 /// - capped: the nearest k layers alone, of k the same in all pixels;
-/// - missed, doubled: one layer, or all that equal it, are not there; or one is there twice;
-/// - misordered: all layers, composited in another order or in none (mean, sum, as drawn);
-/// - picture: turned, shifted, with a transfer curve: see given_faults().
+/// - missed, doubled: one layer, or all that equal it, are not there; or count several times;
+/// - picture: turned, shifted, with a transfer curve: see given_faults();
+/// - misordered: all layers, composited in another order or in none (mean, sum, as drawn).
 Verdict judge(const ConformanceCase& conformance_case, const Image& picture, bool stored_in_8_bits,
               double tolerance = conformance_tolerance);
 

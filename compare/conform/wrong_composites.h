@@ -8,14 +8,30 @@ namespace pellucid::compare {
 // What renderers make of layers that composite them in wrong ways. Layers come nearest first; of
 // what is returned the colour counts, over the background.
 
+/// A Halfway says which way a renderer rounds to 8 bits what lies between two steps, up to a
+/// float's rounding: 0.1, 0.3, 0.5 and 0.9 do.
+enum class Halfway { down, up };
+
 /// Blends in a frame buffer of 8 bits, the farthest layer first.
-glm::dvec4 blended_in_8_bits(const Layers& layers, const Vec3& background);
+glm::dvec4 blended_in_8_bits(const Layers& layers, const Vec3& background, Halfway halfway);
 
 /// Sums up colour and opacity in 8 bits, the nearest layer first.
-glm::dvec4 accumulated_in_8_bits(const Layers& layers, const Vec3& background);
+glm::dvec4 accumulated_in_8_bits(const Layers& layers, const Vec3& background, Halfway halfway);
 
 /// Keeps fragments in 8 bits, and composites them without rounding.
-glm::dvec4 stored_in_8_bits(Layers layers, const Vec3& background);
+glm::dvec4 stored_in_8_bits(Layers layers, const Vec3& background, Halfway halfway);
+
+/// Keeps opacities in 8 bits, and composites without rounding.
+glm::dvec4 opacities_in_8_bits(Layers layers, const Vec3& background, Halfway halfway);
+
+/// Blends in a frame buffer of half floats, the farthest layer first.
+glm::dvec4 blended_in_halves(const Layers& layers, const Vec3& background);
+
+/// Keeps fragments in half floats, and composites them without rounding.
+glm::dvec4 stored_in_halves(Layers layers, const Vec3& background);
+
+/// Rounds the right colour to half floats.
+glm::dvec4 rounded_to_halves(const Layers& layers, const Vec3& background);
 
 /// Takes the mean colour, weighted by opacity, under the layers' transmittance.
 glm::dvec4 averaged(const Layers& layers, const Vec3& background);

@@ -110,6 +110,7 @@ class ExternalRenderer final : public GivenRenderer {
     export_camera(scene_, folder / "camera.json");
     const fs::path output = folder / ("output" + command_.ending);
     const ProgramRun run = start(folder, output);
+    const UnnotedReads own;  // what the cell has written itself is no input of its
     if (!run.succeeded())
       throw WorkError(
           fmt::format("the command {}{}", run.failure(), last_line(folder / "stderr.txt")));

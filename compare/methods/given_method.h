@@ -40,6 +40,9 @@ class GivenMethod {
                                                 const GivenPlace& place) const = 0;
   /// Returns all that its picture depends on beside the scene, the content of files as a hash.
   virtual std::string fingerprint(std::string_view scene, int view) const = 0;
+  /// Returns whether it has pictures of their own for all scenes, or views: `what` is "scene" or
+  /// "view".
+  virtual bool tells_apart(std::string_view /*what*/) const { return true; }
 
  private:
   std::string name_, title_;

@@ -50,6 +50,10 @@ class PictureMethod final : public GivenMethod {
                        picture_.bytes.value_or(0), hashes.of(file(scene, view)));
   }
 
+  bool tells_apart(std::string_view what) const override {
+    return picture_.file.find(fmt::format("{{{}}}", what)) != std::string::npos;
+  }
+
  private:
   std::string file(std::string_view scene, int view) const {
     const std::string name =

@@ -32,7 +32,7 @@ void write_archive(ArchiveKind kind, const fs::path& to, const std::string& name
 }
 
 void write_folder(const fs::path& to, const std::vector<PackedFile>& files) {
-  OutputFolder folder(to, "ro-crate-metadata.json");
+  OutputFolder folder(to);
   for (const PackedFile& file : files) {
     const fs::path path = folder.temporary() / file.path;
     fs::create_directories(path.parent_path());

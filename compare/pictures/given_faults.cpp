@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "compare/pictures/metrics.h"
+#include "compare/pictures/srgb.h"
 
 namespace pellucid::compare {
 namespace {
@@ -22,14 +23,6 @@ constexpr double left_of_error = 1.0 / 3;
 constexpr double visible = 8.0 / 255;
 /// As far as 8-bit rounding of a picture and of the background may be apart.
 constexpr double same_color = 1.5 / 255;
-
-float encoded(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-}
-
-float decoded(float x) {
-  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-}
 
 template <class Function>
 Image each_pixel(Image image, const Function& function) {
@@ -129,9 +122,11 @@ constexpr ColorFault color_faults[] = {
      multiplied_over_background},
     {"", on_its_background},  // its colour is told below
     {"looks sRGB-encoded once too often: linear values were taken for the scene's display values",
-     [](const Image& image, const Truth&) { return each_channel(image, decoded); }, curves_apart},
+     [](const Image& image, const Truth&) { return each_channel(image, decoded_from_srgb<float>); },
+     curves_apart},
     {"looks sRGB-decoded: linear values in the place of display values",
-     [](const Image& image, const Truth&) { return each_channel(image, encoded); }, curves_apart},
+     [](const Image& image, const Truth&) { return each_channel(image, encoded_as_srgb<float>); },
+     curves_apart},
     {"looks 255 times too bright: values of 0 to 255 in the place of 0 to 1",
      [](const Image& image, const Truth&) {
        return each_channel(image, [](float x) { return x / 255; });

@@ -6,6 +6,7 @@
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "scene/files/scene_file.h"
 #include "scene/halo.h"
 #include "scene/view/camera_path.h"
@@ -68,11 +69,13 @@ const scene::Scene& SceneAtHand::scene() {
 }
 
 const Image& SceneAtHand::reference() {
+  const UnnotedReads own;  // what the study has written itself is no input of its
   if (reference_.pixels.empty()) reference_ = read_image(files().picture());
   return reference_;
 }
 
 const CountImage& SceneAtHand::reference_layers() {
+  const UnnotedReads own;
   if (layers_.pixels.empty()) layers_ = read_counts(files().layers());
   return layers_;
 }

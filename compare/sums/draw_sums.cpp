@@ -37,16 +37,17 @@ void check_totals(const SumsFile& totals, const fs::path& scene, const SumsInfo&
         "--totals: are of phase {} of {} of {}; accepted: of the first of a method of two phases",
         of.phase, of.phases, of.method));
   if (of.of.part != scene::PartNumber())
-    throw InputError(fmt::format("--totals: are of part {} of {}; accepted: what merge --partial "
-                                 "has made of all",
-                                 of.of.part.part, of.of.part.count));
+    throw InputError(
+        fmt::format("--totals: are of part {} of {}; accepted: what merge --partial "
+                    "has made of all",
+                    of.of.part.part, of.of.part.count));
   check_same_sums("the totals", of, scene, info);
 }
 
 SumsFile sums_of(const SumsRequest& request, const std::string& fingerprint,
                  const groundtruth::ScenePart& part, const SumsFile* totals) {
-  const auto renderer = request.call.row->make(
-      part.scene, request.call.parameters, {.gl = request.gl, .depths = &part.whole.depths});
+  const auto renderer = request.call.row->make(part.scene, request.call.parameters,
+                                               {.gl = request.gl, .depths = &part.whole.depths});
   scene::PartialSums* const sums = renderer->partial_sums();
   SumsFile file;
   file.info = {deep_info(part.scene, request.part, fingerprint),
@@ -89,9 +90,10 @@ void check_planes(const scene::SumPlanes& planes, const scene::SumPlanes& wanted
     return a.name == b.name && a.values.size() == b.values.size();
   };
   if (!std::ranges::equal(planes, wanted, same))
-    throw InputError(fmt::format("the sums of phase {} are not those of {}; accepted: sums written "
-                                 "by this build",
-                                 info.phase, info.method));
+    throw InputError(
+        fmt::format("the sums of phase {} are not those of {}; accepted: sums written "
+                    "by this build",
+                    info.phase, info.method));
 }
 
 }  // namespace
@@ -99,8 +101,8 @@ void check_planes(const scene::SumPlanes& planes, const scene::SumPlanes& wanted
 SumsFile draw_sums(const SumsRequest& request, const SumsFile* totals, const Progress& progress) {
   check_adds_up(request.call);
   const FilesRead read;
-  const groundtruth::ScenePart part = load_part(request.scene, progress, request.view,
-                                                request.part, scene::PartOf::transparent_objects);
+  const groundtruth::ScenePart part = load_part(request.scene, progress, request.view, request.part,
+                                                scene::PartOf::transparent_objects);
   report(progress, 0.5, fmt::format("summing up {}", request.call.row->name));
   SumsFile sums = sums_of(request, scene_fingerprint(read.paths(), ""), part, totals);
   report(progress, 1, "summed up");
@@ -127,8 +129,7 @@ Image composite_sums(std::span<const SumsFile> totals, const std::string& gl) {
   const MethodCall call = parse_call(info.method);
   check_adds_up(call);
   const auto renderer = call.row->make(
-      scene, call.parameters,
-      {.gl = gl, .depths = &info.depths, .behind = &totals.front().behind});
+      scene, call.parameters, {.gl = gl, .depths = &info.depths, .behind = &totals.front().behind});
   scene::PartialSums* const sums = renderer->partial_sums();
   std::vector<scene::SumPlanes> planes;
   for (const SumsFile& file : totals) {

@@ -76,9 +76,10 @@ void SumsAdder::add(const fs::path& file, const SumsFile& sums) {
   }
   const auto is_like = [](const Total& a, const SumPlane& b) { return a.is_like(b); };
   if (!std::ranges::equal(totals_, sums.planes, is_like))
-    throw InputError(fmt::format("{}: holds other sums than the other parts; accepted: those of "
-                                 "one method, written by one build",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: holds other sums than the other parts; accepted: those of "
+                    "one method, written by one build",
+                    file.string()));
   for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i].add(sums.planes[i]);
 }
 

@@ -63,8 +63,8 @@ std::pair<JsonNode, JsonNode> two_of(const JsonNode& node) {
 SumsInfo info_of(const JsonNode& root) {
   constexpr double any = std::numeric_limits<double>::max();
   root["format"].one_of({"pellucid-sums"});  // before all else, which a deep picture lacks
-  root.accept_keys({"format", "version", "picture", "scene_file", "method", "phase", "depths",
-                    "planes"});
+  root.accept_keys(
+      {"format", "version", "picture", "scene_file", "method", "phase", "depths", "planes"});
   root["version"].integer(1, 1);
   SumsInfo info;
   info.of = deep_info_of(root["picture"]);
@@ -84,9 +84,8 @@ scene::SumPlanes planes_of(const JsonNode& root) {
     SumPlane plane;
     plane.name = node["name"].string();
     plane.channels = node["channels"].integer(1, 4);
-    plane.combine = node["combine"].one_of({"add", "multiply"}) == "add"
-                        ? scene::Combine::add
-                        : scene::Combine::multiply;
+    plane.combine = node["combine"].one_of({"add", "multiply"}) == "add" ? scene::Combine::add
+                                                                         : scene::Combine::multiply;
     planes.push_back(std::move(plane));
   }
   return planes;
@@ -98,8 +97,7 @@ void for_each_channel(Sums& sums, const Use& use) {
   for (std::size_t p = 0; p < sums.planes.size(); ++p)
     for (int c = 0; c < sums.planes[p].channels; ++c)
       use(channel_name(p, c), sums.planes[p].values.data() + c, sums.planes[p].channels);
-  for (int c = 0; c < 4; ++c)
-    use(behind_channel(c), &sums.behind.pixels.data()->x + c, 4);
+  for (int c = 0; c < 4; ++c) use(behind_channel(c), &sums.behind.pixels.data()->x + c, 4);
 }
 
 void write_exr(const fs::path& path, const SumsFile& sums, std::ostream& out) {
@@ -145,8 +143,8 @@ void take_channel(const fs::path& path, const readers::PictureFile& file, const 
 
 void write_sums_file(const fs::path& path, const SumsFile& sums) {
   if (path.extension() != ".exr")
-    throw InputError(fmt::format("{}: ending '{}'; accepted: .exr", path.string(),
-                                 path.extension().string()));
+    throw InputError(
+        fmt::format("{}: ending '{}'; accepted: .exr", path.string(), path.extension().string()));
   OutputFile output(path);
   std::ofstream out(output.temporary(), std::ios::binary);
   write_exr(path, sums, out);

@@ -8,10 +8,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <string_view>
+#include <fstream>
+#include <set>
+#include <string>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "core/files/write_failure.h"
 
 namespace pellucid {
@@ -49,25 +52,52 @@ void remove_abandoned_folders(const fs::path& target) {
   }
 }
 
-void check_place(const fs::path& path, const fs::path& target, const std::string& mark) {
+/// All files below the folder, by their paths from it; links are files.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_symlink() || !entry.is_directory())
+      files.insert(entry.path().lexically_relative(folder).generic_string());
+  return files;
+}
+
+std::set<std::string> listed_in(const fs::path& folder) {
+  std::set<std::string> names{folder_list};
+  std::ifstream list(folder / folder_list);
+  for (std::string name; std::getline(list, name);) names.insert(name);
+  return names;
+}
+
+void write_list(const fs::path& folder) {
+  const std::set<std::string> files = files_in(folder);
+  std::ofstream list(folder / folder_list);
+  for (const std::string& name : files) list << name << '\n';
+  if (!list.flush()) fail_writing(folder / folder_list, ENOSPC);
+}
+
+void check_place(const fs::path& path, const fs::path& target) {
   std::error_code code;
   const fs::file_status status = fs::status(target, code);
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) fail_writing(path, ENOTDIR);
-  if (!fs::is_empty(target, code) && !fs::exists(target / mark))
-    throw InputError(
-        fmt::format("{}: holds other files; accepted: a new folder, an empty one, or "
-                    "one to be replaced, which holds '{}'",
-                    path.string(), mark));
+  const std::set<std::string> files = files_in(target), listed = listed_in(target);
+  for (const std::string& file : files) {
+    if (!listed.contains(file))
+      throw InputError(
+          fmt::format("{}: holds other files: '{}'; accepted: a new folder, an empty one, or one "
+                      "to be replaced, which holds what a run before has written and no more",
+                      path.string(), file));
+    ProtectedInputs::refuse(target / file);
+  }
 }
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path path, std::string mark)
+OutputFolder::OutputFolder(fs::path path)
     : path_(std::move(path)), target_(without_last_slash(path_)) {
   std::error_code code;
   if (const fs::path behind = fs::canonical(target_, code); !code) target_ = behind;
-  check_place(path_, target_, mark);
+  check_place(path_, target_);
   remove_abandoned_folders(target_);
   temporary_ =
       target_.parent_path() / fmt::format("{}{}", prefix_of(target_), std::to_string(::getpid()));
@@ -82,6 +112,8 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::commit() {
+  check_place(path_, target_);  // what has come, or was read, since
+  write_list(temporary_);
   // What was there is swapped for the new one in one step, and goes away under its name.
   if (fs::exists(target_) &&
       ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {

@@ -6,15 +6,19 @@
 
 namespace pellucid {
 
+/// The file of an OutputFolder that lists the others, a path in each line.
+inline constexpr const char* folder_list = ".pellucid-folder";
+
 /// An OutputFolder appears whole or not at all: its files are written into a folder beside its
 /// place, which commit() renames. Without commit() nothing remains; what a killed process has left
-/// beside the place is removed by the next OutputFolder of that name. A folder that is there is
-/// replaced in one step, but only if it is empty or holds a file named `mark`, which says that it
-/// was made the same way. Throws InputError when the folder around it is missing or not writable,
-/// and for a place that holds anything else; WorkError when the disk fails.
+/// beside the place is removed by the next OutputFolder of that name. It holds a list of its files
+/// (folder_list), so that a folder which is there is replaced in one step only if it is empty, or
+/// holds such a list and no file that is not on it: nobody's own files go away. Throws InputError
+/// when the folder around it is missing or not writable, and for a place that holds anything else
+/// or what a ProtectedInputs has seen read; WorkError when the disk fails.
 class OutputFolder {
  public:
-  OutputFolder(std::filesystem::path path, std::string mark);
+  explicit OutputFolder(std::filesystem::path path);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

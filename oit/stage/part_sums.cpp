@@ -62,8 +62,10 @@ void read(const SumTarget& target, int round, SumPlanes& planes) {
   const Texture& texture = *target.texture;
   const auto [format, type] = transfer_of(target);
   for (int layer = 0; layer < planes_of(target); ++layer) {
-    SumPlane plane{fmt::format("{} {}.{}", target.name, round, layer), target.combine,
-                   channels_of(texture.format()), {}};
+    SumPlane plane{fmt::format("{} {}.{}", target.name, round, layer),
+                   target.combine,
+                   channels_of(texture.format()),
+                   {}};
     plane.values.resize(std::size_t(texture.width()) * std::size_t(texture.height()) *
                         std::size_t(plane.channels));
     texture.read_layer(layer, format, type, plane.values.size() * sizeof(float),

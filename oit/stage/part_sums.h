@@ -6,8 +6,8 @@
 namespace pellucid::oit {
 
 /// PartSums let a method sum up over a part of a scene, and composite what all parts have summed
-/// up. Throws InputError for a scene of several samples a pixel, and as SummingMethod::check_parts()
-/// does.
+/// up. Throws InputError for a scene of several samples a pixel, and as
+/// SummingMethod::check_parts() does.
 class PartSums final : public scene::PartialSums {
  public:
   /// All of them have to outlive it; `picture` is the texture that `target` draws into.

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compare/results/surface_json.h"
 #include "core/error.h"
 #include "core/options/names.h"
 #include "fields/make_field.h"
+#include "fields/reversed_field.h"
+#include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "module/module.h"
 #include "module/shapes.h"
@@ -36,12 +39,16 @@ struct Request {
   long long samples = 0;
 };
 
-Surface trace_surface(const Request& request, const fields::VectorField& field,
+Surface trace_surface(const Request& request,
+                      const std::shared_ptr<const fields::VectorField>& field,
                       const Progress& progress) {
-  const integrators::SurfaceRequest wanted{
-      &field,           integrators::polyline_seed(request.seed, request.closed),
-      request.duration, request.start_time,
-      request.path,     progress};
+  const auto way = request.duration < 0 ? fields::reversed(field, request.start_time) : field;
+  const integrators::SurfaceRequest wanted{way.get(),
+                                           integrators::polyline_seed(request.seed, request.closed),
+                                           std::abs(request.duration),
+                                           request.start_time,
+                                           request.path,
+                                           progress};
   integrators::IntegratedSurface made = integrators::integrate_surface(request.integrator, wanted);
   auto quality = compare::surface_json(made, integrators::measure_quality(made.mesh));
   if (request.samples > 0) {
@@ -50,6 +57,7 @@ Surface trace_surface(const Request& request, const fields::VectorField& field,
     compare::add_error_json(quality, error);
     made.mesh.scalars["error"] = std::move(error.at_vertices);
   }
+  integrators::turn_back(made.mesh, *way);
   auto surface = shape_of<Surface>(std::move(made.mesh));
   surface.quality = std::move(quality);
   return surface;
@@ -91,7 +99,7 @@ py::object trace(const py::object& field, const py::object& integrator, const py
       return trace_lines(request, *fields::make_field(request.field), progress);
     }));
   return py::cast(result_unlocked([&](const Progress& progress) {
-    return trace_surface(request, *fields::make_field(request.field), progress);
+    return trace_surface(request, fields::make_field(request.field), progress);
   }));
 }
 
@@ -99,7 +107,8 @@ constexpr const char* trace_doc = R"(Integrates a surface, or lines, from a seed
 
 field: a name such as 'abc', a formula 'formula:u=-y,v=x,w=0.2', or a file (`pellucid list fields`).
 integrator: such as 'hultquist:particles=20' (`pellucid list integrators`).
-seed: (N, 3), a polyline in world units; closed joins its ends. duration: in the field's units of time.
+seed: (N, 3), a polyline in world units; closed joins its ends. duration: in the field's units of time;
+below 0 particles go the way back.
 path: a path surface of an unsteady field, from start_time on. samples: points at which the distance to
 the exact surface is measured, world units; it is then the scalar 'error'.
 Returns a Surface; Lines for an integrator of lines. Raises InputError.)";

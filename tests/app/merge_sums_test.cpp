@@ -46,8 +46,8 @@ class UnitMergeSums : public UnitCommandLine {
 };
 
 TEST_F(UnitMergeSums, IsThePictureOfTheWholeScene) {
-  for (const std::string method : {"weighted-blended", "bin-average:bins=20", "fourier:bands=3",
-                                   "moment", "binning"}) {
+  for (const std::string method :
+       {"weighted-blended", "bin-average:bins=20", "fourier:bands=3", "moment", "binning"}) {
     ASSERT_EQ(run(render(method, "whole.exr")).exit_code, 0);
     const Outcome outcome = merge(draw(method, "part"), "--json -o " + path("merged.exr"));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -79,8 +79,8 @@ TEST_F(UnitMergeSums, ASecondPhaseDrawnElsewhereIsTheSame) {
 }
 
 TEST_F(UnitMergeSums, WithoutAPartItIsOfTheWhole) {
-  const Outcome outcome = run("render " + scene().string() + " -m weighted-sum --json --partial " +
-                              path("all.exr"));
+  const Outcome outcome =
+      run("render " + scene().string() + " -m weighted-sum --json --partial " + path("all.exr"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(outcome.out).at("part"), nlohmann::json({1, 1}));
   ASSERT_EQ(merge(path("all.exr"), "-o " + path("merged.exr")).exit_code, 0);
@@ -102,7 +102,8 @@ TEST_F(UnitMergeSums, WrongCallsAreRefused) {
 }
 
 TEST_F(UnitMergeSums, WhatAreNotAllSumsOfOnePictureIsRefused) {
-  const std::string one = path("1.exr"), two = path("2.exr"), output = " --quiet -o " + path("m.exr");
+  const std::string one = path("1.exr"), two = path("2.exr"),
+                    output = " --quiet -o " + path("m.exr");
   ASSERT_EQ(run(render_part("weighted-sum", "1/2", "1.exr")).exit_code, 0);
   EXPECT_THAT(refusal("merge " + one + output), HasSubstr("part 2 of 2 is missing"));
   ASSERT_EQ(run(render_part("weighted-average", "2/2", "2.exr")).exit_code, 0);
@@ -111,7 +112,8 @@ TEST_F(UnitMergeSums, WhatAreNotAllSumsOfOnePictureIsRefused) {
   ASSERT_EQ(run(render_part("weighted-sum", "2/2", "2.exr", "--view +x")).exit_code, 0);
   EXPECT_THAT(refusal("merge " + one + ' ' + two + output), HasSubstr("2.exr: its camera is"));
   ASSERT_EQ(run(render("raytrace", "flat.exr")).exit_code, 0);
-  EXPECT_THAT(refusal("merge " + path("flat.exr") + output), HasSubstr("flat.exr: does not hold sums"));
+  EXPECT_THAT(refusal("merge " + path("flat.exr") + output),
+              HasSubstr("flat.exr: does not hold sums"));
   ASSERT_EQ(run(render_part("weighted-sum", "2/2", "2.exr")).exit_code, 0);
   std::filesystem::resize_file(two, std::filesystem::file_size(two) / 2);
   EXPECT_THAT(refusal("merge " + one + ' ' + two + output), HasSubstr("2.exr"));
@@ -121,7 +123,8 @@ TEST_F(UnitMergeSums, WhatAreNotAllSumsOfOnePictureIsRefused) {
 TEST_F(UnitMergeSums, AChangedSceneHasNoSecondPhase) {
   const std::string files = draw("moment", "part");
   write_text(folder_ / "sheet.ply", read_text(folder_ / "sheet.ply") + " ");
-  EXPECT_THAT(refusal("merge " + files + " --quiet -o " + path("m.exr")), HasSubstr("scene.json: its content of the scene"));
+  EXPECT_THAT(refusal("merge " + files + " --quiet -o " + path("m.exr")),
+              HasSubstr("scene.json: its content of the scene"));
   std::filesystem::remove(scene());
   EXPECT_THAT(refusal("merge " + files + " --quiet -o " + path("m.exr")), HasSubstr("scene.json"));
 }

@@ -29,12 +29,13 @@ function fixed(x, decimals) {
   return x !== 0 && Math.abs(x) < 10 ** (1 - decimals) ? x.toPrecision(2) : x.toFixed(decimals);
 }
 
-const milliseconds = (seconds) => fixed(seconds * 1e3, 1);
-const megabytes = (bytes) => fixed(bytes / 1e6, 1);
+/** What is not known is not 0. */
+const milliseconds = (seconds) => (seconds == null ? "–" : fixed(seconds * 1e3, 1));
+const megabytes = (bytes) => (bytes == null ? "–" : fixed(bytes / 1e6, 1));
 const similarity = (x) => (x == null ? "–" : x === 1 ? "1" : x > 0.99995 ? ">0.9999" : x.toFixed(4));
 /** JSON holds no infinity: the PSNR of equal pictures is null. */
 const decibels = (x) => (x == null || x === Infinity ? "∞" : x.toFixed(1));
-const count = (n) => n.toLocaleString("en").replaceAll(",", "\u202f");
+const count = (n) => (n == null ? "–" : n.toLocaleString("en").replaceAll(",", "\u202f"));
 const percent = (share) => (share === 0 ? "0 %" : `${(100 * share).toPrecision(2)} %`);
 
 /** "bands=5,clamp=1" as "bands = 5, clamp = 1". */

@@ -4,6 +4,7 @@
 /** Whole numbers in full, others to four digits; very small and large ones as 1.23·10⁻⁵. */
 function measured(x) {
   if (x == null) return "–";
+  if (x === Infinity) return "∞";
   if (Number.isInteger(x)) return count(x);
   return Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? String(Number(x.toPrecision(4))) : scientific(x);
 }
@@ -27,7 +28,8 @@ function measuresTable(rows) {
   if (methods.length === 0) return null;
   const head = make("tr", {}, make("th", {}), methods.map((row) => make("th", { scope: "col" }, row.method, make("br"), make("small", {}, spaced(row.parameters)))));
   const body = measureKinds(methods).map((kind) => {
-    const values = methods.map((row) => row.measures.find(({ name }) => name === kind.name)?.value);
+    // JSON holds no infinity: a measure that is there without a number is infinite.
+    const values = methods.map((row) => row.measures.find(({ name }) => name === kind.name)).map((measure) => measure && (measure.value ?? Infinity));
     const best = bestMeasure(kind, values);
     const title = kind.unit ? `${kind.title} [${kind.unit}]` : kind.title;
     return make("tr", {}, make("td", {}, title),

@@ -14,6 +14,7 @@
 
 #include "compare/methods/methods.h"
 #include "compare/pictures/image_file.h"
+#include "compare/pictures/srgb.h"
 #include "core/error.h"
 #include "core/files/json_text.h"
 #include "core/options/names.h"
@@ -208,6 +209,77 @@ TEST_F(UnitVerdict, NamesAPictureThatIsTurned) {
   const Verdict turned = judge(c, image, false);
   EXPECT_EQ(turned.fault, Fault::picture);
   EXPECT_THAT(turned.explanation, HasSubstr("180 degrees"));
+}
+
+/// Small errors look right: they are never said to be of another order, or of no change at all.
+TEST_F(UnitVerdict, NamesWhatKeepsFewDigits) {
+  const auto halves = [](float x) { return glm::unpackHalf1x16(glm::packHalf1x16(x)); };
+  const auto bytes = [](float x) { return std::round(255 * x) / 255; };
+  const auto each = [](const auto& round, bool color) {
+    return [=](Layers layers) {
+      for (Rgba& l : layers)
+        l = color ? Rgba(round(l.r), round(l.g), round(l.b), round(l.a))
+                  : Rgba(l.r, l.g, l.b, round(l.a));
+      return layers;
+    };
+  };
+  for (const ConformanceCase& c : conformance_cases()) {
+    const Verdict half = verdict(c.name, each(halves, true)),
+                  byte = verdict(c.name, each(bytes, true)),
+                  alpha = verdict(c.name, each(bytes, false));
+    if (!half.passed) {
+      EXPECT_EQ(half.fault, Fault::precision) << c.name << ": " << half.explanation;
+    }
+    if (!byte.passed) {
+      EXPECT_EQ(byte.fault, Fault::eight_bits) << c.name << ": " << byte.explanation;
+    }
+    if (!alpha.passed) {
+      EXPECT_EQ(alpha.fault, Fault::eight_bits) << c.name << ": " << alpha.explanation;
+    }
+  }
+}
+
+TEST_F(UnitVerdict, NamesABlackBackgroundInAFileOfEightBits) {
+  for (const ConformanceCase& c : conformance_cases()) {
+    Image image(c.scene.width, c.scene.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = Rgba(composite_of(c.of_pixel(i), Vec3(0)));
+    const Verdict black = judge(c, displayed_values(image), true);
+    if (!black.passed && black.max_error > 0.02) {
+      EXPECT_EQ(black.fault, Fault::background) << c.name << ": " << black.explanation;
+    }
+  }
+}
+
+TEST_F(UnitVerdict, NamesATransferCurve) {
+  for (const char* name : {"layers-1", "layers-10", "crossing-3", "points-large"}) {
+    const ConformanceCase& c = named(name);
+    Image image = expected_picture(c);
+    for (Rgba& pixel : image.pixels)
+      pixel = Rgba(encoded_as_srgb(pixel.r), encoded_as_srgb(pixel.g), encoded_as_srgb(pixel.b), 1);
+    const Verdict curve = judge(c, image, false);
+    EXPECT_EQ(curve.fault, Fault::picture) << name << ": " << curve.explanation;
+    EXPECT_EQ(curve.explanation, "encoded as sRGB");
+  }
+}
+
+TEST_F(UnitVerdict, NamesEdgesThatCountForEachTriangle) {
+  for (const std::size_t times : {2u, 3u, 6u})
+    EXPECT_EQ(verdict("edges-vertices",
+                      [times](Layers layers) {
+                        layers.insert(layers.begin(), times - 1, Rgba(layers.front()));
+                        return layers;
+                      })
+                  .fault,
+              Fault::doubled);
+}
+
+TEST_F(UnitVerdict, NamesOpacitiesThatEndBelowOne) {
+  const Verdict ended = verdict("opaque-alpha", [](Layers layers) {
+    for (Rgba& layer : layers) layer.a = std::min(layer.a, 0.99f);
+    return layers;
+  });
+  EXPECT_EQ(ended.explanation, "opacities end at 0.99");
 }
 
 TEST(UnitConform, TakesPicturesFromAFolderAndTellsWhichAreMissing) {

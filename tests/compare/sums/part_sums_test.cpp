@@ -23,8 +23,8 @@ class FromParts {
  public:
   FromParts(const MethodCall& call, const scene::Scene& scene, int parts) {
     for (int number = 1; number <= parts; ++number)
-      parts_.push_back(groundtruth::take_part(scene, {number, parts},
-                                              scene::PartOf::transparent_objects));
+      parts_.push_back(
+          groundtruth::take_part(scene, {number, parts}, scene::PartOf::transparent_objects));
     for (int phase = 1; phase <= phases_; ++phase) add_phase(call, phase);
   }
 
@@ -113,7 +113,8 @@ TEST(UnitPartSums, OneMethodInTwoHasTwoPhases) {
 
 TEST(UnitPartSums, AWeightedSumIsTheSum) {
   // One pixel, two layers of alpha 0.5 and 0.25 in two parts: 0.5 C + 0.25 C and 0.75.
-  const FromParts parts(parse_call("weighted-sum"), stack(1, 1, {Rgba(1, 0, 0, 0.5), Rgba(0, 1, 0, 0.25)}), 2);
+  const FromParts parts(parse_call("weighted-sum"),
+                        stack(1, 1, {Rgba(1, 0, 0, 0.5), Rgba(0, 1, 0, 0.25)}), 2);
   const scene::SumPlane& plane = parts.totals().at(0).planes.at(0);
   EXPECT_EQ(plane.name, "sums of colour and opacity 0.0");
   EXPECT_EQ(plane.values, (std::vector<float>{0.5f, 0.25f, 0, 0.75f}));
@@ -149,9 +150,9 @@ TEST(UnitPartSums, WhatIsNoSumIsRefused) {
   EXPECT_THROW(sum.row->make(scene, sum.parameters, {})->partial_sums(), InputError);
   for (const scene::MethodRow& row : methods())
     if (!row.promises.adds_up && row.name != "march") {
-      EXPECT_EQ(row.make(stack(3, 3, {Rgba(0.5)}), parse_call(row.name).parameters, {})
-                    ->partial_sums(),
-                nullptr)
+      EXPECT_EQ(
+          row.make(stack(3, 3, {Rgba(0.5)}), parse_call(row.name).parameters, {})->partial_sums(),
+          nullptr)
           << row.name;
     }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "core/files/output_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,12 +20,12 @@ std::size_t entries(const fs::path& folder) {
 TEST(UnitOutputFolder, AppearsWholeOrNotAtAll) {
   const testing::TemporaryFolder around;
   {
-    const OutputFolder out(around / "made", "mark");
+    const OutputFolder out(around / "made");
     write_text(out.temporary() / "mark", "1");
     EXPECT_FALSE(fs::exists(around / "made"));
   }
   EXPECT_EQ(entries(around.path()), 0u);
-  OutputFolder out(around / "made/", "mark");
+  OutputFolder out(around / "made/");
   write_text(out.temporary() / "mark", "2");
   out.commit();
   EXPECT_EQ(read_text(around / "made" / "mark"), "2");
@@ -34,7 +35,7 @@ TEST(UnitOutputFolder, AppearsWholeOrNotAtAll) {
 TEST(UnitOutputFolder, ReplacesOnlyItsOwnKind) {
   const testing::TemporaryFolder around;
   for (const char* text : {"first", "second"}) {
-    OutputFolder out(around / "made", "mark");
+    OutputFolder out(around / "made");
     write_text(out.temporary() / "mark", text);
     write_text(out.temporary() / text, "");
     out.commit();
@@ -43,17 +44,46 @@ TEST(UnitOutputFolder, ReplacesOnlyItsOwnKind) {
   EXPECT_FALSE(fs::exists(around / "made" / "first"));
   fs::create_directory(around / "mine");
   write_text(around / "mine" / "thesis.tex", "years");
-  EXPECT_THROW(OutputFolder(around / "mine", "mark"), InputError);
-  EXPECT_THROW(OutputFolder(around / "mine" / "thesis.tex", "mark"), InputError);
-  EXPECT_THROW(OutputFolder(around / "nowhere" / "deeper", "mark"), InputError);
+  write_text(around / "mine" / "mark", "theirs, of the same name");
+  EXPECT_THROW(OutputFolder(around / "mine"), InputError);
+  EXPECT_THROW(OutputFolder(around / "mine" / "thesis.tex"), InputError);
+  EXPECT_THROW(OutputFolder(around / "nowhere" / "deeper"), InputError);
   EXPECT_EQ(entries(around.path()), 2u);
+}
+
+TEST(UnitOutputFolder, KeepsWhatOthersHavePutBesideItsFiles) {
+  const testing::TemporaryFolder around;
+  const auto make = [&](bool meanwhile) {
+    OutputFolder out(around / "made");
+    write_text(out.temporary() / "mark", "");
+    if (meanwhile) write_text(around / "made" / "thesis.tex", "years");
+    out.commit();
+  };
+  make(false);
+  make(false);
+  EXPECT_THROW(make(true), InputError);   // it comes while the folder is made …
+  EXPECT_THROW(make(false), InputError);  // … or is there before
+  EXPECT_EQ(read_text(around / "made" / "thesis.tex"), "years");
+}
+
+TEST(UnitOutputFolder, ReplacesNoFileThatWasRead) {
+  const testing::TemporaryFolder around;
+  const auto make = [&] {
+    OutputFolder out(around / "made");
+    write_text(out.temporary() / "mesh.ply", "");
+    out.commit();
+  };
+  make();
+  const ProtectedInputs inputs;
+  read_text(around / "made" / "mesh.ply");
+  EXPECT_THROW(make(), InputError);
 }
 
 TEST(UnitOutputFolder, RemovesWhatAKilledProcessHasLeft) {
   const testing::TemporaryFolder around;
   fs::create_directory(around / ".made.folder-1");
   write_text(around / ".made.folder-1" / "mark", "");
-  const OutputFolder living(around / "made", "mark");
+  const OutputFolder living(around / "made");
   EXPECT_FALSE(fs::exists(around / ".made.folder-1"));
 }
 
