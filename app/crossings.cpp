@@ -103,8 +103,11 @@ void add_crossings_command(CLI::App& app, GlobalOptions& globals) {
                       "Table of crossings: ray and triangle (from 0), t, u, v, side; without: "
                       "printed");
   command->footer(
-      "A crossing is origin + t * direction, t > 0; u and v weigh the triangle's second and third "
-      "vertex;\nside is 1 along its normal, -1 against. An edge or a vertex is crossed once; a ray "
+      "A crossing is origin + t * direction, t >= 0 (a ray that begins on a triangle begins on one "
+      "side\nof it, and crosses it in one direction alone); u and v weigh the triangle's second "
+      "and "
+      "third vertex;\nside is 1 along its normal, -1 against. An edge or a vertex is crossed once; "
+      "a ray "
       "whose number\nof crossings is odd begins inside a closed mesh.\n"
       "Example:\n  pellucid crossings part.ply --rays rays.csv -o crossings.csv");
   add_global_options(*command, globals);

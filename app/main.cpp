@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include "app/manual/manual_options.h"
 #include "core/error.h"
 #include "core/machine/build_info.h"
+#include "core/options/names.h"
 
 namespace pellucid::app {
 namespace {
@@ -45,6 +47,16 @@ void limit_threads(int threads, std::optional<tbb::global_control>& limit) {
   if (threads == 0) return;
   limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
   ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);  // the software GL rasterizer
+}
+
+/// CLI11 says of a command that is none only that one is required.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw InputError(unknown_name("command", argv[1], known));
 }
 
 int run(int argc, char** argv) {
@@ -77,6 +89,7 @@ int run(int argc, char** argv) {
   std::optional<tbb::global_control> thread_limit;
   app.parse_complete_callback([&] { limit_threads(globals.threads, thread_limit); });
   try {
+    check_command(app, argc, argv);
     app.parse(argc, argv);
     return done;
   } catch (const CLI::Success& success) {  // --help, --version

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -91,6 +92,16 @@ void write_partial(const RenderOptions& options, const GlobalOptions& globals,
   print_sums(options.partial, sums.info, globals);
 }
 
+/// A shader of one's own may divide by 0.
+void check_finite(const Image& image, const compare::MethodCall& call) {
+  const auto is_none = [](const Rgba& p) {
+    return glm::any(glm::isnan(p)) || glm::any(glm::isinf(p));
+  };
+  if (const auto count = std::ranges::count_if(image.pixels, is_none))
+    throw WorkError(
+        fmt::format("{}: {} of its picture's pixels are not finite", call.text(), count));
+}
+
 /// The picture by the method, and what it took.
 void write_picture(const RenderOptions& options, const GlobalOptions& globals,
                    const compare::MethodCall& call,
@@ -102,6 +113,7 @@ void write_picture(const RenderOptions& options, const GlobalOptions& globals,
   renderer->render({});
   const scene::Rendering rendering = renderer->render({.layers = true, .progress = progress});
   report(progress, 1, fmt::format("rendered {}", call.row->name));
+  check_finite(rendering.image, call);
   if (options.explain) {
     std::cout << fmt::format("camera: {} ({})\n", scene::camera_text(scene.camera),
                              scene.provenance.at("camera"));

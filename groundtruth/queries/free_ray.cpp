@@ -118,6 +118,9 @@ Decided height(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c) 
   return {CGAL::to_double(exact), sign, 0};
 }
 
+/// A quotient that is 0 without a sign: a ray may begin on the triangle.
+double quotient(double a, double b) { return a == 0 ? 0 : a / b; }
+
 /// The same crossing without rounding but of the quotients.
 TriangleHit sharp_hit(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c, int side) {
   const Exact bc = exact_pass(ray, b, c), ca = exact_pass(ray, c, a), ab = exact_pass(ray, a, b);
@@ -125,8 +128,8 @@ TriangleHit sharp_hit(const FreeRay& ray, const Vec3& a, const Vec3& b, const Ve
   // The ray runs in the triangle's plane and begins on the triangle, since the moved one crosses
   // it.
   if (sum == 0) return {0, 1.0 / 3, 1.0 / 3, side};
-  return {CGAL::to_double(exact_height(ray, a, b, c)) / sum, CGAL::to_double(ca) / sum,
-          CGAL::to_double(ab) / sum, side};
+  return {quotient(CGAL::to_double(exact_height(ray, a, b, c)), sum),
+          quotient(CGAL::to_double(ca), sum), quotient(CGAL::to_double(ab), sum), side};
 }
 
 }  // namespace

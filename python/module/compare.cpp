@@ -36,9 +36,19 @@ py::dict metrics_dict(const nlohmann::json& json, const compare::Metrics& metric
   return dict;
 }
 
+/// Lists of lists, and arrays of one channel, as arrays of two dimensions; what is else as it is.
+py::object flat_array(py::object value) {
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
+    value = py::module_::import("numpy").attr("asarray")(value);
+  if (!py::isinstance<py::array>(value)) return value;
+  const auto array = value.cast<py::array>();
+  return array.ndim() == 3 && array.shape(2) == 1 ? value.attr("squeeze")(2) : value;
+}
+
 /// An array of two dimensions counts where it is not 0; a picture where it is at least half white.
-std::optional<compare::Mask> mask_of(const py::object& value) {
-  if (value.is_none()) return std::nullopt;
+std::optional<compare::Mask> mask_of(const py::object& given) {
+  if (given.is_none()) return std::nullopt;
+  const py::object value = flat_array(given);
   const bool is_flat = py::isinstance<py::array>(value) && value.cast<py::array>().ndim() == 2;
   if (!is_flat) return compare::mask_of(picture_of(value, "compare: mask").image);
   if (std::string_view("biuf").find(value.cast<py::array>().dtype().kind()) ==

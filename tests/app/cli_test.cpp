@@ -75,7 +75,7 @@ TEST_F(UnitCommandLine, UnknownNamesOfferTheNearest) {
   EXPECT_THAT(refusal(render("fourier:band=3")), HasSubstr("unknown key 'band'; known: bands"));
   EXPECT_THAT(refusal(render("raytrace:precision=high")), HasSubstr("accepted: exact|double"));
   EXPECT_THAT(refusal("list method"), HasSubstr("unknown listing 'method'; known: methods"));
-  EXPECT_THAT(refusal("rendr x"), HasSubstr("pellucid: "));
+  EXPECT_THAT(refusal("rendr x"), HasSubstr("unknown command 'rendr'; known: render"));
   refusal("");
 }
 

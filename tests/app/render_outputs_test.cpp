@@ -60,6 +60,17 @@ TEST_F(UnitRenderOutputs, APngWithoutABackgroundHasAlpha) {
   EXPECT_THAT(refusal(render("raytrace") + " --background nun"), HasSubstr("none"));
 }
 
+TEST_F(UnitRenderOutputs, APictureThatIsNotFiniteIsAFailure) {
+  write_text(folder_ / "none.json", R"({"format": "pellucid-glsl-method", "version": 1,
+    "title": "None", "passes": [{"step": "composite", "screen": "none.glsl"}]})");
+  write_text(folder_ / "none.glsl",
+             "void main() { picture = vec4(0, 1, 2, 3) * (1.0 / (behind().r - behind().r)); }\n");
+  const Outcome outcome = run(render("glsl:file=" + file("none.json"), "none.exr"));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("of its picture's pixels are not finite"));
+  EXPECT_FALSE(fs::exists(folder_ / "none.exr"));
+}
+
 TEST_F(UnitRenderOutputs, TwoOutputsOfOneFileAreRefused) {
   EXPECT_THAT(refusal(render("raytrace", "a.exr") + " --layers " + file("a.exr")),
               AllOf(HasSubstr("--output"), HasSubstr("--layers"), HasSubstr("a file for each")));

@@ -33,6 +33,14 @@ def test_a_mask_says_which_pixels_count():
     white = np.repeat(mask[..., None], 3, axis=2).astype(np.float32)
     assert pellucid.compare(a, b, mask)["rmse"] == pellucid.compare(a, b, mask=white)["rmse"] == 0.5
     assert pellucid.compare(a, b, ~mask)["rmse"] == 0
+    assert pellucid.compare(a, b, mask.tolist())["rmse"] == pellucid.compare(a, b, mask[..., None])["rmse"] == 0.5
+
+
+def test_a_negative_duration_goes_the_way_back():
+    for integrator in ("fixed-front:particles=3", "hultquist:particles=3", "adaptive-front:particles=3"):
+        surface = pellucid.trace("formula:u=1,v=0,w=0", integrator, [[0, 0, 0], [0, 1, 0]], -2)
+        assert surface.vertices[:, 0].min() == pytest.approx(-2) and surface.vertices[:, 0].max() == 0
+        assert surface.scalars["t"].min() == pytest.approx(-2)
 
 
 def test_layers_tell_covered_pixels():

@@ -7,6 +7,7 @@ import io
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -59,6 +60,16 @@ def make_report_of_many(folder):
     return folder / "many" / "report.html"
 
 
+def make_report_of_given(folder):
+    """A study of one picture that was made elsewhere, of which no costs are known."""
+    shutil.copy(folder / "file" / "images" / "sheets" / "weighted-average.exr", folder / "theirs.exr")
+    (folder / "given.json").write_text(json.dumps({
+        "format": "pellucid-study", "version": 1, "title": "Given", "scenes": ["sheets.json"],
+        "reference": "raytrace", "methods": [{"picture": "theirs.exr", "name": "theirs"}], "repeats": 1}))
+    subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "given.json", "-o", folder / "given", "--quiet"], check=True)
+    return folder / "given" / "report.html"
+
+
 def start_browser():
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
@@ -76,6 +87,7 @@ class ReportTest(unittest.TestCase):
         cls.folder = pathlib.Path(cls.place.name)
         cls.pages = {form: make_report(cls.folder, form) for form in ("file", "folder")}
         cls.many = make_report_of_many(cls.folder)
+        cls.given = make_report_of_given(cls.folder)
         cls.browser = start_browser()
 
     @classmethod
@@ -138,6 +150,15 @@ class ReportTest(unittest.TestCase):
             self.assertIn("the EXR's floats", self.said())
             self.assertEqual(words[words.index("layers") + 1], "2")
             self.assertEqual(self.console(), [])
+
+    def test_what_is_not_known_of_a_given_picture_is_not_0(self):
+        self.console()  # what others have left
+        self.browser.get(self.given.as_uri())
+        self.assertEqual(self.console(), [])
+        row = self.browser.find_element(By.XPATH, "//section[@id='table']//tr[td[starts-with(., 'theirs')]]").text
+        self.assertIn("–", row)
+        self.assertNotIn("0.0", row.split())
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".card")), 2)
 
     def test_zoom_and_place_stay_while_pictures_are_flipped(self):
         self.open_viewer()

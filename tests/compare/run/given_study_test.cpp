@@ -76,11 +76,16 @@ TEST_F(UnitGivenStudy, NamesWhoseFilesWouldBeThoseOfAnotherCallAreRefused) {
       refusal(R"([{"picture": "a.exr", "name": "a=b"}, {"picture": "a.exr", "name": "a-b"}])"),
       HasSubstr("another name"));
   EXPECT_EQ(
-      refusal(R"([{"picture": "a.exr", "name": "VTK 9.1"}, {"picture": "a.exr", "name": "VTK"}])"),
+      refusal(
+          R"([{"picture": "{scene}.exr", "name": "VTK 9.1"}, {"picture": "{scene}.exr", "name": "VTK"}])"),
       "");
 }
 
 TEST_F(UnitGivenStudy, MarksThatStandForNothingAreRefused) {
+  EXPECT_THAT(refusal(R"([{"picture": "one.exr", "name": "theirs"}])"),
+              HasSubstr("'theirs': one picture for several scenes"));
+  EXPECT_THAT(refusal(R"([{"picture": "{scene}.exr", "name": "theirs"}], "views": 2)"),
+              HasSubstr("'theirs': one picture for several views"));
   EXPECT_THAT(refusal(R"([{"picture": "{scene}-{veiw}.exr", "name": "theirs"}])"),
               HasSubstr("nothing is known as {veiw}; accepted: {scene}, {view}"));
 }

@@ -122,6 +122,18 @@ TEST(UnitResume, FilesBehindFilesAreHashedByTheirContent) {
   EXPECT_EQ(run(folder, R"(["shifted"])", true).computed, 2u);
 }
 
+/// A folder of results may move, and be packed: what a study has written is none of its inputs.
+TEST(UnitResume, ItsOwnPicturesAreNoInputs) {
+  const StudyFolder folder;
+  for (const ResultRow& row : run(folder, R"(["shifted"])", false).rows) {
+    EXPECT_FALSE(row.files_read.empty());
+    for (const auto& [file, hash] : row.files_read) {
+      EXPECT_EQ(file.find("/images/"), file.npos) << file;
+      EXPECT_EQ(file.find("pellucid-read-picture"), file.npos) << file;
+    }
+  }
+}
+
 TEST(UnitResume, AFailedCellIsTriedAgain) {
   const StudyFolder folder;
   run(folder, R"(["broken"])");

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "compare/pictures/image_file.h"
@@ -56,6 +57,7 @@ Made make_seeing(const scene::Scene& scene, const Parameters&, const scene::Rend
 
 std::span<const scene::MethodRow> seeing_methods() {
   static const scene::MethodRow rows[] = {fake_row("truth", true, make_seeing<none>),
+                                          fake_row("same", false, make_seeing<none>),
                                           fake_row("steady", false, make_seeing<steady>),
                                           fake_row("alternating", false, make_seeing<alternating>),
                                           fake_row("growing", false, make_seeing<growing>)};
@@ -95,6 +97,17 @@ TEST(UnitViews, ARowIsTheMeanAndTheWorstStandsBeside) {
   EXPECT_NEAR(growing.seconds.max, 1.1, float_grey);
   EXPECT_EQ(growing.fragments, 40u);
   EXPECT_NEAR(*row_of(outcome, "one", "steady").metrics.linear.of("rmse"), 0.25, float_grey);
+}
+
+TEST(UnitViews, TheWorstOfEqualPicturesIsInfinitelyGood) {
+  const StudyFolder folder;
+  StudyOptions options;
+  options.folder = folder / "results";
+  const StudyOutcome outcome =
+      run_study(load_study(folder.study(R"(["same"])", three_views), seeing_methods()), options);
+  const ResultRow& same = row_of(outcome, "one", "same");
+  EXPECT_EQ(measure_of(same, "rmse_worst"), 0);
+  EXPECT_EQ(measure_of(same, "psnr_worst"), std::numeric_limits<double>::infinity());
 }
 
 TEST(UnitViews, TheErrorOverTheViewsIsACurve) {

@@ -49,6 +49,19 @@ TEST(UnitRayQuery, ACrossingIsWhereItIsKnownToBe) {
   EXPECT_EQ(RayQuery(mesh).count({Vec3(1, 0.5, 4), Vec3(0, 0, 1)}), 0u);  // behind the origin
 }
 
+TEST(UnitRayQuery, ARayThatBeginsOnATriangleCrossesItInOneDirection) {
+  TriangleMesh mesh;
+  mesh.positions = {Vec3(0, 0, 2), Vec3(4, 0, 2), Vec3(0, 4, 2)};
+  mesh.triangles = {{0, 1, 2}};
+  std::vector<RayHit> hits = RayQuery(mesh).all({Vec3(0, 0, 2), Vec3(0, 0, 1)});
+  for (const RayHit& hit : RayQuery(mesh).all({Vec3(0, 0, 2), Vec3(0, 0, -1)})) hits.push_back(hit);
+  ASSERT_EQ(hits.size(), 1u);
+  for (const double zero : {hits[0].t, hits[0].u, hits[0].v}) {
+    EXPECT_EQ(zero, 0);
+    EXPECT_FALSE(std::signbit(zero));
+  }
+}
+
 /// Rays through lattice points run through vertices, along edges and within faces.
 TEST(PropertyRayQuery, RaysThroughEdgesAndVerticesOfACubeCrossItTwice) {
   const RayQuery query(cube(3));
