@@ -146,7 +146,8 @@ std::optional<TriangleHit> cross(const FreeRay& ray, const Vec3& a, const Vec3& 
   const Decided sum{bc.value + ca.value + ab.value, bc.sign,
                     std::max({bc.bound, ca.bound, ab.bound})};
   if (sum.bound == 0 || !is_sharp(sum) || !is_sharp(above)) return sharp_hit(ray, a, b, c, bc.sign);
-  return TriangleHit{above.value / sum.value, ca.value / sum.value, ab.value / sum.value, bc.sign};
+  return TriangleHit{quotient(above.value, sum.value), quotient(ca.value, sum.value),
+                     quotient(ab.value, sum.value), bc.sign};
 }
 
 }  // namespace pellucid::groundtruth
