@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/conform/diagnose.h"
+#include "compare/conform/diagnosis/diagnose.h"
 #include "compare/methods/method_call.h"
 
 namespace pellucid::compare {

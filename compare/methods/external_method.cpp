@@ -66,14 +66,14 @@ std::string last_line(const fs::path& file) {
 void read_steps(const JsonNode& node, double milliseconds, scene::RenderStats& stats) {
   double sum = 0;
   for (const auto& item : node.value().items()) {
-    stats.steps.push_back({item.key(), 1e-3 * node[item.key()].number(0, most)});
+    stats.steps.push_back({item.key(), node[item.key()].number(0, most) / 1e3});
     sum += 1e3 * stats.steps.back().seconds;
   }
   // So much is lost when a program prints its times with a few digits.
   const double rounding = 0.01 * milliseconds + 0.01;
   if (sum > milliseconds + rounding)
     node.fail(fmt::format("{} ms together; accepted: no more than 'ms', {}", sum, milliseconds));
-  if (sum < milliseconds - rounding) stats.steps.push_back({"other", 1e-3 * (milliseconds - sum)});
+  if (sum < milliseconds - rounding) stats.steps.push_back({"other", (milliseconds - sum) / 1e3});
 }
 
 /// {"ms", "bytes", "steps": {NAME: ms}, "fragments"}, each where it is known.
@@ -83,7 +83,7 @@ void read_costs(const JsonNode& node, double seconds, scene::RenderStats& stats)
   if (node.has("steps"))
     read_steps(node["steps"], milliseconds, stats);
   else
-    stats.steps = {{node.has("ms") ? as_reported : wall_clock, 1e-3 * milliseconds}};
+    stats.steps = {{node.has("ms") ? as_reported : wall_clock, milliseconds / 1e3}};
   if (node.has("bytes"))
     stats.bytes = {{as_reported, std::uint64_t(node["bytes"].number(0, most))}};
   if (node.has("fragments")) stats.fragments = std::uint64_t(node["fragments"].number(0, most));

@@ -23,8 +23,7 @@ class PictureRenderer final : public GivenRenderer {
   scene::Rendering make_once() override {
     scene::Rendering rendering;
     rendering.image = read_given_picture(file_, scene_);
-    if (picture_.milliseconds)
-      rendering.stats.steps = {{"as given", 1e-3 * *picture_.milliseconds}};
+    if (picture_.milliseconds) rendering.stats.steps = {{"as given", *picture_.milliseconds / 1e3}};
     if (picture_.bytes) rendering.stats.bytes = {{"as given", *picture_.bytes}};
     return rendering;
   }

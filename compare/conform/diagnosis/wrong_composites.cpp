@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/conform/wrong_composites.h"
+#include "compare/conform/diagnosis/wrong_composites.h"
 
 #include <algorithm>
 #include <cmath>

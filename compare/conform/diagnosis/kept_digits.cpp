@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <initializer_list>
+
+#include "compare/conform/diagnosis/diagnose.h"
+#include "compare/conform/diagnosis/explanations.h"
+#include "compare/conform/diagnosis/wrong_composites.h"
+
+namespace pellucid::compare {
+namespace {
+
+/// Whether what is wrong is n/255 all over: what errs by as little may be in half floats.
+bool has_8_bit_values(const WrongPixels& pixels) {
+  constexpr float near = 0.01f;  // of a step
+  return std::ranges::all_of(pixels.wrong(), [&](std::size_t i) {
+    const glm::vec3 steps = 255.f * glm::vec3(pixels.shown(i));
+    return glm::all(glm::lessThan(glm::abs(steps - glm::round(steps)), glm::vec3(near)));
+  });
+}
+
+/// A Way is how a renderer may lose digits; of some it takes several layers to see.
+struct Way {
+  WrongPixels::Composite composite;
+  const char* what;
+  bool takes_several;
+};
+
+std::optional<Explanation> one_of(const WrongPixels& pixels, std::string_view fault,
+                                  std::initializer_list<Way> ways, double slack) {
+  const bool are_several = std::ranges::any_of(
+      pixels.wrong(), [&](std::size_t i) { return pixels.layers(i).size() > 1; });
+  for (const Way& way : ways)
+    if ((are_several || !way.takes_several) && pixels.is_composite(way.composite, slack))
+      return Explanation{fault, way.what};
+  return std::nullopt;
+}
+
+std::optional<Explanation> rounded_so(const WrongPixels& pixels, Halfway halfway, double slack) {
+  const auto rounding = [halfway](auto way) {
+    return [=](const Layers& all, const Vec3& color) { return way(all, color, halfway); };
+  };
+  return one_of(
+      pixels, Fault::eight_bits,
+      {{rounding(blended_in_8_bits), "every blending is rounded to 8 bits", true},
+       {rounding(accumulated_in_8_bits), "colour and opacity are summed up in 8 bits", true},
+       {rounding(stored_in_8_bits), "fragments are kept in 8 bits", false},
+       {rounding(opacities_in_8_bits), "opacities are kept in 8 bits", false}},
+      slack);
+}
+
+}  // namespace
+
+/// Of a picture that holds no more digits other explanations would be guesses.
+std::optional<Explanation> nearly_right(const WrongPixels& pixels) {
+  if (!pixels.are_stored_in_8_bits() || pixels.max_error() > 4 * half_step) return std::nullopt;
+  return Explanation{Fault::eight_bits,
+                     fmt::format("right to {:.1f} of an 8-bit step", 255 * pixels.max_error())};
+}
+
+/// A renderer may round otherwise by half a step at each of its last steps.
+std::optional<Explanation> of_8_bits(const WrongPixels& pixels) {
+  if (pixels.max_error() <= 2 * half_step && has_8_bit_values(pixels))
+    return Explanation{Fault::eight_bits, "the result is rounded to 8 bits"};
+  for (const double slack : {half_step, 3 * half_step})
+    for (const Halfway halfway : {Halfway::down, Halfway::up})
+      if (auto found = rounded_so(pixels, halfway, slack)) return found;
+  return std::nullopt;
+}
+
+std::optional<Explanation> of_half_floats(const WrongPixels& pixels) {
+  constexpr double step = 0x1p-11;  // of a half float below 1
+  return one_of(pixels, Fault::precision,
+                {{rounded_to_halves, "the result is rounded to half floats", false},
+                 {blended_in_halves, "every blending is rounded to half floats", true},
+                 {stored_in_halves, "fragments are kept in half floats", false}},
+                pixels.tolerance() + step);
+}
+
+}  // namespace pellucid::compare
