@@ -8,7 +8,7 @@
 
 #include "compare/results/best_row.h"
 #include "compare/results/columns.h"
-#include "core/options/names.h"
+#include "compare/results/measure_columns.h"
 
 namespace pellucid::compare {
 namespace {
@@ -67,7 +67,7 @@ std::vector<FigureNumbers> figure_numbers(const FigureRows& scene,
   for (std::size_t i = 0; i < scene.rows.size(); ++i)
     if (scene.rows[i].reference) numbers[i].errors.push_back({{"reference"}});
   for (const std::string& name : names) {
-    const Column& column = find_row("column", name, columns());
+    const Column column = column_named(name, scene.rows);
     for (std::size_t i = 0; i < scene.rows.size(); ++i) {
       const ResultRow& row = scene.rows[i];
       if (row.reference && is_error(column)) continue;

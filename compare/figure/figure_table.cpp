@@ -7,16 +7,21 @@
 #include "compare/figure/figure_numbers.h"
 #include "compare/report/tables.h"
 #include "compare/results/best_row.h"
+#include "compare/results/measure_columns.h"
 #include "core/error.h"
 #include "core/options/names.h"
 
 namespace pellucid::compare {
 namespace {
 
-std::vector<Column> columns_of(const FigureRequest& request) {
+/// What one scene's rows lack another's may have.
+std::vector<Column> columns_of(const FigureRequest& request,
+                               const std::vector<FigureRows>& scenes) {
+  std::vector<ResultRow> rows;
+  for (const FigureRows& scene : scenes)
+    rows.insert(rows.end(), scene.rows.begin(), scene.rows.end());
   std::vector<Column> chosen;
-  for (const std::string& name : request.numbers)
-    chosen.push_back(find_row("column", name, columns()));
+  for (const std::string& name : request.numbers) chosen.push_back(column_named(name, rows));
   return chosen;
 }
 
@@ -66,7 +71,7 @@ std::string block(const FigureRows& scene, const std::string& label,
 
 std::string latex_figure_table(const std::vector<FigureRows>& scenes, const FigureRequest& request,
                                const FigureWidth& width, const FigureCaption& caption) {
-  const std::vector<Column> columns = columns_of(request);
+  const std::vector<Column> columns = columns_of(request, scenes);
   const std::vector<FigureHeading> headings = figure_headings(scenes.front(), request);
   const std::vector<std::string> labels = scene_labels(scenes, request);
   const std::string_view environment = width.is_page ? "table*" : "table";

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "core/error.h"
+#include "core/options/names.h"
+
 namespace pellucid::compare {
 namespace {
 
@@ -13,7 +16,36 @@ auto find(std::span<const scene::Measure> measures, std::string_view name) {
                       [&](const scene::Measure& m) { return m.name == name; });
 }
 
+const Column* find_column(std::string_view name) {
+  const auto found = std::ranges::find(columns(), name, &Column::name);
+  return found == columns().end() ? nullptr : &*found;
+}
+
+Column column_of(const scene::Measure& measure) {
+  std::string_view of = measure.name;
+  if (of.ends_with("_worst")) of.remove_suffix(std::string_view("_worst").size());
+  const Column* metric = find_column(of);
+  return {.name = measure.name,
+          .title = measure.title,
+          .unit = measure.unit,
+          .better = measure.better,
+          .style = metric ? metric->style : NumberStyle::scientific,
+          .shown = {},
+          .value = [name = measure.name](const ResultRow& row) { return measure_of(row, name); }};
+}
+
 }  // namespace
+
+Column column_named(std::string_view name, std::span<const ResultRow> rows) {
+  if (const Column* column = find_column(name)) return *column;
+  const std::vector<scene::Measure> measures = measure_columns(rows);
+  const auto measure = find(measures, name);
+  if (measure != std::span(measures).end()) return column_of(*measure);
+  std::vector<std::string_view> known;
+  for (const Column& column : columns()) known.push_back(column.name);
+  for (const scene::Measure& one : measures) known.push_back(one.name);
+  throw InputError(unknown_name("column", name, known));
+}
 
 std::vector<scene::Measure> measure_columns(std::span<const ResultRow> rows) {
   std::vector<scene::Measure> columns;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/results/columns.h"
 #include "compare/results/result_row.h"
 
 namespace pellucid::compare {
@@ -15,6 +16,10 @@ std::vector<scene::Measure> measure_columns(std::span<const ResultRow> rows);
 
 /// Nothing where the row has no such measure.
 std::optional<double> measure_of(const ResultRow& row, std::string_view name);
+
+/// Returns the column of this name: one of columns(), or a measure that some row has, the worst of
+/// a metric over views written as the metric is. Throws InputError that lists the known names.
+Column column_named(std::string_view name, std::span<const ResultRow> rows);
 
 /// "Integration [s]".
 std::string heading(const scene::Measure& measure);

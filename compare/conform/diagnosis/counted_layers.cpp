@@ -59,8 +59,7 @@ bool counts_again(const WrongPixels& pixels, std::size_t pixel) {
 /// The nearest or the farthest k of the layers.
 Layers some(const Layers& all, std::size_t k, bool nearest) {
   const auto count = std::ptrdiff_t(std::min(k, all.size()));
-  return nearest ? Layers(all.begin(), all.begin() + count)
-                 : Layers(all.end() - count, all.end());
+  return nearest ? Layers(all.begin(), all.begin() + count) : Layers(all.end() - count, all.end());
 }
 
 /// Every k for which that is the pixel's colour.

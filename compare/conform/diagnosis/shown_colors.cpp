@@ -37,8 +37,8 @@ std::optional<Vec3> color_behind(const WrongPixels& pixels) {
   const Vec3 possible = glm::clamp(color, Vec3(0), Vec3(1));
   const Vec3 uncertain(4 * pixels.tolerance() / most);
   if (glm::any(glm::greaterThan(glm::abs(color - possible), uncertain))) return std::nullopt;
-  const bool is_confirmed = std::ranges::any_of(
-      pixels.wrong(), [&](std::size_t i) { return left(i) < most - enough; });
+  const bool is_confirmed =
+      std::ranges::any_of(pixels.wrong(), [&](std::size_t i) { return left(i) < most - enough; });
   return is_confirmed || most > 0.999 ? std::optional(possible) : std::nullopt;
 }
 

@@ -29,7 +29,7 @@ class WrongPixels {
   const Image& picture() const { return picture_; }
   bool are_stored_in_8_bits() const { return stored_in_8_bits_; }
   double tolerance() const { return tolerance_; }
-  double max_error() const { return max_error_; }                 // of all pixels of the picture
+  double max_error() const { return max_error_; }                   // of all pixels of the picture
   const std::vector<std::size_t>& wrong() const { return wrong_; }  // their numbers
 
   double error(std::size_t pixel) const { return errors_[pixel]; }

@@ -19,6 +19,22 @@ std::string table_of(FigureRun& run, const FigureRequest& request) {
                             {"50 % of a_b", "t", "command"});
 }
 
+TEST(UnitFigureTable, HasMeasuresOfRowsToo) {
+  FigureRun run;
+  for (ResultRow& row : run.run().rows)
+    if (row.scene == "a" && !row.reference)
+      row.measures = {{"rmse_worst", "RMSE, worst view", "", 2 * *row.metrics.linear.of("rmse"),
+                       Better::lower}};
+  FigureRequest request;
+  request.numbers = {"rmse_worst"};
+  const std::string text = table_of(run, request);
+  EXPECT_THAT(text, HasSubstr("Method & RMSE, worst view"));
+  EXPECT_THAT(text, AllOf(HasSubstr("near & {\\boldmath\\textbf{0.0200}}"),
+                          HasSubstr("far & 0.500"), HasSubstr("near & –")));
+  request.numbers = {"rmse_wrost"};
+  EXPECT_THROW(table_of(run, request), InputError);
+}
+
 TEST(UnitFigureTable, TheBestIsBoldTiesHaveAStarAndTheReferenceHasNoErrors) {
   FigureRun run;
   for (ResultRow& row : run.run().rows)
