@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's reader leaves it to its caller to rescale, and takes the first of several times in silence.
-// Meanings of the header's numbers: nifti1.h, "DATA SCALING".
+// VTK's reader leaves it to its caller to rescale and to put voxels where the file's matrix has
+// them, reverses slices where that matrix is left-handed, and takes the first of several times in
+// silence. Meanings of the header's numbers: nifti1.h, "DATA SCALING" and "3D IMAGE (VOLUME)
+// ORIENTATION AND LOCATION IN SPACE".
 
 #include "readers/vtk/make_nifti.h"
 
@@ -9,13 +11,16 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "core/error.h"
+#include "readers/vtk/ascending_axes.h"
 
 namespace pellucid::readers {
 namespace {
@@ -41,6 +46,45 @@ vtkSmartPointer<vtkDataArray> rescaled(vtkDataArray& array, double slope, double
   return result;
 }
 
+/// From one voxel to the next along axis `a`, in the file's space.
+glm::dvec3 step_along(int a, vtkMatrix4x4& world_from_mm, const double* spacing) {
+  return glm::dvec3(world_from_mm.GetElement(0, a), world_from_mm.GetElement(1, a),
+                    world_from_mm.GetElement(2, a)) *
+         spacing[a];
+}
+
+/// Steps that differ from an axis of space by no more than quaternions of floats do lie along it.
+bool is_along_axis(const glm::dvec3& step, int a) {
+  constexpr double rounding = 1e-6;
+  glm::dvec3 across = step;
+  across[a] = 0;
+  return glm::length(across) <= rounding * glm::length(step);
+}
+
+/// Places the voxels, the first of which VTK has at 0: `world_from_mm` takes VTK's positions into
+/// the file's space, slices reversed or not.
+void place(vtkImageData& image, vtkMatrix4x4& world_from_mm, const char* file) {
+  double spacing[3], direction[9] = {};
+  bool is_along_axes = true;
+  for (int a = 0; a < 3; ++a) {
+    const glm::dvec3 step = step_along(a, world_from_mm, image.GetSpacing());
+    spacing[a] = glm::length(step);
+    if (!std::isfinite(spacing[a]) || spacing[a] == 0)
+      throw InputError(
+          fmt::format("{}: a step along axis {} of its matrix is {} long; accepted: "
+                      "a positive length",
+                      file, a, spacing[a]));
+    for (int row = 0; row < 3; ++row) direction[3 * row + a] = step[row] / spacing[a];
+    is_along_axes = is_along_axes && is_along_axis(step, a);
+  }
+  for (int a = 0; a < 3 && is_along_axes; ++a) spacing[a] *= direction[4 * a] < 0 ? -1 : 1;
+  image.SetSpacing(spacing);
+  image.SetOrigin(world_from_mm.GetElement(0, 3), world_from_mm.GetElement(1, 3),
+                  world_from_mm.GetElement(2, 3));
+  if (!is_along_axes) image.SetDirectionMatrix(direction);
+  make_axes_ascend(image);
+}
+
 class NiftiReader : public vtkNIFTIImageReader {
  public:
   static NiftiReader* New() { VTK_STANDARD_NEW_BODY(NiftiReader); }
@@ -53,10 +97,12 @@ class NiftiReader : public vtkNIFTIImageReader {
     vtkImageData* image = vtkImageData::GetData(output);
     if (vtkDataArray* array = image->GetPointData()->GetScalars(); array && is_scaled())
       image->GetPointData()->SetScalars(rescaled(*array, slope(), GetRescaleIntercept()));
+    if (vtkMatrix4x4* world_from_mm = matrix()) place(*image, *world_from_mm, GetFileName());
     return 1;
   }
 
  private:
+  vtkMatrix4x4* matrix() { return GetSFormMatrix() ? GetSFormMatrix() : GetQFormMatrix(); }
   double slope() { return GetRescaleSlope(); }
   bool is_scaled() {
     if (!std::isfinite(slope()) || slope() == 0) return false;

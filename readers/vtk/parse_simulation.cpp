@@ -107,6 +107,7 @@ vtkSmartPointer<vtkAlgorithm> make_plot3d(const Path& path) {
   reader->SetBinaryFile(!numbers);
   reader->SetMultiGrid(numbers == 1);
   reader->AddFunction(velocity);
+  reader->SetVectorFunctionNumber(velocity);  // the active ones, which VTK would have be momentum
   return reader;
 }
 

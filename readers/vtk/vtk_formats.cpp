@@ -76,8 +76,8 @@ constexpr VtkFormat table[] = {
      simulation,
      Beside::nothing,
      {},
-     "scaled by its slope and intercept; one volume; the file's matrix is not applied: origin and "
-     "spacing alone"},
+     "scaled by its slope and intercept; one volume; placed by its matrix, sform before qform, in "
+     "scanner coordinates (RAS), as .trk and .tck are; vectors are not turned"},
     {".nii.gz", "NIfTI image, compressed", simulation, Beside::nothing, {}, "as .nii"},
     {".stl",
      "stereolithography, text or binary",

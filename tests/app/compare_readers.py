@@ -210,7 +210,41 @@ def compare_values(path, load):
                        [numbers[:, c].min(), numbers[:, c].max()], 1e-6)
 
 
-def compare_with_nibabel():
+def compare_image(path, matrix, nibabel):
+    """Where the corners are, and the numbers: an image by its qform and its sform, and by one of the two."""
+    import numpy
+    values = numpy.arange(60, dtype=numpy.int16).reshape(3, 4, 5)
+    for codes in ((1, 1), (1, 0), (0, 1)):
+        image = nibabel.Nifti1Image(values, matrix)
+        for put, code in zip((image.set_qform, image.set_sform), codes):
+            put(matrix if code else None, code)
+        image.header.set_slope_inter(0.5, -3)
+        nibabel.save(image, path)
+        image, told = nibabel.load(path), info(path)
+        if told is None:
+            return
+        corners = numpy.array([[i, j, k] for i in (0, 2) for j in (0, 3) for k in (0, 4)])
+        places = corners @ image.affine[:3, :3].T + image.affine[:3, 3]
+        # Quaternions are floats, and coordinates up to some tens.
+        expect(f"{path.name}: bounds by {codes}", flat_bounds(told), [*places.min(axis=0), *places.max(axis=0)], 1e-5)
+        numbers = image.get_fdata()
+        expect(f"{path.name}: values", array_of(told, "NIFTI")["ranges"][0], [numbers.min(), numbers.max()], 1e-6)
+
+
+def compare_images(folder, nibabel):
+    """Along the axes of the scanner, some of them turned round; permuted; oblique, right- and left-handed."""
+    import numpy
+    turn = numpy.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]) @ numpy.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    steps = {"ras": numpy.diag([2, 1.5, 1]), "las": numpy.diag([-2, 1.5, 1]), "lpi": numpy.diag([-2, -1.5, -1]),
+             "asr": numpy.array([[0, 0, 2], [1, 0, 0], [0, 1.5, 0]]),
+             "oblique": turn @ numpy.diag([2, 1.5, 1]), "oblique_left": turn @ numpy.diag([2, -1.5, 1])}
+    for name, step in steps.items():
+        matrix = numpy.eye(4)
+        matrix[:3, :3], matrix[:3, 3] = step, [10, -20, 30]
+        compare_image(folder / f"{name}.nii", matrix, nibabel)
+
+
+def compare_with_nibabel(folder):
     try:
         import nibabel
     except ImportError:
@@ -222,12 +256,13 @@ def compare_with_nibabel():
         compare_tracks(data / name, load)
     for name in ("complex.trk", "complex_big_endian.trk"):
         compare_values(data / name, load)
+    compare_images(folder, nibabel)
     return True
 
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        ran = [compare_with_vtk(Path(folder)), compare_with_nibabel()]
+        ran = [compare_with_vtk(Path(folder)), compare_with_nibabel(Path(folder))]
     for failure in failures:
         print(failure)
     if failures:

@@ -62,7 +62,7 @@ def check_written(folder):
     rounding = 1e-5
     for write in written_files.STEADY:
         check_end(write.__name__, folder / write(folder), (1, 0, 0.1 * TURN), rounding)
-    # NIfTI's writer leaves the origin out: the axis is at (2, 2), the middle at z = 1.
+    # VTK's writer leaves the origin out: the axis is at (2, 2), the middle at z = 1.
     check_end("nifti", folder / written_files.write_nifti(folder), (3, 2, 0.1 * TURN + 0.2), rounding,
               (3.0, 2.0, 0.2))
     # The angle is the integral of 1 + t from 0 to 1.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What VTK's readers of NetCDF, NIfTI and MRC leave to their caller: missing samples, scales,
-// signs.
+// What VTK's readers of NetCDF and MRC leave to their caller: missing samples, scales, signs.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -68,25 +67,6 @@ class UnitScaledValues : public ::testing::Test {
     EXPECT_EQ(nc_put_var_double(file, q, samples.data()), NC_NOERR);
     nc_close(file);
     return path;
-  }
-
-  /// A NIfTI image of 2 × 2 × 2 voxels of 16 bits: 0, 1, 2, …
-  std::filesystem::path nifti(float slope, float intercept, std::int16_t times = 1) const {
-    std::string bytes(352, '\0');
-    const auto put = [&](std::size_t at, auto number) {
-      std::memcpy(&bytes[at], &number, sizeof number);
-    };
-    put(0, std::int32_t(348));
-    const std::int16_t sizes[8] = {4, 2, 2, 2, times, 1, 1, 1};
-    for (std::size_t k = 0; k < 8; ++k) put(40 + 2 * k, sizes[k]);
-    put(70, std::int16_t(4)), put(72, std::int16_t(16));
-    for (std::size_t k = 0; k < 8; ++k) put(76 + 4 * k, 1.0f);
-    put(108, 352.0f), put(112, slope), put(116, intercept);
-    std::memcpy(&bytes[344], "n+1", 4);
-    for (std::int16_t i = 0; i < 8 * times; ++i)
-      bytes.append(reinterpret_cast<const char*>(&i), sizeof i);
-    write_text(folder_ / "i.nii", bytes);
-    return folder_ / "i.nii";
   }
 
   /// An MRC map of 2 × 2 × 2 samples whose bytes are `data`.
@@ -176,20 +156,6 @@ TEST_F(UnitScaledValues, NumbersCalledUnsignedAreRefused) {
       complaint(netcdf(NC_SHORT, {1},
                        [](int file, int q) { nc_put_att_text(file, q, "_Unsigned", 4, "true"); })),
       HasSubstr("'q' has the attribute _Unsigned"));
-}
-
-TEST_F(UnitScaledValues, NiftiIsScaled) {
-  EXPECT_THAT(values(nifti(0.5f, 0), 3), ElementsAre(0, 0.5, 1));
-  EXPECT_THAT(values(nifti(0.5f, -3), 3), ElementsAre(-3, -2.5, -2));
-  EXPECT_THAT(values(nifti(1, 7), 3), ElementsAre(7, 8, 9));
-  for (const float none : {0.0f, std::numeric_limits<float>::quiet_NaN()})
-    EXPECT_THAT(values(nifti(none, 7), 3), ElementsAre(0, 1, 2));
-  EXPECT_THAT(complaint(nifti(2, std::numeric_limits<float>::infinity())),
-              HasSubstr("scl_inter is inf"));
-}
-
-TEST_F(UnitScaledValues, VolumesOverTimeAreRefused) {
-  EXPECT_THAT(complaint(nifti(1, 0, 3)), HasSubstr("3 volumes over time"));
 }
 
 TEST_F(UnitScaledValues, BytesOfMrcAreSignedWhereTheFormatSaysSo) {
