@@ -93,7 +93,8 @@ std::string title_of(const std::filesystem::path& path) {
 }  // namespace
 
 FileContents inspect_vtk(const std::filesystem::path& path) {
-  const vtkSmartPointer<vtkDataSet> data = readers::read_vtk_data_set(path);
+  const readers::VtkTime read = readers::read_vtk_file(path, {}, "first").front();
+  const vtkSmartPointer<vtkDataSet>& data = read.data;
   FileContents contents;
   contents.kind = kind_of(*data);
   contents.title = title_of(path);
@@ -104,6 +105,7 @@ FileContents inspect_vtk(const std::filesystem::path& path) {
   add_lattice(*data, contents);
   add_arrays(*data->GetPointData(), "point", contents);
   add_arrays(*data->GetCellData(), "cell", contents);
+  if (!read.left_out.empty()) contents.more["left out, of other dimensions"] = read.left_out;
   return contents;
 }
 

@@ -130,6 +130,11 @@ vtkDataArray* scalar_in(vtkDataSetAttributes& arrays, std::string_view name) {
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
+bool is_derived(std::string_view scalar) {
+  return std::ranges::any_of(derived_scalars(),
+                             [&](const auto& row) { return row.name == scalar; });
+}
+
 }  // namespace
 
 ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view scalar,
@@ -140,9 +145,7 @@ ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view sc
     return scalars_of_array(lattice, *array, false, path);
   if (vtkDataArray* array = scalar_in(*data.GetCellData(), scalar))
     return scalars_of_array(lattice, *array, true, path);
-  const auto is_this = [&](const auto& row) { return row.name == scalar; };
-  if (std::ranges::any_of(derived_scalars(), is_this))
-    return derived_level(data, lattice, path, scalar, velocity);
+  if (is_derived(scalar)) return derived_level(data, lattice, path, scalar, velocity);
   bad_file(path,
            fmt::format("no array is the scalar '{}'; arrays: {}", scalar, describe_arrays(data)));
 }
@@ -150,7 +153,10 @@ ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view sc
 std::vector<ScalarLevel> read_levels(const fs::path& path, std::string_view scalar,
                                      const std::string& velocity) {
   if (!readers::vtk_format(path)) return read_vdb_levels(path, scalar, velocity);
-  return {level_of(*readers::read_vtk_data_set(path), path, scalar, velocity)};
+  const bool of_velocity = is_derived(scalar) && !velocity.empty();
+  const auto read =
+      readers::read_vtk_file(path, {}, "first", of_velocity ? velocity : std::string(scalar));
+  return {level_of(*read.front().data, path, scalar, velocity)};
 }
 
 }  // namespace pellucid::fields

@@ -187,7 +187,7 @@ std::string note_of(const std::vector<std::string>& blocks) {
 }
 
 std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
-  const auto read = readers::read_vtk_file(path, options.block, options.time);
+  const auto read = readers::read_vtk_file(path, options.block, options.time, options.array);
   std::vector<double> times;
   for (const readers::VtkTime& one : read) times.push_back(one.time);
   return field_over_times(times, {}, path, [&](std::size_t number) {

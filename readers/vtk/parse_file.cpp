@@ -106,11 +106,10 @@ ParsedTime parse_time(vtkAlgorithm& reader, std::optional<double> time, const Vt
   return parsed;
 }
 
-vtkSmartPointer<vtkAlgorithm> reader_of(const std::filesystem::path& path,
-                                        std::span<const VtkReader> readers) {
+const VtkReader& row_of(const std::filesystem::path& path, std::span<const VtkReader> readers) {
   const VtkFormat* format = vtk_format(path);
   for (const VtkReader& reader : readers)
-    if (format && reader.ending == format->ending) return reader.make(path);
+    if (format && reader.ending == format->ending) return reader;
   fail(path, "there is no reader of it here");
 }
 
@@ -124,18 +123,26 @@ std::vector<double> parse_vtk_file(const std::filesystem::path& path,
     check_xml(path);
   }
   const VtkMessages messages;
-  const auto reader = reader_of(path, readers);
+  const VtkReader& row = row_of(path, readers);
+  const auto reader = row.make(path);
+  std::vector<std::string> left_out;
+  if (row.pick_arrays) left_out = row.pick_arrays(*reader, request.arrays);
   reader->UpdateInformation();
   refuse_messages(messages, path);
   refuse_absurd_extent(reader, path);
+  const auto parse = [&](std::optional<double> time) {
+    ParsedTime parsed = parse_time(*reader, time, request, messages, path);
+    parsed.left_out = left_out;
+    take(parsed);
+  };
   std::vector<double> times = times_of(*reader);
   if (times.empty()) {
     if (request.time != "first" && !request.time.empty()) chosen_time(times, request.time, path);
-    take(parse_time(*reader, std::nullopt, request, messages, path));
+    parse(std::nullopt);
     return times;
   }
   if (!request.time.empty()) times = {times[chosen_time(times, request.time, path)]};
-  for (const double time : times) take(parse_time(*reader, time, request, messages, path));
+  for (const double time : times) parse(time);
   return times;
 }
 

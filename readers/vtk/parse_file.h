@@ -17,22 +17,27 @@ class vtkDataSet;
 
 namespace pellucid::readers {
 
-/// A VtkRequest says what of a file is wanted: blocks by name (chosen_blocks()), and which of its
-/// times (chosen_time()); of both all when they are empty.
+/// A VtkRequest says what of a file is wanted: blocks by name (chosen_blocks()), which of its times
+/// (chosen_time()), and arrays by name with commas between; of each all when it is empty.
 struct VtkRequest {
-  std::string block, time;
+  std::string block, time, arrays;
 };
 
 /// A ParsedTime is what a file holds at one time.
 struct ParsedTime {
   vtkSmartPointer<vtkDataSet> data;
-  std::vector<std::string> blocks;  // names of those in `data`, when they are parts of more
+  std::vector<std::string> blocks;    // names of those in `data`, when they are parts of more
+  std::vector<std::string> left_out;  // arrays that do not fit those in `data`
 };
 
 /// One reader of VTK: made for a file, whose name and options it has.
 struct VtkReader {
   std::string_view ending;  // of a row of vtk_formats()
   vtkSmartPointer<vtkAlgorithm> (*make)(const std::filesystem::path& path);
+  /// Where arrays of a file may not fit one grid: picks those that fit the wanted ones, and returns
+  /// the names of all others.
+  std::vector<std::string> (*pick_arrays)(vtkAlgorithm& reader,
+                                          const std::string& wanted) = nullptr;
 };
 
 /// VTK's own formats.

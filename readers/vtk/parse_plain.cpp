@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <vtkDataSetReader.h>
+#include <vtkImageData.h>
+#include <vtkObjectFactory.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPImageDataReader.h>
@@ -14,7 +17,14 @@
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
 #include "readers/vtk/parse_file.h"
+#include "readers/vtk/xml_tags.h"
 
 namespace pellucid::readers {
 namespace {
@@ -36,13 +46,60 @@ vtkSmartPointer<vtkAlgorithm> make_legacy(const std::filesystem::path& path) {
   return reader;
 }
 
+using Direction = std::vector<double>;
+
+/// The nine numbers of the first image in the file, whose form check_xml() has seen; none where it
+/// has no such attribute.
+Direction direction_in(const std::filesystem::path& path) {
+  for (const XmlTag& tag : xml_tags(path)) {
+    if (tag.name != "ImageData" && tag.name != "PImageData") continue;
+    const auto found = tag.attributes.find("Direction");
+    if (found == tag.attributes.end()) return {};
+    std::istringstream words(found->second);
+    return Direction(std::istream_iterator<double>(words), {});
+  }
+  return {};
+}
+
+/// Says the file's, or what its pieces say, which is the same of all.
+Direction direction_of_pieces(const std::filesystem::path& path) {
+  Direction direction = direction_in(path);
+  for (const XmlTag& tag : xml_tags(path)) {
+    const auto source = tag.attributes.find("Source");
+    if (tag.name != "Piece" || source == tag.attributes.end()) continue;
+    const Direction of_piece = direction_in(path.parent_path() / source->second);
+    if (direction.empty()) direction = of_piece;
+    if (!of_piece.empty() && of_piece != direction)
+      throw InputError(
+          fmt::format("{}: the Direction of its piece {} is another one than of the "
+                      "others or the file's own; accepted: one",
+                      path.string(), source->second));
+  }
+  return direction;
+}
+
+/// VTK 9.1 leaves out how the axes of images in pieces are turned.
+class PiecesReader : public vtkXMLPImageDataReader {
+ public:
+  static PiecesReader* New() { VTK_STANDARD_NEW_BODY(PiecesReader); }
+
+ protected:
+  int RequestData(vtkInformation* request, vtkInformationVector** input,
+                  vtkInformationVector* output) override {
+    if (!vtkXMLPImageDataReader::RequestData(request, input, output)) return 0;
+    const Direction direction = direction_of_pieces(GetFileName());
+    if (direction.size() == 9) vtkImageData::GetData(output)->SetDirectionMatrix(direction.data());
+    return 1;
+  }
+};
+
 constexpr VtkReader readers[] = {{".vti", make<vtkXMLImageDataReader>},
                                  {".vtr", make<vtkXMLRectilinearGridReader>},
                                  {".vts", make<vtkXMLStructuredGridReader>},
                                  {".vtu", make<vtkXMLUnstructuredGridReader>},
                                  {".vtp", make<vtkXMLPolyDataReader>},
                                  {".vtk", make_legacy},
-                                 {".pvti", make<vtkXMLPImageDataReader>},
+                                 {".pvti", make<PiecesReader>},
                                  {".pvtr", make<vtkXMLPRectilinearGridReader>},
                                  {".pvts", make<vtkXMLPStructuredGridReader>},
                                  {".pvtu", make<vtkXMLPUnstructuredGridReader>},

@@ -42,7 +42,8 @@ std::vector<VtkTime> times_of(const Blocks& blocks) {
   std::vector<VtkTime> all;
   for (std::size_t i = 0; i < std::max<std::size_t>(times.size(), 1); ++i) {
     const Blocks part = blocks.within(fmt::format("{}|", i));
-    all.push_back({times.empty() ? 0 : times[i], data_set_of(part), lines_of(part.text("blocks"))});
+    all.push_back({times.empty() ? 0 : times[i], data_set_of(part), lines_of(part.text("blocks")),
+                   lines_of(part.text("left out"))});
   }
   return all;
 }
@@ -50,12 +51,12 @@ std::vector<VtkTime> times_of(const Blocks& blocks) {
 }  // namespace
 
 std::vector<VtkTime> read_vtk_file(const fs::path& path, const std::string& block,
-                                   const std::string& time) {
+                                   const std::string& time, const std::string& arrays) {
   require_file(path);
   const VtkFormat* format = vtk_format(path);
   if (!format) throw InputError(fmt::format("{}: VTK reads no such file", path.string()));
-  const Blocks blocks =
-      read_in_child(format->program, path, {block, time}, 0, note_files_beside(path, *format));
+  const Blocks blocks = read_in_child(format->program, path, {block, time, arrays}, 0,
+                                      note_files_beside(path, *format));
   try {
     return times_of(blocks);
   } catch (const BlockError& error) {

@@ -12,12 +12,13 @@ namespace pellucid::readers {
 void write_parsed(const std::filesystem::path& path, std::span<const VtkReader> readers,
                   std::span<const std::string> arguments, BlockWriter& out) {
   VtkRequest request;
-  if (arguments.size() == 2) request = {arguments[0], arguments[1]};
+  if (arguments.size() == 3) request = {arguments[0], arguments[1], arguments[2]};
   int number = 0;
   const auto take = [&](const ParsedTime& parsed) {
     out.name_within(fmt::format("{}|", number++));
     write_data_set(*parsed.data, out);
     out.add_text("blocks", fmt::format("{}", fmt::join(parsed.blocks, "\n")));
+    out.add_text("left out", fmt::format("{}", fmt::join(parsed.left_out, "\n")));
   };
   const std::vector<double> times = parse_vtk_file(path, readers, request, take);
   out.name_within("");

@@ -52,13 +52,41 @@ def unstructured():
     return grid
 
 
-def write_exodus(folder):
+def written_exodus(grid, path):
     writer = vtk.vtkExodusIIWriter()
-    writer.SetInputData(unstructured())
-    writer.SetFileName(str(folder / "e.ex2"))
+    writer.SetInputData(grid)
+    writer.SetFileName(str(path))
     writer.WriteAllTimeStepsOff()
     writer.Write()
-    return "e.ex2"
+    return path.name
+
+
+def write_exodus(folder):
+    return written_exodus(unstructured(), folder / "e.ex2")
+
+
+def renamed_exodus(folder, name, file):
+    """VTK's writer leaves out vectors whose name begins with "dis"."""
+    renamed = netcdf_file(folder / file, "a")
+    names = renamed.variables["name_nod_var"]
+    for k, axis in enumerate("XYZ"):
+        names[k] = np.frombuffer(f"{name}{axis}".encode().ljust(names.shape[1], b"\0"), "S1")
+    renamed.close()
+    return file
+
+
+def write_exodus_moved(folder):
+    """The flow is the nodes' displacement, too: they are where it has come to."""
+    grid = unstructured()
+    points = vtk.vtkPoints()
+    points.SetData(vtk_array(crossings() - flow(crossings()), "points"))
+    grid.SetPoints(points)
+    return renamed_exodus(folder, "DISPL", written_exodus(grid, folder / "moved.ex2"))
+
+
+def write_exodus_unmoved(folder):
+    """A name that begins as that of a displacement does."""
+    return renamed_exodus(folder, "dissipation", written_exodus(unstructured(), folder / "unmoved.ex2"))
 
 
 def write_netcdf(folder):
@@ -71,6 +99,25 @@ def write_netcdf(folder):
         file.createVariable(name, "d", ("z", "y", "x"))[:] = velocity[:, k].reshape(COUNT[::-1])
     file.close()
     return "n.nc:array=u,v,w"
+
+
+def write_netcdf_turned(folder):
+    """Dimensions x, z, y, which their attributes name, z counting downwards; and a variable of two of them."""
+    file = netcdf_file(folder / "turned.nc", "w")
+    for name, axis in zip("xyz", AXES):
+        file.createDimension(f"n{name}", len(axis))
+        coordinate = file.createVariable(f"n{name}", "d", (f"n{name}",))
+        coordinate[:] = -axis if name == "z" else axis
+        coordinate.axis = name.upper()
+        if name == "z":
+            coordinate.positive = "down"
+    velocity = flow(crossings())
+    for k, name in enumerate("uvw"):
+        values = velocity[:, k].reshape(COUNT[::-1])
+        file.createVariable(name, "d", ("nx", "nz", "ny"))[:] = values.transpose(2, 0, 1)
+    file.createVariable("ground", "d", ("nx", "ny"))[:] = 0
+    file.close()
+    return "turned.nc:array=u,v,w"
 
 
 def write_netcdf_times(folder):
@@ -196,7 +243,7 @@ def write_ensight(folder):
     return "g.case"
 
 
-STEADY = [write_exodus, write_netcdf, write_tecplot, write_plot3d, write_ensight]
+STEADY = [write_exodus, write_exodus_moved, write_exodus_unmoved, write_netcdf, write_netcdf_turned, write_tecplot, write_plot3d, write_ensight]
 
 if __name__ == "__main__":
     place = pathlib.Path("written")

@@ -94,30 +94,47 @@ TEST_F(UnitPieces, PiecesOfAnUnstructuredGrid) {
 }
 
 /// One piece of an image of unit cells: samples from x = `first` to `last`.
-std::string image_piece(int first, int last) {
+std::string image_piece(int first, int last, std::string_view direction = {}) {
   const Axes axes{evenly(first, 1, last - first + 1), evenly(0, 1, 3), evenly(0, 1, 3)};
   const std::string extent = fmt::format("{} {} 0 2 0 2", first, last);
   return vtk_files::xml(
       "ImageData",
-      fmt::format("<ImageData WholeExtent=\"{0}\" Origin=\"0 0 0\" Spacing=\"1 1 1\">"
+      fmt::format("<ImageData WholeExtent=\"{0}\" Origin=\"0 0 0\" Spacing=\"1 1 1\" {2}>"
                   "<Piece Extent=\"{0}\"><PointData>{1}</PointData></Piece></ImageData>",
-                  extent, vectors("U", crossings(axes), straight)));
+                  extent, vectors("U", crossings(axes), straight), direction));
+}
+
+std::string image_in_pieces(std::string_view direction = {}) {
+  return fmt::format(
+      "<VTKFile type=\"PImageData\" version=\"0.1\" byte_order=\"LittleEndian\">"
+      "<PImageData WholeExtent=\"0 4 0 2 0 2\" GhostLevel=\"0\" Origin=\"0 0 0\" Spacing=\"1 1 1\" "
+      "{}>"
+      "<PPointData><PDataArray type=\"Float64\" Name=\"U\" NumberOfComponents=\"3\"/></PPointData>"
+      "<Piece Extent=\"0 2 0 2 0 2\" Source=\"0.vti\"/>"
+      "<Piece Extent=\"2 4 0 2 0 2\" Source=\"1.vti\"/></PImageData></VTKFile>",
+      direction);
 }
 
 TEST_F(UnitPieces, PiecesOfAnImageAreOneGrid) {
   write_bytes(folder_ / "0.vti", image_piece(0, 2));
   write_bytes(folder_ / "1.vti", image_piece(2, 4));
-  const auto field = read(
-      "i.pvti",
-      "<VTKFile type=\"PImageData\" version=\"0.1\" byte_order=\"LittleEndian\">"
-      "<PImageData WholeExtent=\"0 4 0 2 0 2\" GhostLevel=\"0\" Origin=\"0 0 0\" Spacing=\"1 1 1\">"
-      "<PPointData><PDataArray type=\"Float64\" Name=\"U\" NumberOfComponents=\"3\"/></PPointData>"
-      "<Piece Extent=\"0 2 0 2 0 2\" Source=\"0.vti\"/>"
-      "<Piece Extent=\"2 4 0 2 0 2\" Source=\"1.vti\"/></PImageData></VTKFile>",
-      ":array=U");
+  const auto field = read("i.pvti", image_in_pieces(), ":array=U");
   EXPECT_NEAR_VEC(velocity_of(*field, {1.7, 0.4, 1.1}), straight({1.7, 0.4, 1.1}), 1e-12);
   EXPECT_NEAR_VEC(velocity_of(*field, {3.2, 0.4, 1.1}), straight({3.2, 0.4, 1.1}), 1e-12);
   EXPECT_THAT(field->description(), HasSubstr("5 × 3 × 3"));
+}
+
+/// A quarter turn about z, said by the file, by its pieces or by both.
+TEST_F(UnitPieces, PiecesOfATurnedImage) {
+  constexpr std::string_view turn = "Direction=\"0 -1 0 1 0 0 0 0 1\"";
+  for (const auto& [of_all, of_piece] : {std::pair(turn, turn), {turn, ""}, {"", turn}}) {
+    write_bytes(folder_ / "0.vti", image_piece(0, 2, of_piece));
+    write_bytes(folder_ / "1.vti", image_piece(2, 4, of_piece));
+    const auto field = read("i.pvti", image_in_pieces(of_all), ":array=U");
+    EXPECT_NEAR_VEC(velocity_of(*field, {-0.4, 3.2, 1.1}), straight({3.2, 0.4, 1.1}), 1e-12);
+  }
+  EXPECT_THAT(complaint("i.pvti", image_in_pieces("Direction=\"1 0 0 0 1 0 0 0 1\""), ":array=U"),
+              HasSubstr("the Direction of its piece 0.vti is another one"));
 }
 
 std::string collection(std::string_view entries) {

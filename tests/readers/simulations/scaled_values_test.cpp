@@ -8,6 +8,7 @@
 #include <vtkDataSet.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <functional>
@@ -87,8 +88,23 @@ class UnitScaledValues : public ::testing::Test {
     return folder_ / "m.mrc";
   }
 
+  /// The same map, the largest byte of each number of 32 bits first.
+  std::filesystem::path big_endian_mrc(std::string data) const {
+    std::string bytes = read_text(mrc(2, data));
+    for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4)
+      if (at < 96 || at == 108 || at >= 1024)
+        std::reverse(bytes.begin() + long(at), bytes.begin() + long(at + 4));
+    bytes[212] = bytes[213] = 0x11;
+    write_text(folder_ / "m.mrc", bytes);
+    return folder_ / "m.mrc";
+  }
+
   testing::TemporaryFolder folder_;
 };
+
+std::string bytes_of(const std::vector<float>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
+}
 
 void put(int file, int q, const char* name, nc_type type, std::vector<double> values) {
   EXPECT_EQ(nc_put_att_double(file, q, name, type, values.size(), values.data()), NC_NOERR);
@@ -151,6 +167,18 @@ TEST_F(UnitScaledValues, PackedSamples) {
   EXPECT_THAT(packed(NC_SHORT, {10, 20}, -0.1), ElementsAre(IsNan(), 299, 298, IsNan()));
 }
 
+/// q = packed / 2 + 10, of bytes with a sign.
+TEST_F(UnitScaledValues, PackedBytes) {
+  EXPECT_THAT(values(netcdf(NC_BYTE, {-128, -1, 0, 127},
+                            [](int file, int q) {
+                              put(file, q, "scale_factor", NC_DOUBLE, {0.5});
+                              put(file, q, "add_offset", NC_DOUBLE, {10});
+                              put(file, q, "_FillValue", NC_BYTE, {-1});
+                            }),
+                     4),
+              ElementsAre(-54, IsNan(), 10, 73.5));
+}
+
 TEST_F(UnitScaledValues, NumbersCalledUnsignedAreRefused) {
   EXPECT_THAT(
       complaint(netcdf(NC_SHORT, {1},
@@ -165,8 +193,31 @@ TEST_F(UnitScaledValues, BytesOfMrcAreSignedWhereTheFormatSaysSo) {
   EXPECT_THAT(values(mrc(0, bytes, 0, {0, 0, 0}), 3), ElementsAre(254, 255, 1));
 }
 
+TEST_F(UnitScaledValues, MrcWithTheLargestByteFirst) {
+  EXPECT_THAT(values(big_endian_mrc(bytes_of({1, 2, 3.5, -4, 5, 6, 7, 8e9})), 8),
+              ElementsAre(1, 2, 3.5, -4, 5, 6, 7, float(8e9)));
+  std::string unsaid = read_text(folder_ / "m.mrc");
+  unsaid[212] = 0;
+  write_text(folder_ / "m.mrc", unsaid);
+  EXPECT_THAT(complaint(folder_ / "m.mrc"), HasSubstr("byte 213, the machine stamp, is not 17"));
+}
+
+TEST_F(UnitScaledValues, MrcThatWasCutOffIsRefused) {
+  EXPECT_THAT(complaint(mrc(2, bytes_of({1, 2, 3, 4, 5, 6, 7}))),
+              HasSubstr("28 bytes of samples, but its 8 samples take 32; truncated?"));
+}
+
+TEST_F(UnitScaledValues, MrcWithSlantedAxesIsRefused) {
+  std::string slanted = read_text(mrc(2, std::string(32, '\0')));
+  const float angle = 120;
+  std::memcpy(&slanted[60], &angle, sizeof angle);
+  write_text(folder_ / "m.mrc", slanted);
+  EXPECT_THAT(complaint(folder_ / "m.mrc"), HasSubstr("an angle between its axes is 120°"));
+}
+
 TEST_F(UnitScaledValues, MrcThatVtkReadsOtherwiseIsRefused) {
   EXPECT_THAT(complaint(mrc(6, std::string(16, '\1'))), HasSubstr("mode 6, unsigned numbers"));
+  EXPECT_THAT(complaint(mrc(12, std::string(16, '\1'))), HasSubstr("mode 12; accepted"));
   EXPECT_THAT(complaint(mrc(2, std::string(32, '\0'), 20141, {3, 2, 1})),
               HasSubstr("the axes 3, 2, 1; accepted: 1, 2, 3"));
   EXPECT_EQ(complaint(mrc(2, std::string(32, '\0'))), "no complaint");

@@ -4,7 +4,7 @@
 // silence. Meanings of the header's numbers: nifti1.h, "DATA SCALING" and "3D IMAGE (VOLUME)
 // ORIENTATION AND LOCATION IN SPACE".
 
-#include "readers/vtk/make_nifti.h"
+#include "readers/simulations/make_nifti.h"
 
 #include <fmt/format.h>
 #include <vtkDoubleArray.h>

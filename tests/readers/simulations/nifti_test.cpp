@@ -46,8 +46,9 @@ class UnitNifti : public ::testing::Test {
   using Describe = std::function<void(Bytes&)>;
 
   /// An image of 2 × 2 × 2 voxels of 16 bits: 0, 1, 2, …
-  std::filesystem::path nifti(float slope, float intercept, std::int16_t times = 1,
-                              const Describe& describe = [](Bytes&) {}) const {
+  std::filesystem::path nifti(
+      float slope, float intercept, std::int16_t times = 1,
+      const Describe& describe = [](Bytes&) {}) const {
     Bytes bytes(352);
     bytes.put(0, std::int32_t(348));
     const std::int16_t sizes[8] = {4, 2, 2, 2, times, 1, 1, 1};
@@ -87,7 +88,8 @@ class UnitNifti : public ::testing::Test {
       const int number = int(data->GetPointData()->GetArray(0)->GetComponent(id, 0));
       glm::dvec3 place;
       data->GetPoint(id, &place.x);
-      const glm::dvec3 wanted = origin + steps * glm::dvec3(number & 1, number >> 1 & 1, number >> 2);
+      const glm::dvec3 wanted =
+          origin + steps * glm::dvec3(number & 1, number >> 1 & 1, number >> 2);
       EXPECT_LE(glm::length(place - wanted), 1e-5) << "voxel " << number;  // the header's floats
     }
   }

@@ -5,6 +5,7 @@
 #include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
 #include <vtkMultiBlockPLOT3DReader.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenFOAMReader.h>
 #include <vtkSTLReader.h>
 #include <vtkTecplotReader.h>
@@ -23,15 +24,21 @@
 #include <string>
 
 #include "core/error.h"
-#include "readers/vtk/make_mrc.h"
-#include "readers/vtk/make_netcdf.h"
-#include "readers/vtk/make_nifti.h"
+#include "readers/simulations/make_mrc.h"
+#include "readers/simulations/make_netcdf.h"
+#include "readers/simulations/make_nifti.h"
+#include "readers/simulations/simulation_checks.h"
 #include "readers/vtk/parse_file.h"
 
 namespace pellucid::readers {
 namespace {
 
 using Path = std::filesystem::path;
+
+std::string small(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
 
 template <class Reader>
 vtkSmartPointer<Reader> reader_of(const Path& path) {
@@ -48,6 +55,7 @@ vtkSmartPointer<vtkAlgorithm> make(const Path& path) {
 /// Cell data as they are in the case, and, where VTK does it yet, polyhedra cut into cells that can
 /// be searched.
 vtkSmartPointer<vtkAlgorithm> make_foam(const Path& path) {
+  refuse_divided_foam(path);
   const auto reader = reader_of<vtkOpenFOAMReader>(path);
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)  // which complains of being asked
   reader->DecomposePolyhedraOn();
@@ -57,16 +65,28 @@ vtkSmartPointer<vtkAlgorithm> make_foam(const Path& path) {
   return reader;
 }
 
-/// All results of the nodes and elements.
+/// Says whether the vectors by which VTK moves the nodes are displacements: it takes the first
+/// whose name begins with "dis".
+bool has_displacements(vtkExodusIIReader& reader) {
+  for (int i = 0; i < reader.GetNumberOfObjectArrays(vtkExodusIIReader::NODAL); ++i) {
+    const std::string name = small(reader.GetObjectArrayName(vtkExodusIIReader::NODAL, i));
+    if (name.starts_with("dis")) return name.starts_with("disp");
+  }
+  return false;
+}
+
+/// All results of the nodes and elements, each node where its displacement has it.
 vtkSmartPointer<vtkAlgorithm> make_exodus(const Path& path) {
   const auto reader = reader_of<vtkExodusIIReader>(path);
   reader->UpdateInformation();
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
   reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  reader->SetApplyDisplacements(has_displacements(*reader));
   return reader;
 }
 
 vtkSmartPointer<vtkAlgorithm> make_cgns(const Path& path) {
+  refuse_curved_cgns(path);
   const auto reader = reader_of<vtkCGNSReader>(path);
   reader->UpdateInformation();
   reader->EnableAllBases();
@@ -76,6 +96,7 @@ vtkSmartPointer<vtkAlgorithm> make_cgns(const Path& path) {
 }
 
 vtkSmartPointer<vtkAlgorithm> make_ensight(const Path& path) {
+  refuse_ensight6_blocks(path);
   const auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
   reader->SetCaseFileName(path.c_str());
   reader->ReadAllVariablesOn();
@@ -111,11 +132,6 @@ vtkSmartPointer<vtkAlgorithm> make_plot3d(const Path& path) {
   return reader;
 }
 
-std::string small(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 /// VTK takes what is there of a file that was cut off. Binary ones are as long as their number of
 /// facets, 50 bytes each behind a head of 84, asks for; texts have their end.
 vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
@@ -138,6 +154,25 @@ vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
   return make<vtkSTLReader>(path);
 }
 
+/// VTK takes as many of the last variables as there are without the coordinates, wherever these
+/// are.
+class TecplotReader : public vtkTecplotReader {
+ public:
+  static TecplotReader* New() { VTK_STANDARD_NEW_BODY(TecplotReader); }
+  void TakeAllVariables() {
+    UpdateInformation();
+    refuse_other_coordinates(Variables, FileName);
+    for (const std::string& name : Variables) SetDataArrayStatus(name.c_str(), 1);
+  }
+};
+
+vtkSmartPointer<vtkAlgorithm> make_tecplot(const Path& path) {
+  refuse_fortran_numbers(path);
+  const auto reader = reader_of<TecplotReader>(path);
+  reader->TakeAllVariables();
+  return reader;
+}
+
 constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".foam", make_foam},
                                  {".case", make_ensight},
@@ -148,9 +183,9 @@ constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".cgns", make_cgns},
                                  {".xyz", make_plot3d},
                                  {".p3d", make_plot3d},
-                                 {".tec", make<vtkTecplotReader>},
-                                 {".nc", make_netcdf},
-                                 {".cdf", make_netcdf},
+                                 {".tec", make_tecplot},
+                                 {".nc", make_netcdf, pick_netcdf_variables},
+                                 {".cdf", make_netcdf, pick_netcdf_variables},
                                  {".nii", make_nifti},
                                  {".nii.gz", make_nifti},
                                  {".stl", make_stl},

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// VTK takes the last dimension for x, whatever it is, and spacings within 1 % of each
+// other for even ones, by a first sample that it forgets to turn round where heights count
+// downwards: axes are rectilinear here, with the coordinates of the file. VTK takes bytes for such
+// without a sign.
+
+#include "readers/simulations/make_netcdf.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNetCDFCFReader.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStringArray.h>
+#include <vtk_netcdf.h>
+
+#include "core/error.h"
+#include "readers/simulations/netcdf_axes.h"
+#include "readers/simulations/netcdf_choice.h"
+#include "readers/simulations/netcdf_missing.h"
+#include "readers/simulations/permuted_axes.h"
+
+namespace pellucid::readers {
+namespace {
+
+class NetcdfReader : public vtkNetCDFCFReader {
+ public:
+  static NetcdfReader* New() { VTK_STANDARD_NEW_BODY(NetcdfReader); }
+
+  std::vector<std::string> pick(const std::string& wanted) {
+    std::vector<std::string> left_out;
+    const std::vector<NetcdfChoice> choices = all_choices();
+    const std::string dimensions = chosen_dimensions(choices, wanted, GetFileName());
+    for (const NetcdfChoice& choice : choices) {
+      const bool fits = choice.is_number && choice.dimensions == dimensions;
+      SetVariableArrayStatus(choice.name.c_str(), fits);
+      if (!fits && choice.axes() > 0) left_out.push_back(choice.name + choice.dimensions);
+    }
+    return left_out;
+  }
+
+ protected:
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** input,
+                        vtkInformationVector* output) override {
+    if (!vtkNetCDFCFReader::RequestDataObject(request, input, output)) return 0;
+    if (vtkImageData::GetData(output))
+      output->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(),
+                                           vtkNew<vtkRectilinearGrid>());
+    return 1;
+  }
+
+  int RequestData(vtkInformation* request, vtkInformationVector** input,
+                  vtkInformationVector* output) override {
+    if (!vtkNetCDFCFReader::RequestData(request, input, output)) return 0;
+    if (auto* grid = vtkRectilinearGrid::GetData(output)) permute_axes(*grid, order_in_file());
+    return 1;
+  }
+
+  int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override {
+    refuse_unsigned(NetcdfVariable(file, name), name);
+    if (!vtkNetCDFCFReader::LoadVariable(file, name, time, output)) return 0;
+    const NetcdfVariable variable(file, name);
+    sign_bytes(variable, name, *output->GetPointData());
+    sign_bytes(variable, name, *output->GetCellData());
+    const MissingSamples is_missing(variable);
+    hide_missing(is_missing, name, *output->GetPointData());
+    hide_missing(is_missing, name, *output->GetCellData());
+    return 1;
+  }
+
+ private:
+  /// None of a file that cannot be read, of which VTK complains when asked again.
+  std::vector<NetcdfChoice> all_choices() {
+    std::vector<NetcdfChoice> choices;
+    int file = 0;
+    if (!UpdateMetaData() || nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR) return choices;
+    for (int i = 0; i < GetNumberOfVariableArrays(); ++i) {
+      const char* const name = GetVariableArrayName(i);
+      choices.push_back(
+          {name, GetVariableDimensions()->GetValue(i), NetcdfVariable(file, name).is_number()});
+    }
+    nc_close(file);
+    return choices;
+  }
+  /// Of the dimensions that are loaded, the last being the fastest.
+  AxisOrder order_in_file() {
+    std::vector<int> dimensions;
+    for (vtkIdType i = LoadingDimensions->GetNumberOfTuples(); i-- > 0;)
+      dimensions.push_back(LoadingDimensions->GetValue(i));
+    int file = 0;
+    if (nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR)
+      throw InputError(fmt::format("{}: cannot be opened again", GetFileName()));
+    const AxisOrder order = axis_order(file, dimensions);
+    nc_close(file);
+    return order;
+  }
+  void refuse_unsigned(const NetcdfVariable& variable, const char* name) {
+    if (variable.is_called_unsigned())
+      throw InputError(
+          fmt::format("{}: '{}' has the attribute _Unsigned, which VTK does not know; "
+                      "accepted: a variable of an unsigned or a wider type",
+                      GetFileName(), name));
+  }
+};
+
+}  // namespace
+
+vtkSmartPointer<vtkAlgorithm> make_netcdf(const std::filesystem::path& path) {
+  const auto reader = vtkSmartPointer<NetcdfReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->SphericalCoordinatesOff();
+  return reader;
+}
+
+std::vector<std::string> pick_netcdf_variables(vtkAlgorithm& reader, const std::string& wanted) {
+  auto* netcdf = dynamic_cast<NetcdfReader*>(&reader);
+  return netcdf ? netcdf->pick(wanted) : std::vector<std::string>();
+}
+
+}  // namespace pellucid::readers

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace pellucid::readers {
+
+/// A NetcdfChoice is what can be chosen of a file: a variable with its dimensions but for time, as
+/// VTK writes them, "(lat, lon)".
+struct NetcdfChoice {
+  std::string name, dimensions;
+  bool is_number = true;
+
+  std::ptrdiff_t axes() const {
+    return dimensions == "()" ? 0 : std::ranges::count(dimensions, ',') + 1;
+  }
+  bool is_grid() const { return is_number && axes() > 0; }
+};
+
+/// Returns the dimensions of the variables that `wanted` names, with commas between; when it names
+/// none, those of three axes before those of two, of several the ones of the most variables; "" of
+/// a file without any. Throws InputError where the wanted ones differ in their dimensions.
+std::string chosen_dimensions(const std::vector<NetcdfChoice>& choices, const std::string& wanted,
+                              const std::string& file);
+
+}  // namespace pellucid::readers

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+class vtkRectilinearGrid;
+
+namespace pellucid::readers {
+
+/// Makes axis `a` of the grid its axis `order[a]`, a permutation of 0 to 2: coordinates, and the
+/// order of all values of points; vectors stay as they are. The grid has no values of cells.
+void permute_axes(vtkRectilinearGrid& grid, const std::array<int, 3>& order);
+
+}  // namespace pellucid::readers

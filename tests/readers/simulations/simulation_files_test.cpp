@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the formats of simulations mean, where VTK's readers by themselves take something else.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkPointData.h>
+
+#include "core/error.h"
+#include "core/files/output_file.h"
+#include "readers/vtk/vtk_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pellucid::readers {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class UnitSimulationFiles : public ::testing::Test {
+ protected:
+  std::string complaint(const std::filesystem::path& file) const {
+    try {
+      read_vtk_data_set(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+
+  /// A cube of eight points, at each of which the numbers are those of `row`.
+  std::filesystem::path tecplot(const std::string& variables, std::string_view row) const {
+    std::string text = fmt::format("VARIABLES = {}\nZONE I=2, J=2, K=2, F=POINT\n", variables);
+    for (int i = 0; i < 8; ++i)
+      text += fmt::format(fmt::runtime(row), fmt::arg("x", i & 1), fmt::arg("y", i >> 1 & 1),
+                          fmt::arg("z", i >> 2)) +
+              "\n";
+    write_text(folder_ / "t.tec", text);
+    return folder_ / "t.tec";
+  }
+
+  /// A case of EnSight of one block of eight points.
+  std::filesystem::path ensight(std::string_view type) const {
+    const bool is_gold = type.ends_with("gold");
+    const std::string part = is_gold ? "part\n         1\n" : "part 1\n";
+    write_text(folder_ / "e.case", fmt::format("FORMAT\ntype: {}\nGEOMETRY\nmodel: e.geo\n"
+                                               "VARIABLE\nvector per node: U e.U\n",
+                                               type));
+    std::string places, vectors;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 8; ++i) {
+        const bool ends_line = is_gold || i % 6 == 5 || i == 7;
+        const char* const end = ends_line ? "\n" : "";
+        places += fmt::format("{:12.5e}{}", double(i >> axis & 1), end);
+        vectors += fmt::format("{:12.5e}{}", double(axis + 1), end);
+      }
+    const std::string size =
+        is_gold ? "         2         2         2\n" : "       2       2       2\n";
+    write_text(folder_ / "e.geo",
+               fmt::format("a\nb\nnode id off\nelement id off\n{}{}box\nblock\n{}{}",
+                           is_gold ? "" : "coordinates\n       0\n", part, size, places));
+    write_text(folder_ / "e.U", fmt::format("U\n{}block\n{}", part, vectors));
+    return folder_ / "e.case";
+  }
+
+  testing::TemporaryFolder folder_;
+};
+
+/// The vectors that a field takes unless told otherwise, of one point.
+std::vector<double> active_vector(vtkDataSet& data, vtkIdType point) {
+  vtkDataArray* vectors = data.GetPointData()->GetVectors();
+  if (!vectors) return {};
+  return {vectors->GetComponent(point, 0), vectors->GetComponent(point, 1),
+          vectors->GetComponent(point, 2)};
+}
+
+/// Eight lines of a value each.
+std::string column(double value) {
+  std::string text;
+  for (int i = 0; i < 8; ++i) text += fmt::format("{}\n", value);
+  return text;
+}
+
+TEST_F(UnitSimulationFiles, Plot3dVectorsAreMomentumOverDensity) {
+  std::string places;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 8; ++i) places += fmt::format("{}\n", i >> axis & 1);
+  write_text(folder_ / "p.xyz", "2 2 2\n" + places);
+  write_text(folder_ / "p.q",
+             "2 2 2\n0.5 0 1 0\n" + column(4) + column(2) + column(-3) + column(1) + column(10));
+  const auto data = read_vtk_data_set(folder_ / "p.xyz");
+  EXPECT_STREQ(data->GetPointData()->GetVectors()->GetName(), "Velocity");
+  EXPECT_THAT(active_vector(*data, 7), ElementsAre(0.5, -0.75, 0.25));
+}
+
+TEST_F(UnitSimulationFiles, BlocksOfEnsightGoldAreReadAndOf6Refused) {
+  const auto data = read_vtk_data_set(ensight("ensight gold"));
+  EXPECT_THAT(active_vector(*data, 0), ElementsAre(1, 2, 3));
+  EXPECT_THAT(active_vector(*data, 7), ElementsAre(1, 2, 3));
+  EXPECT_THAT(complaint(ensight("ensight")), HasSubstr("structured blocks of EnSight 6"));
+}
+
+TEST_F(UnitSimulationFiles, TecplotVariablesMayStandBeforeTheCoordinates) {
+  const auto data = read_vtk_data_set(tecplot(R"("U" "V" "X" "Y" "Z")", "5 6 {x} {y} {z}"));
+  ASSERT_EQ(data->GetPointData()->GetNumberOfArrays(), 2);
+  EXPECT_EQ(data->GetPointData()->GetArray("U")->GetComponent(7, 0), 5);
+  EXPECT_EQ(data->GetPointData()->GetArray("V")->GetComponent(7, 0), 6);
+  double box[6];
+  data->GetBounds(box);
+  EXPECT_THAT(box, ElementsAre(0, 1, 0, 1, 0, 1));
+}
+
+TEST_F(UnitSimulationFiles, TecplotCoordinatesThatVtkTakesOtherwiseAreRefused) {
+  EXPECT_EQ(complaint(tecplot(R"-("x(m)" "y(m)" "z(m)" "U")-", "{x} {y} {z} 5")), "no complaint");
+  EXPECT_EQ(complaint(tecplot("x y z k0", "{x} {y} {z} 5")), "no complaint");
+  EXPECT_THAT(complaint(tecplot(R"("X" "Y" "Z [m]" "U")", "{x} {y} {z} 5")),
+              HasSubstr("VTK takes nothing for the coordinate Z"));
+  EXPECT_THAT(complaint(tecplot(R"("X" "Y" "Z" "K")", "{x} {y} {z} 5")),
+              HasSubstr("VTK takes 'K' for the coordinate Z"));
+  EXPECT_THAT(complaint(tecplot(R"("X" "Y" "Z_vorticity")", "{x} {y} 5")),
+              HasSubstr("VTK takes 'Z_vorticity' for the coordinate Z"));
+}
+
+TEST_F(UnitSimulationFiles, TecplotNumbersOfFortranAreRefused) {
+  const std::string names = R"("X" "Y" "Z" "U")";
+  EXPECT_EQ(complaint(tecplot(names, "{x} {y} {z} -1.5e-03")), "no complaint");
+  EXPECT_THAT(complaint(tecplot(names, "{x} {y} 2*{z}")), HasSubstr("the number 2*0, which"));
+  EXPECT_THAT(complaint(tecplot(names, "{x} {y} {z} -1.5D-03")),
+              HasSubstr("the number -1.5D-03, which"));
+}
+
+TEST_F(UnitSimulationFiles, CgnsInCylindricalCoordinatesIsRefused) {
+  write_text(folder_ / "c.cgns", std::string(100, ' ') + "CoordinateTheta");
+  EXPECT_THAT(complaint(folder_ / "c.cgns"), HasSubstr("it has CoordinateTheta; accepted"));
+}
+
+TEST_F(UnitSimulationFiles, FoamWhoseProcessorsHaveMoreIsRefused) {
+  std::filesystem::create_directories(folder_ / "case" / "0");
+  std::filesystem::create_directories(folder_ / "case" / "processor0" / "0");
+  std::filesystem::create_directories(folder_ / "case" / "processor0" / "0.25");
+  write_text(folder_ / "case" / "c.foam", "");
+  EXPECT_THAT(complaint(folder_ / "case" / "c.foam"), HasSubstr("processor0 has the time 0.25"));
+  std::filesystem::create_directories(folder_ / "case" / "0.25");
+  EXPECT_THAT(complaint(folder_ / "case" / "c.foam"), Not(HasSubstr("processor0")));
+}
+
+}  // namespace
+}  // namespace pellucid::readers
