@@ -6,13 +6,11 @@
 
 namespace pellucid::fields {
 
-/// Says whether the active voxels are single ones (so that the file holds each of them) and fill
-/// `box`, in voxels.
+/// Says whether the active voxels, those of tiles among them, fill `box`. A file may claim many in
+/// a tile: who keeps each of them asks for their number first.
 template <class Grid>
 bool fills_a_box(const Grid& grid, const openvdb::CoordBBox& box) {
-  const openvdb::Vec3d size(box.dim().asVec3d());
-  return grid.tree().activeTileCount() == 0 &&
-         double(grid.activeVoxelCount()) == size.x() * size.y() * size.z();
+  return double(grid.activeVoxelCount()) == box.dim().asVec3d().product();
 }
 
 }  // namespace pellucid::fields

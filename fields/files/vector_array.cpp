@@ -115,6 +115,13 @@ std::string name_of(const Parts& parts) {
   return names;
 }
 
+/// "" where one of the arrays has no name.
+std::string own_name(const Parts& parts) {
+  for (const Part& part : parts)
+    if (part.array && !part.array->GetName()) return {};
+  return name_of(parts);
+}
+
 bool is_one_array(const Parts& parts) {
   return parts[0].array == parts[1].array && parts[0].array == parts[2].array;
 }
@@ -146,7 +153,8 @@ class Choice {
   Vectors vectors() const {
     if (cells_ == CellValues::averaged)
       if (const auto parts = find(*data_.GetPointData(), point_prefix))
-        return {values(*parts, data_.GetNumberOfPoints(), "points"), false, false, name_of(*parts)};
+        return {values(*parts, data_.GetNumberOfPoints(), "points"), false, false, own_name(*parts),
+                name_of(*parts)};
     if (const auto parts = find(*data_.GetCellData(), cell_prefix)) return of_cells(*parts);
     refuse();
   }
@@ -183,8 +191,9 @@ class Choice {
   Vectors of_cells(const Parts& parts) const {
     auto vectors = values(parts, data_.GetNumberOfCells(), "cells");
     const std::string name = name_of(parts);
-    if (cells_ == CellValues::constant) return {vectors, true, false, name + ", constant in cells"};
-    return {averaged_to_points(data_, *vectors), false, true,
+    if (cells_ == CellValues::constant)
+      return {vectors, true, false, own_name(parts), name + ", constant in cells"};
+    return {averaged_to_points(data_, *vectors), false, true, own_name(parts),
             name + " of the cells, averaged to points"};
   }
 

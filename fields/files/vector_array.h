@@ -20,6 +20,7 @@ struct Vectors {
   vtkSmartPointer<vtkDataArray> values;
   bool of_cells = false;  // and constant in each
   bool averaged = false;  // to points, from cells
+  std::string name;       // as pick_vectors() takes it; "" of an array without a name
   std::string title;      // what they are, for reports: "U", "U of the cells, averaged to points"
 };
 

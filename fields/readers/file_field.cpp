@@ -72,6 +72,19 @@ FileOptions parse_options(const PathAndOptions& parts) {
 
 }  // namespace
 
+FileOptions in_common(FileOptions options) {
+  if (!options.common_array) options.common_array = std::make_shared<std::string>();
+  return options;
+}
+
+const std::string& wanted_array(const FileOptions& options) {
+  return options.array.empty() && options.common_array ? *options.common_array : options.array;
+}
+
+void keep_array(const FileOptions& options, const std::string& name) {
+  if (options.common_array && options.common_array->empty()) *options.common_array = name;
+}
+
 const OptionTable<FileOptions>& file_options() {
   static const OptionTable<FileOptions> table{
       text("array", &FileOptions::array,

@@ -24,7 +24,17 @@ struct FileOptions {
   std::string periodic;  // as parse_periods() takes it
   std::string block;     // as readers::chosen_blocks() takes it; empty: all
   std::string time;      // as chosen_time() takes it; empty: all
+  /// In a field of several files or times: which vectors the first has when `array` is empty, ""
+  /// until it is read. The others have to have the same.
+  std::shared_ptr<std::string> common_array{};
 };
+
+/// Returns options for each of several files or times: what the first takes by default all take.
+FileOptions in_common(FileOptions options);
+/// Returns the array that is asked for, or was taken before; "" for the default.
+const std::string& wanted_array(const FileOptions& options);
+/// Keeps the name of the vectors that were taken for those that follow; "" where they have none.
+void keep_array(const FileOptions& options, const std::string& name);
 
 /// Returns the table of what may stand behind a file's name.
 const OptionTable<FileOptions>& file_options();

@@ -77,7 +77,8 @@ std::unique_ptr<VectorField> read_frame(const std::vector<Entry>& entries,
   return field_of(readers::merged(blocks), options, named, note);
 }
 
-std::unique_ptr<VectorField> read_pvd_field(const Path& path, const FileOptions& options) {
+std::unique_ptr<VectorField> read_pvd_field(const Path& path, const FileOptions& asked) {
+  const FileOptions options = in_common(asked);
   const Collection collection = collection_of(path);
   std::vector<double> times;
   for (const auto& [time, entries] : collection) times.push_back(time);

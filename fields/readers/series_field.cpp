@@ -2,7 +2,7 @@
 // A time series of files, linear in time between them and `outside` before the first and after the
 // last. The description is the JSON that ParaView writes:
 //   {"file-series-version": "1.0", "files": [{"name": "a.vti", "time": 0}, …]}
-// with two or more files, times ascending, names relative to the description. The options hold for
+// with two or more files in any order, names relative to the description. The options hold for
 // every file. All files are read at once.
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <vector>
 
 #include "core/error.h"
@@ -173,6 +174,13 @@ class SeriesField final : public VectorField {
 
 constexpr std::string_view series_ending = ".series";
 
+void require_ascending(std::span<const double> times, const Path& path) {
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+      bad_file(path, fmt::format("its time number {} is {}, after {}; times have to ascend", i,
+                                 times[i], i > 0 ? times[i - 1] : 0));
+}
+
 double time_of(const nlohmann::json& entry, std::size_t number, const Path& path) {
   if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() ||
       !entry.contains("time") || !entry["time"].is_number())
@@ -195,7 +203,16 @@ std::unique_ptr<VectorField> read_frame(const nlohmann::json& entry, std::size_t
   }
 }
 
-std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& options) {
+/// The files by their times, which are no two the same.
+std::vector<std::size_t> in_order(const std::vector<double>& times) {
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return times[i]; });
+  return order;
+}
+
+std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& asked) {
+  const FileOptions options = in_common(asked);
   const nlohmann::json description = read_json(path);
   if (!description.is_object() || !description.contains("files") ||
       !description["files"].is_array() || description["files"].size() < 2)
@@ -203,16 +220,12 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
   std::vector<double> times;
   for (const nlohmann::json& entry : description["files"])
     times.push_back(time_of(entry, times.size(), path));
+  const std::vector<std::size_t> order = in_order(times);
+  std::ranges::sort(times);
+  require_ascending(times, path);
   return field_over_times(times, options.time, path, [&](std::size_t i) {
-    return read_frame(description["files"][i], i, path, options);
+    return read_frame(description["files"][order[i]], order[i], path, options);
   });
-}
-
-void require_ascending(std::span<const double> times, const Path& path) {
-  for (std::size_t i = 0; i < times.size(); ++i)
-    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
-      bad_file(path, fmt::format("its time number {} is {}, after {}; times have to ascend", i,
-                                 times[i], i > 0 ? times[i - 1] : 0));
 }
 
 }  // namespace

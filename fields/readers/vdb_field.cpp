@@ -102,6 +102,16 @@ std::unique_ptr<VectorField> make_dense(const Grid& grid, const openvdb::CoordBB
   return make_dense_field(std::move(dense), interpolation, std::move(description));
 }
 
+/// Voxels that the file does not hold one by one are spread out where they are few, 200 MB of
+/// floats.
+template <class Grid>
+bool is_dense(const Grid& grid, const openvdb::CoordBBox& box) {
+  constexpr double most_of_tiles = 1 << 24;
+  const openvdb::Coord size = box.dim();
+  if (std::min({size.x(), size.y(), size.z()}) < 2 || !fills_a_box(grid, box)) return false;
+  return grid.tree().activeTileCount() == 0 || box.dim().asVec3d().product() <= most_of_tiles;
+}
+
 template <class Grid>
 std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
                                             const FileOptions& options, const Path& path) {
@@ -114,23 +124,25 @@ std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
   const std::string description =
       fmt::format("{}: {} active voxels of {}", path.filename().string(), grid->activeVoxelCount(),
                   grid->getName());
-  const openvdb::Coord size = box.dim();
-  const int thinnest = std::min({size.x(), size.y(), size.z()});
-  if (thinnest > 1 && fills_a_box(*grid, box))
+  if (is_dense(*grid, box))
     return make_dense(*grid, box, frame, options.interpolation, description);
   if (options.interpolation == Interpolation::c1)
     bad_file(path,
-             "sampler=c1 needs active voxels that fill a box; this grid takes sampler=linear");
+             "sampler=c1 needs active voxels that fill a box, and of tiles 2^24 at most; this grid "
+             "takes "
+             "sampler=linear");
   return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
 }
 
 /// The grid that is meant.
 openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
-                                   const std::string& wanted, const Path& path) {
+                                   const FileOptions& options, const Path& path) {
   std::vector<GridEntry> entries;
   for (const readers::VdbGrid& grid : grids)
     entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
-  const readers::VdbGrid& chosen = grids[choose_vector_grid(entries, wanted, path.string())];
+  const readers::VdbGrid& chosen =
+      grids[choose_vector_grid(entries, wanted_array(options), path.string())];
+  keep_array(options, chosen.name);
   if (!chosen.grid)
     bad_file(path, fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3",
                                chosen.name));
@@ -141,7 +153,7 @@ openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
 
 std::unique_ptr<VectorField> field_of(std::span<const readers::VdbGrid> grids,
                                       const FileOptions& options, const Path& path) {
-  const openvdb::GridBase::Ptr grid = choose_grid(grids, options.array, path);
+  const openvdb::GridBase::Ptr grid = choose_grid(grids, options, path);
   if (const auto doubles = openvdb::gridPtrCast<openvdb::Vec3DGrid>(grid))
     return make_vdb_field<openvdb::Vec3DGrid>(doubles, options, path);
   return make_vdb_field<openvdb::Vec3SGrid>(openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid), options,
@@ -153,7 +165,7 @@ namespace {
 /// Of the grids that are not meant only names and types are read where a name is given.
 std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
   refuse_grid_options(options, path);
-  return field_of(readers::read_vdb_grids(path, options.array), options, path);
+  return field_of(readers::read_vdb_grids(path, wanted_array(options)), options, path);
 }
 
 }  // namespace

@@ -166,7 +166,8 @@ std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
                                       const FileOptions& options, const Path& path,
                                       const std::string& note) {
   readers::make_axes_ascend(*data);
-  Vectors vectors = pick_vectors(*data, options.array, options.cells, path);
+  Vectors vectors = pick_vectors(*data, wanted_array(options), options.cells, path);
+  keep_array(options, vectors.name);
   vectors.title += note;
   // A dense array has no cell that is missing: where some are hidden, cells are searched.
   const bool is_dense = !hides_some_cells(data);
@@ -186,8 +187,10 @@ std::string note_of(const std::vector<std::string>& blocks) {
   return fmt::format(", {} blocks merged", blocks.size());
 }
 
-std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& options) {
-  const auto read = readers::read_vtk_file(path, options.block, options.time, options.array);
+std::unique_ptr<VectorField> read_vtk_field(const Path& path, const FileOptions& asked) {
+  const FileOptions options = in_common(asked);
+  const auto read =
+      readers::read_vtk_file(path, options.block, options.time, wanted_array(options));
   std::vector<double> times;
   for (const readers::VtkTime& one : read) times.push_back(one.time);
   return field_over_times(times, {}, path, [&](std::size_t number) {

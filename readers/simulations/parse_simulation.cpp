@@ -4,9 +4,11 @@
 #include <vtkExodusIIReader.h>
 #include <vtkGenericEnSightReader.h>
 #include <vtkHDFReader.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkMultiBlockPLOT3DReader.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenFOAMReader.h>
+#include <vtkPointSet.h>
 #include <vtkSTLReader.h>
 #include <vtkTecplotReader.h>
 #include <vtkVersionMacros.h>
@@ -28,6 +30,7 @@
 #include "readers/simulations/make_netcdf.h"
 #include "readers/simulations/make_nifti.h"
 #include "readers/simulations/simulation_checks.h"
+#include "readers/simulations/tecplot_coordinates.h"
 #include "readers/vtk/parse_file.h"
 
 namespace pellucid::readers {
@@ -161,8 +164,18 @@ class TecplotReader : public vtkTecplotReader {
   static TecplotReader* New() { VTK_STANDARD_NEW_BODY(TecplotReader); }
   void TakeAllVariables() {
     UpdateInformation();
-    refuse_other_coordinates(Variables, FileName);
     for (const std::string& name : Variables) SetDataArrayStatus(name.c_str(), 1);
+  }
+
+ protected:
+  int RequestData(vtkInformation* request, vtkInformationVector** input,
+                  vtkInformationVector* output) override {
+    if (!vtkTecplotReader::RequestData(request, input, output)) return 0;
+    auto* zones = vtkMultiBlockDataSet::GetData(output);
+    for (unsigned i = 0; i < zones->GetNumberOfBlocks(); ++i)
+      if (auto* zone = vtkPointSet::SafeDownCast(zones->GetBlock(i)))
+        place_points(*zone, Variables);
+    return 1;
   }
 };
 

@@ -4,8 +4,6 @@
 // see it.
 
 #include <filesystem>
-#include <span>
-#include <string>
 
 namespace pellucid::readers {
 
@@ -20,11 +18,6 @@ void refuse_curved_cgns(const std::filesystem::path& path);
 /// Throws InputError for an OpenFOAM case whose processors have times that the case itself lacks:
 /// VTK leaves them out.
 void refuse_divided_foam(const std::filesystem::path& path);
-
-/// Throws InputError for variables of a Tecplot file of which VTK takes others for the coordinates
-/// than their names say: "K" for z, "Z [m]" for none.
-void refuse_other_coordinates(std::span<const std::string> variables,
-                              const std::filesystem::path& path);
 
 /// Throws InputError for a Tecplot file with repeated numbers, "9*0", or exponents after a D, which
 /// VTK reads as 9 and without the exponent.

@@ -77,8 +77,8 @@ constexpr VtkFormat table[] = {
      simulation,
      Beside::nothing,
      {},
-     "zones are merged; variables are scalars: array=U,V,W; coordinates are X, Y, Z or x(m); no "
-     "repeat counts (9*0), no exponents after a D"},
+     "zones are merged; variables are scalars: array=U,V,W; coordinates are X, Y, Z, "
+     "CoordinateX or X [m]; no repeat counts (9*0), no exponents after a D"},
     {".nc",
      "NetCDF, with the CF conventions",
      simulation,

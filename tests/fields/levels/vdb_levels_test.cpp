@@ -57,6 +57,24 @@ TEST(UnitVdbLevels, EveryGridOfTheNameIsALevel) {
   EXPECT_EQ(level.at(3, 1, 2), float(2.5 + 10 * 2));
 }
 
+/// A box of 24³ equal voxels, which OpenVDB prunes to tiles, and a bump in its middle.
+TEST(UnitVdbLevels, TilesOfAFullBoxAreRead) {
+  openvdb::initialize();
+  const auto grid = openvdb::FloatGrid::create(99);
+  grid->setName("p");
+  grid->denseFill({{0, 0, 0}, {23, 23, 23}}, 5);
+  grid->tree().touchLeaf({12, 12, 12});
+  grid->getAccessor().setValueOn({12, 12, 12}, 7);
+  grid->pruneGrid();
+  ASSERT_GT(grid->tree().activeTileCount(), 0u);
+  const TemporaryFolder folder;
+  openvdb::io::File((folder / "tiles.vdb").string()).write({grid});
+  const ScalarLevel level = read_vdb_levels(folder / "tiles.vdb", "p").at(0);
+  EXPECT_EQ(level.size, (std::array{24, 24, 24}));
+  for (int i = 0; i < 24; ++i) EXPECT_EQ(level.at(i, 12, 12), i == 12 ? 7 : 5);
+  EXPECT_EQ(level.at(0, 0, 23), 5);
+}
+
 TEST(UnitVdbLevels, BadGridsAreRefused) {
   EXPECT_EQ(refusal(scalar_grid("p", 3, 1)), "");
   EXPECT_THAT(refusal(openvdb::FloatGrid::create()), HasSubstr("no grid has the scalar 'p'"));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/files/output_file.h"
 #include "fields/make_field.h"
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
@@ -76,6 +77,30 @@ TEST_F(UnitSeries, ReportsItsErrorInTime) {
 TEST_F(UnitSeries, HandsOptionsToItsFiles) {
   EXPECT_THAT([&] { make_field(path() + ":array=wind"); },
               ::testing::ThrowsMessage<InputError>(HasSubstr("array=wind: no such vectors")));
+}
+
+TEST_F(UnitSeries, FilesMayHaveAnyOrder) {
+  write_bytes(folder_ / "unsorted.series",
+              R"({"files": [{"name": "2.vti", "time": 3}, {"name": "0.vti", "time": 0},
+                            {"name": "1.vti", "time": 1}]})");
+  const std::string unsorted = (folder_ / "unsorted.series").string();
+  const Vec3 x(0.25, 0.5, 0.75);
+  EXPECT_NEAR_VEC(velocity_of(*make_field(unsorted), x, 2.5), Vec3(1 + 0.75 * 3, 0.25 * 1.75, 1),
+                  1e-15);
+  EXPECT_NEAR_VEC(velocity_of(*make_field(unsorted + ":time=last"), x), Vec3(4, 0.5, 1), 1e-15);
+  EXPECT_NEAR_VEC(velocity_of(*make_field(unsorted + ":time=first"), x), Vec3(0, 0, 1), 1e-15);
+}
+
+/// Only one in each: nobody asked for those of another name.
+TEST_F(UnitSeries, FilesHaveTheVectorsOfTheFirst) {
+  std::string other = read_text(folder_ / "1.vti");
+  for (std::size_t at = other.find("velocity"); at != std::string::npos;
+       at = other.find("velocity", at))
+    other.replace(at, 8, "vorticity");
+  write_bytes(folder_ / "other.vti", other);
+  constexpr std::string_view text =
+      R"({"files": [{"name": "0.vti", "time": 0}, {"name": "other.vti", "time": 1}]})";
+  EXPECT_THAT(complaint(text), HasSubstr("array=velocity: no such vectors"));
 }
 
 TEST_F(UnitSeries, RefusesWhatItCannotRead) {

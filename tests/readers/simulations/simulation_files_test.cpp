@@ -7,6 +7,8 @@
 #include <vtkDataSet.h>
 #include <vtkPointData.h>
 
+#include <map>
+
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "readers/vtk/vtk_file.h"
@@ -102,25 +104,30 @@ TEST_F(UnitSimulationFiles, BlocksOfEnsightGoldAreReadAndOf6Refused) {
   EXPECT_THAT(complaint(ensight("ensight")), HasSubstr("structured blocks of EnSight 6"));
 }
 
-TEST_F(UnitSimulationFiles, TecplotVariablesMayStandBeforeTheCoordinates) {
-  const auto data = read_vtk_data_set(tecplot(R"("U" "V" "X" "Y" "Z")", "5 6 {x} {y} {z}"));
-  ASSERT_EQ(data->GetPointData()->GetNumberOfArrays(), 2);
-  EXPECT_EQ(data->GetPointData()->GetArray("U")->GetComponent(7, 0), 5);
-  EXPECT_EQ(data->GetPointData()->GetArray("V")->GetComponent(7, 0), 6);
-  double box[6];
-  data->GetBounds(box);
-  EXPECT_THAT(box, ElementsAre(0, 1, 0, 1, 0, 1));
-}
-
-TEST_F(UnitSimulationFiles, TecplotCoordinatesThatVtkTakesOtherwiseAreRefused) {
-  EXPECT_EQ(complaint(tecplot(R"-("x(m)" "y(m)" "z(m)" "U")-", "{x} {y} {z} 5")), "no complaint");
-  EXPECT_EQ(complaint(tecplot("x y z k0", "{x} {y} {z} 5")), "no complaint");
-  EXPECT_THAT(complaint(tecplot(R"("X" "Y" "Z [m]" "U")", "{x} {y} {z} 5")),
-              HasSubstr("VTK takes nothing for the coordinate Z"));
-  EXPECT_THAT(complaint(tecplot(R"("X" "Y" "Z" "K")", "{x} {y} {z} 5")),
-              HasSubstr("VTK takes 'K' for the coordinate Z"));
-  EXPECT_THAT(complaint(tecplot(R"("X" "Y" "Z_vorticity")", "{x} {y} 5")),
-              HasSubstr("VTK takes 'Z_vorticity' for the coordinate Z"));
+/// Points are where x, y and z are, and the other variables are arrays.
+TEST_F(UnitSimulationFiles, TecplotCoordinatesAreThoseOfTheirNames) {
+  const auto expect_cube = [&](const std::string& variables, std::string_view row,
+                               const std::map<std::string, double>& others, double top = 1) {
+    SCOPED_TRACE(variables);
+    const auto data = read_vtk_data_set(tecplot(variables, row));
+    double box[6];
+    data->GetBounds(box);
+    EXPECT_THAT(box, ElementsAre(0, 1, 0, 1, 0, top));
+    EXPECT_EQ(data->GetPointData()->GetNumberOfArrays(), int(others.size()));
+    for (const auto& [name, value] : others) {
+      vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
+      ASSERT_TRUE(array) << name;
+      EXPECT_EQ(array->GetComponent(7, 0), value);
+    }
+  };
+  expect_cube(R"("X" "Y" "Z" "U")", "{x} {y} {z} 5", {{"U", 5}});
+  expect_cube(R"("U" "V" "X" "Y" "Z")", "5 6 {x} {y} {z}", {{"U", 5}, {"V", 6}});
+  expect_cube(R"-("x(m)" "y(m)" "z(m)" "U")-", "{x} {y} {z} 5", {{"U", 5}});
+  expect_cube(R"("X [m]" "Y [m]" "Z [m]" "U")", "{x} {y} {z} 5", {{"U", 5}});
+  expect_cube(R"("X" "Y" "Z" "K")", "{x} {y} {z} 5", {{"K", 5}});
+  expect_cube(R"("X" "Y" "Z" "I" "J" "K")", "{x} {y} {z} 5 6 7", {{"I", 5}, {"J", 6}, {"K", 7}});
+  expect_cube(R"("X" "Y" "Z_vorticity")", "{x} {y} 5", {{"Z_vorticity", 5}}, 0);
+  expect_cube("X Y Z K0", "{x} {y} {z} 5", {{"K0", 5}});
 }
 
 TEST_F(UnitSimulationFiles, TecplotNumbersOfFortranAreRefused) {
