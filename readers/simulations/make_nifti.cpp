@@ -16,10 +16,13 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "core/error.h"
+#include "readers/simulations/permuted_axes.h"
 #include "readers/vtk/ascending_axes.h"
 
 namespace pellucid::readers {
@@ -53,35 +56,58 @@ glm::dvec3 step_along(int a, vtkMatrix4x4& world_from_mm, const double* spacing)
          spacing[a];
 }
 
-/// Steps that differ from an axis of space by no more than quaternions of floats do lie along it.
-bool is_along_axis(const glm::dvec3& step, int a) {
+using Steps = std::array<glm::dvec3, 3>;
+
+/// Which axis of space each step runs along, where all do: within what quaternions of floats leave.
+std::optional<std::array<int, 3>> axes_along(const Steps& steps) {
   constexpr double rounding = 1e-6;
-  glm::dvec3 across = step;
-  across[a] = 0;
-  return glm::length(across) <= rounding * glm::length(step);
+  std::array<int, 3> axes{};
+  glm::bvec3 taken(false);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const glm::dvec3 size = glm::abs(steps[a]);
+    axes[a] = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    glm::dvec3 across = steps[a];
+    across[axes[a]] = 0;
+    if (glm::length(across) > rounding * glm::length(steps[a]) || taken[axes[a]])
+      return std::nullopt;
+    taken[axes[a]] = true;
+  }
+  return axes;
 }
 
-/// Places the voxels, the first of which VTK has at 0: `world_from_mm` takes VTK's positions into
-/// the file's space, slices reversed or not.
-void place(vtkImageData& image, vtkMatrix4x4& world_from_mm, const char* file) {
-  double spacing[3], direction[9] = {};
-  bool is_along_axes = true;
+Steps steps_of(vtkMatrix4x4& world_from_mm, const double* spacing, const char* file) {
+  Steps steps;
   for (int a = 0; a < 3; ++a) {
-    const glm::dvec3 step = step_along(a, world_from_mm, image.GetSpacing());
-    spacing[a] = glm::length(step);
-    if (!std::isfinite(spacing[a]) || spacing[a] == 0)
+    steps[std::size_t(a)] = step_along(a, world_from_mm, spacing);
+    const double length = glm::length(steps[std::size_t(a)]);
+    if (!std::isfinite(length) || length == 0)
       throw InputError(
           fmt::format("{}: a step along axis {} of its matrix is {} long; accepted: "
                       "a positive length",
-                      file, a, spacing[a]));
-    for (int row = 0; row < 3; ++row) direction[3 * row + a] = step[row] / spacing[a];
-    is_along_axes = is_along_axes && is_along_axis(step, a);
+                      file, a, length));
   }
-  for (int a = 0; a < 3 && is_along_axes; ++a) spacing[a] *= direction[4 * a] < 0 ? -1 : 1;
+  return steps;
+}
+
+/// Places the voxels, the first of which VTK has at 0: `world_from_mm` takes VTK's positions into
+/// the file's space, slices reversed or not. Axes along those of space become these; others turn
+/// the image.
+void place(vtkImageData& image, vtkMatrix4x4& world_from_mm, const char* file) {
+  const Steps steps = steps_of(world_from_mm, image.GetSpacing(), file);
+  const auto axes = axes_along(steps);
+  double spacing[3], direction[9];
+  for (std::size_t a = 0; a < 3; ++a) {
+    spacing[a] = axes ? steps[a][(*axes)[a]] : glm::length(steps[a]);
+    for (std::size_t row = 0; row < 3; ++row)
+      direction[3 * row + a] = steps[a][int(row)] / glm::length(steps[a]);
+  }
   image.SetSpacing(spacing);
   image.SetOrigin(world_from_mm.GetElement(0, 3), world_from_mm.GetElement(1, 3),
                   world_from_mm.GetElement(2, 3));
-  if (!is_along_axes) image.SetDirectionMatrix(direction);
+  if (axes)
+    permute_axes(image, *axes);
+  else
+    image.SetDirectionMatrix(direction);
   make_axes_ascend(image);
 }
 

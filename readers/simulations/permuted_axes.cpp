@@ -2,6 +2,7 @@
 #include "readers/simulations/permuted_axes.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
@@ -29,30 +30,47 @@ vtkSmartPointer<vtkDataArray> permuted(vtkDataArray& array, const Layout& layout
   return result;
 }
 
+/// Puts the values of all points in their new order, and returns how many there are along each
+/// axis.
+std::array<int, 3> permute_values(vtkDataSet& grid, const int* old_size,
+                                  const std::array<int, 3>& order) {
+  std::array<int, 3> size{};
+  Layout layout;
+  for (std::size_t a = 0; a < 3; ++a) {
+    layout.size[a] = old_size[a];
+    size[std::size_t(order[a])] = old_size[a];
+  }
+  const vtkIdType strides[3] = {1, size[0], vtkIdType(size[0]) * size[1]};
+  for (std::size_t a = 0; a < 3; ++a) layout.stride[a] = strides[order[a]];
+  vtkPointData& arrays = *grid.GetPointData();
+  for (int n = 0; n < arrays.GetNumberOfArrays(); ++n)
+    if (vtkDataArray* array = arrays.GetArray(n))
+      arrays.AddArray(permuted(*array, layout));  // in the place of the one of its name
+  return size;
+}
+
+constexpr std::array same{0, 1, 2};
+
 }  // namespace
 
 void permute_axes(vtkRectilinearGrid& grid, const std::array<int, 3>& order) {
-  if (order == std::array{0, 1, 2}) return;
-  Layout layout;
-  grid.GetDimensions(layout.size);
-  vtkDataArray* const axes[3] = {grid.GetXCoordinates(), grid.GetYCoordinates(),
-                                 grid.GetZCoordinates()};
-  int size[3];
-  vtkSmartPointer<vtkDataArray> coordinates[3];
-  for (int a = 0; a < 3; ++a) {
-    size[order[std::size_t(a)]] = layout.size[a];
-    coordinates[order[std::size_t(a)]] = axes[a];
-  }
-  const vtkIdType strides[3] = {1, size[0], vtkIdType(size[0]) * size[1]};
-  for (int a = 0; a < 3; ++a) layout.stride[a] = strides[order[std::size_t(a)]];
-  for (int n = 0; n < grid.GetPointData()->GetNumberOfArrays(); ++n)
-    if (vtkDataArray* array = grid.GetPointData()->GetArray(n))
-      grid.GetPointData()->AddArray(
-          permuted(*array, layout));  // in the place of the one of its name
-  grid.SetDimensions(size);
+  if (order == same) return;
+  const vtkSmartPointer<vtkDataArray> axes[3] = {grid.GetXCoordinates(), grid.GetYCoordinates(),
+                                                 grid.GetZCoordinates()};
+  vtkDataArray* coordinates[3];
+  for (std::size_t a = 0; a < 3; ++a) coordinates[order[a]] = axes[a];
+  grid.SetDimensions(permute_values(grid, grid.GetDimensions(), order).data());
   grid.SetXCoordinates(coordinates[0]);
   grid.SetYCoordinates(coordinates[1]);
   grid.SetZCoordinates(coordinates[2]);
+}
+
+void permute_axes(vtkImageData& image, const std::array<int, 3>& order) {
+  if (order == same) return;
+  double spacing[3];
+  for (std::size_t a = 0; a < 3; ++a) spacing[order[a]] = image.GetSpacing()[a];
+  image.SetDimensions(permute_values(image, image.GetDimensions(), order).data());
+  image.SetSpacing(spacing);
 }
 
 }  // namespace pellucid::readers

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 
 #include <array>
@@ -94,6 +96,12 @@ class UnitNifti : public ::testing::Test {
     }
   }
 
+  /// Of the file that was written last: as isosurfaces take images.
+  bool is_along_axes() const {
+    const auto data = read_vtk_data_set(folder_ / "i.nii");
+    return vtkImageData::SafeDownCast(data)->GetDirectionMatrix()->IsIdentity();
+  }
+
   testing::TemporaryFolder folder_;
 };
 
@@ -132,7 +140,9 @@ TEST_F(UnitNifti, VoxelsAreWhereTheMatrixHasThem) {
       for (const double z : {-1.5, 1.5}) expect_placed({{x, 0, 0}, {0, y, 0}, {0, 0, z}});
   expect_placed({{0, 2, 0}, {0, 0, 3}, {1, 0, 0}});
   expect_placed({{0, 2, 0}, {0, 0, 3}, {-1, 0, 0}});
+  EXPECT_TRUE(is_along_axes());
   expect_placed({{1.6, 1.2, 0}, {-0.6, 0.8, 0}, {0, 0, 3}});
+  EXPECT_FALSE(is_along_axes());
 }
 
 /// Half a turn about x, (b, c, d) = (1, 0, 0), takes y and z to their opposites; qfac, z once more.
