@@ -61,6 +61,17 @@ std::optional<GridFrame> frame_of(vtkImageData* image, const Path& path) {
   return GridFrame{grid_from_world, world_origin};
 }
 
+/// An even axis, within a billionth of a cell, needs no search.
+Axis even_or_not(std::vector<double> positions) {
+  constexpr double rounding = 1e-9;
+  const std::size_t count = positions.size();
+  const double first = positions.front(), step = (positions.back() - first) / double(count - 1);
+  bool is_even = Axis::can_be_uniform(first, step, count);
+  for (std::size_t i = 0; i < count && is_even; ++i)
+    is_even = std::abs(positions[i] - (first + double(i) * step)) <= rounding * step;
+  return is_even ? Axis::uniform(first, step, count) : Axis(std::move(positions));
+}
+
 FileAxis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
   std::vector<double> positions(std::size_t(coordinates->GetNumberOfTuples()));
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -71,7 +82,7 @@ FileAxis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
                fmt::format("coordinate {} of axis {} is {}; they have to ascend, or to descend", i,
                            number, positions[i]));
   if (positions.size() == 1) return {std::nullopt, positions.front()};
-  return {Axis(std::move(positions))};
+  return {even_or_not(std::move(positions))};
 }
 
 /// Samples that the file hides become NaN.

@@ -97,8 +97,23 @@ class NetcdfReader : public vtkNetCDFCFReader {
     if (nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR)
       throw InputError(fmt::format("{}: cannot be opened again", GetFileName()));
     const AxisOrder order = axis_order(file, dimensions);
+    for (const int dimension : dimensions) refuse_packed(file, dimension);
     nc_close(file);
     return order;
+  }
+  /// VTK leaves coordinates as they are in the file.
+  void refuse_packed(int file, int dimension) {
+    char name[NC_MAX_NAME + 1] = {};
+    int id = 0;
+    if (nc_inq_dimname(file, dimension, name) != NC_NOERR ||
+        nc_inq_varid(file, name, &id) != NC_NOERR)
+      return;
+    if (const NetcdfVariable coordinate(file, name);
+        coordinate.unpacked(0) != 0 || coordinate.unpacked(1) != 1)
+      throw InputError(
+          fmt::format("{}: the coordinate '{}' has a scale_factor or an add_offset, "
+                      "which VTK does not apply; accepted: none",
+                      GetFileName(), name));
   }
   void refuse_unsigned(const NetcdfVariable& variable, const char* name) {
     if (variable.is_called_unsigned())

@@ -157,6 +157,17 @@ TEST_F(UnitNetcdf, CoordinatesAreThoseOfTheFile) {
   expect_in_place({{"z", {100, 200.5, 300}, {}}, {"y", {10, 19.9375, 30}, {}}, {"x", {0, 1}, {}}});
 }
 
+TEST_F(UnitNetcdf, PackedCoordinatesAreRefused) {
+  sums({{"y", {10, 20, 30}, {}}, {"x", {0, 1}, {}}});
+  int file = 0, variable = 0;
+  const double scale = 0.5;
+  nc_open(path_.c_str(), NC_WRITE, &file);
+  nc_inq_varid(file, "x", &variable);
+  nc_put_att_double(file, variable, "scale_factor", NC_DOUBLE, 1, &scale);
+  nc_close(file);
+  EXPECT_THAT(complaint(""), HasSubstr("the coordinate 'x' has a scale_factor"));
+}
+
 TEST_F(UnitNetcdf, ALevelAloneIsAPlaneAtItsHeight) {
   expect_in_place({{"z", {100}, {}}, {"y", {10, 20, 30}, {}}, {"x", {0, 1}, {}}});
 }
