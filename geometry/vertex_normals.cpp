@@ -28,7 +28,12 @@ std::vector<Vec3> facet_normals(const TriangleMesh& mesh) {
   return normals;
 }
 
+void make_unit(std::vector<Vec3>& normals) {
+  for (Vec3& n : normals) n = is_none(n) ? Vec3(0) : n / glm::length(n);
+}
+
 std::size_t mend_normals(TriangleMesh& mesh) {
+  make_unit(mesh.normals);
   const auto none = std::size_t(std::ranges::count_if(mesh.normals, is_none));
   if (none == mesh.normals.size()) {
     mesh.normals.clear();

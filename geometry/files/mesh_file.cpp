@@ -58,6 +58,7 @@ TriangleMesh read_mesh(const fs::path& path) {
 LineSet read_lines(const fs::path& path) {
   LineSet lines = row_with(&FormatRow::read_lines, path, "line").read_lines(path);
   check_vertices(path.string(), lines);
+  make_unit(lines.normals);
   if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
   remark_untaken_colors(lines.scalars, lines);
   return lines;
@@ -66,6 +67,7 @@ LineSet read_lines(const fs::path& path) {
 PointSet read_points(const fs::path& path) {
   PointSet points = row_with(&FormatRow::read_points, path, "point").read_points(path);
   check_vertices(path.string(), points);
+  make_unit(points.normals);
   if (points.positions.empty()) throw InputError(path.string() + ": the file holds no points");
   remark_untaken_colors(points.scalars, points);
   return points;

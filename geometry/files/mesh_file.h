@@ -13,13 +13,12 @@ namespace pellucid::geometry {
 /// triangles of triangulate_polygon(); of cells with a volume the faces on their boundary are
 /// taken. Vertex attributes `red green blue alpha` (float as they are, 8-bit as n/255) fill
 /// `colors`, `importance` fills `importance`, `nx ny nz` the normals; every other numeric vertex
-/// attribute becomes a scalar of its name. A normal of length 0 or that is not finite is none: its
-/// vertex gets the mean of its facets', and the remarks say how many did; what is called as colours
-/// are and was not taken for one is in the remarks, too. In .obj every pair of position and normal
-/// is a vertex.
-/// Throws InputError for a file that is missing, truncated, without triangles, or that holds a
-/// position that is not finite, an index out of range, or an opacity, colour or importance outside
-/// [0, 1].
+/// attribute becomes a scalar of its name. Normals are made unit. One of length 0 or that is not
+/// finite is none: its vertex gets the mean of its facets', and the remarks say how many did; what
+/// is called as colours are and was not taken for one is in the remarks, too. In .obj every pair of
+/// position and normal is a vertex. Throws InputError for a file that is missing, truncated,
+/// without triangles, or that holds a position that is not finite, an index out of range, or an
+/// opacity, colour or importance outside [0, 1].
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
 /// Reads polylines. In .ply consecutive vertices of equal `line` are joined, else those of an

@@ -169,12 +169,6 @@ void read_face(Lines& lines, TriangleMesh& mesh, Colors& colors) {
   for (std::size_t i = before; i < mesh.triangles.size(); ++i) colors.add(color);
 }
 
-/// Normals of unit length; those of length 0 are none, and stay.
-void normalize(std::vector<Vec3>& normals) {
-  for (Vec3& n : normals)
-    if (const double length = glm::length(n); length > 0) n /= length;
-}
-
 TriangleMesh read_off(const std::filesystem::path& path) {
   Lines lines(path);
   const OffHeader header = read_header(lines);
@@ -182,7 +176,6 @@ TriangleMesh read_off(const std::filesystem::path& path) {
   Colors of_vertices, of_faces;
   for (std::uint64_t i = 0; i < header.vertices; ++i) read_vertex(lines, header, mesh, of_vertices);
   for (std::uint64_t i = 0; i < header.faces; ++i) read_face(lines, mesh, of_faces);
-  normalize(mesh.normals);
   if (of_vertices.has_some())
     mesh.colors = of_vertices.take();
   else if (of_faces.has_some())

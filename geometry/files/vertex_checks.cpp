@@ -52,11 +52,7 @@ void take_attributes(VertexAttributes attributes, Vertices& vertices) {
   if (has_all(attributes, {"nx", "ny", "nz"})) {
     const auto x = take("nx"), y = take("ny"), z = take("nz");
     vertices.normals.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 n(x[i], y[i], z[i]);
-      const double length = glm::length(n);
-      vertices.normals[i] = length > 0 ? n / length : n;
-    }
+    for (std::size_t i = 0; i < count; ++i) vertices.normals[i] = Vec3(x[i], y[i], z[i]);
   }
   if (has_all(attributes, {"importance"})) {
     const auto g = take("importance");

@@ -42,8 +42,6 @@ std::vector<double> scalar_of(const py::handle& value, std::size_t count, const 
 void set_normals(const py::handle& value, geometry::Vertices& vertices, const std::string& kind) {
   vertices.normals = vectors_of(value, kind + ": normals");
   check_count(vertices.normals, vertices.positions.size(), kind + ": normals");
-  for (Vec3& normal : vertices.normals)
-    if (const double length = glm::length(normal); length > 0) normal /= length;
 }
 
 void set_scalars(const py::handle& value, geometry::Vertices& vertices, const std::string& kind) {
@@ -116,6 +114,7 @@ Lines make_lines(const py::object& vertices, const py::object& offsets, const py
   set_vertices(vertices, {normals, colors, importance, scalars}, lines, "Lines");
   lines.offsets = offsets_of(offsets, lines.positions.size());
   geometry::check_vertices("Lines", lines);
+  geometry::make_unit(lines.normals);
   return shape_of<Lines>(std::move(lines));
 }
 

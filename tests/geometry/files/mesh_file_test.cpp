@@ -62,15 +62,15 @@ TEST_P(UnitMeshFile, RoundTripKeepsWhatTheFormatCan) {
 }
 
 template <class Number>
-std::string bytes_of(Number number) {
+std::string raw_bytes(Number number) {
   return {reinterpret_cast<const char*>(&number), sizeof number};
 }
 
 /// Puts one number into a file in the place of another, as bytes or as text.
 void replace_number(const fs::path& path, double from, double to) {
   std::string file = read_text(path);
-  for (const auto& [old, made] : {std::pair(bytes_of(from), bytes_of(to)),
-                                  std::pair(bytes_of(float(from)), bytes_of(float(to))),
+  for (const auto& [old, made] : {std::pair(raw_bytes(from), raw_bytes(to)),
+                                  std::pair(raw_bytes(float(from)), raw_bytes(float(to))),
                                   std::pair(fmt::format("{}", from), fmt::format("{}", to))})
     if (const std::size_t at = file.find(old); at != file.npos) {
       file.replace(at, old.size(), made);

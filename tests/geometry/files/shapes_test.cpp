@@ -103,7 +103,7 @@ TEST_F(UnitShapes, EveryObjFaceKeepsItsOwnNormals) {
                      "f 1//1 3//1 2//1\nf 1//2 2//2 4//2\nf 3//3 2//1 1//1\n"));
   // Normal 3 is normal 1 again, so that the third face has the first's vertices.
   EXPECT_EQ(mesh.positions.size(), 6u);
-  const Vec3 normals[] = {{0, 0, -1}, {0, -2, 0}, {0, 0, -1}};
+  const Vec3 normals[] = {{0, 0, -1}, {0, -1, 0}, {0, 0, -1}};
   for (int row = 0; row < 3; ++row)
     for (const std::uint32_t v : mesh.triangles[std::size_t(row)])
       EXPECT_EQ(mesh.normals[v], normals[row]) << row;

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .gltf and .glb as triangles, lines and points of the world: the nodes of the document's scene
-// with their transforms. Of each primitive POSITION, NORMAL, COLOR_0 times the material's base
-// colour factor, and attributes of one number of one's own, "_SPEED", which become scalars,
-// "speed". As the format says, alpha counts where the material's alphaMode is BLEND, is 0 or 1 at
-// MASK, and 1 at OPAQUE, which is the default. Morph targets have the weights that the document
-// gives them. Textures and animations are left out, skins are refused.
+// Of each primitive POSITION, NORMAL, COLOR_0 times the material's factor, and attributes of one
+// number of one's own, "_SPEED", which become scalars, "speed". Colours are taken as the file has
+// them: glTF calls them linear, a scene's are display values. Morph targets have the weights that
+// the document gives them. Textures and animations are left out, skins are refused.
+
+#include "geometry/files/gltf/gltf_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
-#include <optional>
+#include <limits>
 #include <set>
 #include <span>
 
 #include "core/error.h"
-#include "geometry/files/gltf_document.h"
+#include "geometry/files/gltf/gltf_document.h"
+#include "geometry/files/gltf/gltf_extensions.h"
+#include "geometry/files/gltf/gltf_materials.h"
+#include "geometry/files/gltf/gltf_transforms.h"
 #include "geometry/files/mesh_formats.h"
 
 namespace pellucid::geometry {
@@ -27,65 +29,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-enum Mode {
-  points = 0,
-  lines = 1,
-  line_loop = 2,
-  line_strip = 3,
-  triangles = 4,
-  strip = 5,
-  fan = 6
-};
-
-/// What all primitives of a kind have become, one behind another.
-struct Collected {
-  Vertices vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::vector<std::uint32_t>> polylines;
-};
-
-/// Numbers of an array, when there are as many; all of them finite, since JSON has no others.
-template <int N>
-std::optional<std::array<double, N>> numbers_of(const Json& object, const char* key,
-                                                const GltfDocument& document) {
-  const auto found = object.find(key);
-  if (found == object.end()) return std::nullopt;
-  std::array<double, N> numbers{};
-  bool fits = found->is_array() && found->size() == N;
-  for (int i = 0; fits && i < N; ++i) {
-    fits = (*found)[std::size_t(i)].is_number();
-    if (fits) numbers[std::size_t(i)] = (*found)[std::size_t(i)];
-  }
-  if (!fits) document.fail(fmt::format("{}: accepted: {} numbers", key, N));
-  return numbers;
-}
-
-Mat4 transform_of(const Json& node, const GltfDocument& document) {
-  Mat4 m(1);
-  if (const auto columns = numbers_of<16>(node, "matrix", document)) {
-    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = (*columns)[std::size_t(i)];
-    return m;
-  }
-  if (const auto q = numbers_of<4>(node, "rotation", document)) {
-    const glm::dquat turn((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
-    if (glm::length(turn) > 0) m = glm::mat4_cast(glm::normalize(turn));
-  }
-  if (const auto scale = numbers_of<3>(node, "scale", document))
-    for (int axis = 0; axis < 3; ++axis) m[axis] *= (*scale)[std::size_t(axis)];
-  if (const auto shift = numbers_of<3>(node, "translation", document))
-    m[3] = glm::dvec4((*shift)[0], (*shift)[1], (*shift)[2], 1);
-  return m;
-}
-
 class GltfReader {
  public:
   /// Takes the primitives of these modes.
-  GltfReader(const std::filesystem::path& path, int first_mode, int last_mode)
+  GltfReader(const std::filesystem::path& path, GltfMode first_mode, GltfMode last_mode)
       : document_(path), first_mode_(first_mode), last_mode_(last_mode) {}
 
   /// What is of another type than the format has it, such as a text for a list, is refused where it
   /// is used.
-  Collected read() {
+  GltfScene read() {
     try {
       return read_scene();
     } catch (const Json::exception& error) {
@@ -94,7 +46,7 @@ class GltfReader {
   }
 
  private:
-  Collected read_scene() {
+  GltfScene read_scene() {
     const Json& root = document_.root();
     if (const auto scenes = root.find("scenes"); scenes != root.end()) {
       const Json& scene = document_.element("scenes", root.value("scene", Json(0)));
@@ -104,7 +56,8 @@ class GltfReader {
         read_mesh(Json(i), Json::object(), Mat4(1));
     }
     finish_attributes();
-    return std::move(collected_);
+    add_remarks();
+    return std::move(scene_);
   }
 
   void read_node(const Json& index, const Mat4& world_from_parent, int depth) {
@@ -113,15 +66,22 @@ class GltfReader {
     if (!visited_.insert(index.get<std::size_t>()).second || depth > deepest)
       document_.fail(fmt::format("nodes[{}] has two parents, or more than {} levels above it",
                                  index.dump(), deepest));
-    const Mat4 world_from_node = world_from_parent * transform_of(node, document_);
+    const Mat4 world_from_node = world_from_parent * gltf_transform(document_, node);
     if (node.contains("mesh") && node.contains("skin"))
       document_.fail(
           fmt::format("nodes[{}] has a skin, which is not read; accepted: meshes as they stand, "
                       "with the pose applied",
                       index.dump()));
-    if (node.contains("mesh")) read_mesh(node["mesh"], node, world_from_node);
+    if (node.contains("mesh")) read_instances(node, world_from_node);
     if (const auto children = node.find("children"); children != node.end())
       for (const Json& child : *children) read_node(child, world_from_node, depth + 1);
+  }
+
+  void read_instances(const Json& node, const Mat4& world_from_node) {
+    GltfInstances instances = gltf_instances(document_, node);
+    unread_.merge(instances.unread);
+    for (const Mat4& node_from_instance : instances.node_from_instance)
+      read_mesh(node["mesh"], node, world_from_node * node_from_instance);
   }
 
   void read_mesh(const Json& index, const Json& node, const Mat4& world) {
@@ -130,20 +90,24 @@ class GltfReader {
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end()) return;
     for (const Json& primitive : *primitives) {
-      const Json mode = primitive.is_object() ? primitive.value("mode", Json(triangles)) : Json();
+      const Json mode =
+          primitive.is_object() ? primitive.value("mode", Json(int(GltfMode::triangles))) : Json();
       if (!mode.is_number_integer() || mode < 0 || mode > 6)
         document_.fail(fmt::format("a primitive's mode {}; accepted: 0 … 6", mode.dump()));
-      if (mode >= first_mode_ && mode <= last_mode_)
-        read_primitive(primitive, Mode(mode.get<int>()), world);
+      const auto joined = GltfMode(mode.get<int>());
+      if (joined >= first_mode_ && joined <= last_mode_) read_primitive(primitive, joined, world);
     }
   }
 
-  void read_primitive(const Json& primitive, Mode mode, const Mat4& world) {
+  void read_primitive(const Json& primitive, GltfMode mode, const Mat4& world) {
     const Json attributes = primitive.value("attributes", Json::object());
     if (!attributes.is_object() || !attributes.contains("POSITION")) return;
-    Vertices& all = collected_.vertices;
+    Vertices& all = scene_.vertices;
     const std::size_t first = all.positions.size();
     const AccessorData positions = morphed("POSITION", primitive, 3, 3);
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();  // by their indices
+    if (positions.count > most - first)
+      document_.fail(fmt::format("more than {} vertices, those of all nodes", most));
     for (std::size_t i = 0; i < positions.count; ++i)
       all.positions.emplace_back(
           world * glm::dvec4(positions.at(i, 0), positions.at(i, 1), positions.at(i, 2), 1));
@@ -187,7 +151,7 @@ class GltfReader {
 
   /// Of vertices without a normal it is (0, 0, 0), which is none.
   void add_normals(const Json& primitive, std::size_t count, const Mat4& world) {
-    std::vector<Vec3>& normals = collected_.vertices.normals;
+    std::vector<Vec3>& normals = scene_.vertices.normals;
     const std::size_t first = normals.size();
     normals.resize(first + count, Vec3(0));
     if (!primitive["attributes"].contains("NORMAL")) return;
@@ -195,45 +159,13 @@ class GltfReader {
     const AccessorData data = morphed("NORMAL", primitive, 3, 3);
     check_count(data, count, "NORMAL");
     const Mat3 of_normals = glm::transpose(glm::inverse(Mat3(world)));
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 n = of_normals * Vec3(data.at(i, 0), data.at(i, 1), data.at(i, 2));
-      const double length = glm::length(n);
-      normals[first + i] = length > 0 ? n / length : Vec3(0);
-    }
-  }
-
-  enum class Alpha { opaque, mask, blend };
-  struct Material {
-    glm::dvec4 factor{1};
-    Alpha alpha = Alpha::opaque;
-    double cutoff = 0.5;  // of a mask: the least alpha that is there
-    bool is_given = false;
-  };
-
-  Alpha alpha_of(const Json& material) const {
-    const Json mode = material.value("alphaMode", Json("OPAQUE"));
-    if (mode == "OPAQUE") return Alpha::opaque;
-    if (mode == "MASK") return Alpha::mask;
-    if (mode != "BLEND")
-      document_.fail(fmt::format("alphaMode {}; accepted: OPAQUE, MASK, BLEND", mode.dump()));
-    return Alpha::blend;
-  }
-
-  Material material_of(const Json& primitive) const {
-    Material material;
-    if (!primitive.contains("material")) return material;
-    material.is_given = true;
-    const Json& given = document_.element("materials", primitive["material"]);
-    material.alpha = alpha_of(given);
-    material.cutoff = given.value("alphaCutoff", 0.5);
-    if (const auto pbr = given.find("pbrMetallicRoughness"); pbr != given.end() && pbr->is_object())
-      if (const auto factor = numbers_of<4>(*pbr, "baseColorFactor", document_))
-        material.factor = {(*factor)[0], (*factor)[1], (*factor)[2], (*factor)[3]};
-    return material;
+    for (std::size_t i = 0; i < count; ++i)
+      normals[first + i] = of_normals * Vec3(data.at(i, 0), data.at(i, 1), data.at(i, 2));
   }
 
   void add_colors(const Json& primitive, std::size_t count) {
-    const Material material = material_of(primitive);
+    const GltfMaterial material = gltf_material(document_, primitive);
+    if (material.is_textured) textured_.insert(primitive["material"].get<std::size_t>());
     AccessorData data;
     if (primitive["attributes"].contains("COLOR_0")) {
       data = morphed("COLOR_0", primitive, 3, 4);
@@ -245,16 +177,16 @@ class GltfReader {
     for (std::size_t i = 0; i < count; ++i) {
       glm::dvec4 color = material.factor;
       for (int c = 0; c < data.components && data.count > 0; ++c) color[c] *= data.at(i, c);
-      if (material.alpha == Alpha::opaque) color.a = 1;
-      collected_.vertices.colors.emplace_back(color);
+      if (material.alpha == GltfMaterial::Alpha::opaque) color.a = 1;
+      scene_.vertices.colors.emplace_back(color);
     }
-    if (material.alpha == Alpha::mask) mask(material.cutoff, count);
+    if (material.alpha == GltfMaterial::Alpha::mask) mask(material.cutoff, count);
   }
 
   /// Makes the alpha of the last `count` vertices 0 or 1. Where it lies on both sides of the cutoff
   /// the edge would run across triangles, which vertices cannot have.
   void mask(double cutoff, std::size_t count) {
-    auto& colors = collected_.vertices.colors;
+    auto& colors = scene_.vertices.colors;
     const std::span<Rgba> some(colors.data() + colors.size() - count, count);
     const auto shown =
         std::ranges::count_if(some, [&](const Rgba& c) { return c.a >= float(cutoff); });
@@ -294,11 +226,12 @@ class GltfReader {
     return result;
   }
 
-  void join(Mode mode, std::vector<std::uint32_t> corners, std::uint32_t first) {
+  void join(GltfMode mode, std::vector<std::uint32_t> corners, std::uint32_t first) {
     for (std::uint32_t& corner : corners) corner += first;
     const std::size_t n = corners.size();
-    auto& all = collected_.triangles;
-    auto& polylines = collected_.polylines;
+    using enum GltfMode;
+    auto& all = scene_.triangles;
+    auto& polylines = scene_.polylines;
     if (mode == triangles)
       for (std::size_t i = 0; i + 2 < n; i += 3)
         all.push_back({corners[i], corners[i + 1], corners[i + 2]});
@@ -315,7 +248,7 @@ class GltfReader {
   }
 
   void finish_attributes() {
-    Vertices& vertices = collected_.vertices;
+    Vertices& vertices = scene_.vertices;
     if (!has_normals_) vertices.normals.clear();
     if (!has_colors_) vertices.colors.clear();
     for (auto& [name, column] : attributes_) {
@@ -327,63 +260,36 @@ class GltfReader {
     }
   }
 
+  /// What of the document is not drawn.
+  void add_remarks() {
+    std::vector<std::string>& remarks = scene_.vertices.remarks;
+    for (const Json& name : document_.root().value("extensionsUsed", Json::array()))
+      if (const std::string remark = gltf_extension_remark(name.get<std::string>());
+          !remark.empty())
+        remarks.push_back(remark);
+    if (!textured_.empty())
+      remarks.push_back(
+          fmt::format("textures are not read: materials[{}]", fmt::join(textured_, "], [")));
+    if (!unread_.empty())
+      remarks.push_back(
+          fmt::format("attributes of instances are not read: {}", fmt::join(unread_, ", ")));
+  }
+
   GltfDocument document_;
-  int first_mode_, last_mode_;
-  Json weights_;                   // of the mesh's morph targets; none: of all 0
-  std::set<std::size_t> visited_;  // nodes: each has one parent at most
+  GltfMode first_mode_, last_mode_;
+  Json weights_;                    // of the mesh's morph targets; none: of all 0
+  std::set<std::size_t> visited_;   // nodes: each has one parent at most
+  std::set<std::size_t> textured_;  // materials with a texture of their colour
+  std::set<std::string> unread_;    // attributes of instances
   bool has_normals_ = false, has_colors_ = false;
   VertexAttributes attributes_;
-  Collected collected_;
+  GltfScene scene_;
 };
-
-TriangleMesh read_gltf(const std::filesystem::path& path) {
-  Collected all = GltfReader(path, triangles, fan).read();
-  TriangleMesh mesh;
-  static_cast<Vertices&>(mesh) = std::move(all.vertices);
-  mesh.triangles = std::move(all.triangles);
-  return mesh;
-}
-
-LineSet read_gltf_lines(const std::filesystem::path& path) {
-  const Collected all = GltfReader(path, lines, line_strip).read();
-  const auto pick = [&](const auto& from, auto& to) {
-    if (from.empty()) return;
-    for (const auto& polyline : all.polylines)
-      for (const std::uint32_t i : polyline) to.push_back(from[i]);
-  };
-  LineSet set;
-  pick(all.vertices.positions, set.positions);
-  pick(all.vertices.colors, set.colors);
-  pick(all.vertices.importance, set.importance);
-  for (const auto& [name, column] : all.vertices.scalars) pick(column, set.scalars[name]);
-  for (const auto& polyline : all.polylines)
-    set.offsets.push_back(set.offsets.back() + polyline.size());
-  return set;
-}
-
-PointSet read_gltf_points(const std::filesystem::path& path) {
-  Collected all = GltfReader(path, points, fan).read();
-  PointSet set;
-  static_cast<Vertices&>(set) = std::move(all.vertices);
-  return set;
-}
-
-FormatRow row(std::string_view ending, std::string_view title) {
-  return {
-      .ending = ending,
-      .title = title,
-      .traps =
-          "alpha counts where the material's alphaMode is BLEND, and is 0 or 1 at MASK; attributes "
-          "_NAME of one number are scalars; morph targets by their weights; no textures, no "
-          "compression; skins are refused",
-      .read_mesh = read_gltf,
-      .read_lines = read_gltf_lines,
-      .read_points = read_gltf_points};
-}
 
 }  // namespace
 
-FormatRow gltf_format() { return row(".gltf", "glTF 2.0"); }
-FormatRow glb_format() { return row(".glb", "glTF 2.0, binary"); }
+GltfScene read_gltf_scene(const std::filesystem::path& path, GltfMode first, GltfMode last) {
+  return GltfReader(path, first, last).read();
+}
 
 }  // namespace pellucid::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/files/ply_lines.h"
+#include "geometry/files/ply/ply_lines.h"
 
 #include <fmt/format.h>
 

@@ -10,9 +10,9 @@
 #include "geometry/default_color.h"
 #include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
-#include "geometry/files/ply_columns.h"
-#include "geometry/files/ply_lines.h"
-#include "geometry/files/ply_writer.h"
+#include "geometry/files/ply/ply_columns.h"
+#include "geometry/files/ply/ply_lines.h"
+#include "geometry/files/ply/ply_writer.h"
 #include "geometry/files/splats.h"
 #include "geometry/polygons/triangulate.h"
 

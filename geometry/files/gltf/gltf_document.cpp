@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/files/gltf_document.h"
+#include "geometry/files/gltf/gltf_document.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
+#include "geometry/files/gltf/gltf_extensions.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -99,12 +100,6 @@ std::string decoded_percents(std::string_view text) {
   return decoded;
 }
 
-/// Extensions without which triangles, lines and points come out as they are.
-bool may_be_ignored(std::string_view extension) {
-  return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_") ||
-         extension.starts_with("KHR_lights_") || extension == "KHR_mesh_quantization";
-}
-
 const nlohmann::json& none() {
   static const nlohmann::json null;
   return null;
@@ -157,9 +152,10 @@ void GltfDocument::check() const {
   if (!least.is_null() && least != "2.0")
     fail(fmt::format("asset.minVersion: {}; accepted: 2.0", least.dump()));
   for (const nlohmann::json& name : member(root_, "extensionsRequired"))
-    if (!name.is_string() || !may_be_ignored(name.get<std::string>()))
-      fail(fmt::format("it needs the extension {}, which is not read; write it without compression",
-                       name.dump()));
+    if (const std::string refusal =
+            gltf_extension_refusal(name.is_string() ? name.get<std::string>() : name.dump());
+        !refusal.empty())
+      fail(refusal);
 }
 
 const nlohmann::json& GltfDocument::element(const char* list, const nlohmann::json& index) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/files/mesh_formats.h"
-#include "geometry/files/ply_format.h"
+#include "geometry/files/ply/ply_format.h"
 
 namespace pellucid::geometry::ply {
 

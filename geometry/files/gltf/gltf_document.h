@@ -3,9 +3,10 @@
 // glTF 2.0 (Khronos, ISO/IEC 12113): the document, and the numbers that its accessors name. Debian
 // packages no small reader: VTK's knows no colours of three floats and no attributes of one's own.
 
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,8 @@ struct AccessorData {
 class GltfDocument {
  public:
   /// Reads the document; buffers beside it or within it are read when an accessor asks for them.
-  /// Throws InputError for what is no glTF of version 2, or needs an extension that geometry hangs
-  /// on.
+  /// Throws InputError for what is no glTF of version 2, or needs an extension that is not
+  /// known.
   explicit GltfDocument(const std::filesystem::path& path);
 
   /// Returns the element of a list: "meshes", "nodes", …. Throws InputError when there is none.
@@ -36,6 +37,10 @@ class GltfDocument {
   /// Returns what an accessor names.
   AccessorData accessor(const nlohmann::json& index);
   const nlohmann::json& root() const { return root_; }
+  /// Returns the numbers of an array, all finite since JSON has no others; nothing when the object
+  /// has none. Throws InputError when there are not N.
+  template <int N>
+  std::optional<std::array<double, N>> numbers(const nlohmann::json& object, const char* key) const;
 
   /// Throws InputError "FILE: `what`".
   [[noreturn]] void fail(const std::string& what) const;
@@ -62,5 +67,20 @@ class GltfDocument {
   std::string binary_;                // of a .glb
   std::vector<std::string> buffers_;  // empty until asked for
 };
+
+template <int N>
+std::optional<std::array<double, N>> GltfDocument::numbers(const nlohmann::json& object,
+                                                           const char* key) const {
+  const auto found = object.find(key);
+  if (found == object.end()) return std::nullopt;
+  std::array<double, N> numbers{};
+  bool fits = found->is_array() && found->size() == N;
+  for (std::size_t i = 0; fits && i < N; ++i) {
+    fits = (*found)[i].is_number();
+    if (fits) numbers[i] = (*found)[i];
+  }
+  if (!fits) fail(std::string(key) + ": accepted: " + std::to_string(N) + " numbers");
+  return numbers;
+}
 
 }  // namespace pellucid::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/files/ply_writer.h"
+#include "geometry/files/ply/ply_writer.h"
 
 #include <fmt/format.h>
 
