@@ -192,6 +192,9 @@ def gltf_files():
     yield "count_beyond", glb(f'{head}[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],'
                               + rest.replace('"count":3,"type":"VEC3"', '"count":9007199254740991,"type":"VEC3"'), binary)
     yield "round", glb('{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}')
+    instances = '{"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}},"mesh":0,'
+    yield "instances", glb(head.replace('{"mesh":0,', instances) + f'[{{"primitives":[{{"attributes":'
+                           f'{{"POSITION":0}}}}]}}],{rest}', binary)
     yield "text", b'{"asset":{"version":"2.0"},"meshes":[{"primitives":3}]}'
 
 
