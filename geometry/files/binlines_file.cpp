@@ -26,7 +26,7 @@ std::vector<std::string> read_names(ByteReader& bytes, std::uint32_t version, st
   return names;
 }
 
-LineSet read_binlines(const std::filesystem::path& path) {
+FileLines read_binlines(const std::filesystem::path& path) {
   ByteReader bytes(path);
   const auto version = bytes.number<std::uint32_t>();
   if (version != 1 && version != 2)
@@ -36,7 +36,7 @@ LineSet read_binlines(const std::filesystem::path& path) {
   constexpr std::uint32_t most_attributes = 1024;
   if (attribute_count > most_attributes)
     bytes.fail(fmt::format("{} attributes; accepted: up to {}", attribute_count, most_attributes));
-  LineSet lines;
+  FileLines lines;
   std::vector<std::vector<double>> columns(attribute_count);
   for (std::uint32_t k = 0; k < line_count; ++k) {
     const auto points = bytes.number<std::uint32_t>();

@@ -9,7 +9,8 @@
 
 namespace pellucid::geometry {
 
-void color_faces(const std::vector<Rgba>& colors, TriangleMesh& mesh) {
+void color_faces(const std::vector<Rgba>& colors, FileMesh& mesh) {
+  for (const auto& [name, values] : mesh.scalars) mesh.values.try_emplace(name, values);
   using Bits = std::array<std::uint32_t, 4>;  // which are in an order even where a colour is NaN
   std::map<std::pair<std::uint32_t, Bits>, std::uint32_t> vertices;
   std::vector<std::uint32_t> origins;  // by new vertex
@@ -38,6 +39,11 @@ void color_faces(const std::vector<Rgba>& colors, TriangleMesh& mesh) {
   pick(mesh.importance);
   for (auto& [name, values] : mesh.scalars) pick(values);
   mesh.colors = std::move(of_vertices);
+}
+
+void take_face_values(std::map<std::string, std::vector<double>> values, FileMesh& mesh) {
+  for (auto& [name, column] : values)
+    if (!mesh.scalars.contains(name)) mesh.values[name] = std::move(column);
 }
 
 }  // namespace pellucid::geometry

@@ -3,12 +3,13 @@
 
 #include <vector>
 
-#include "geometry/triangle_mesh.h"
+#include "geometry/files/from_file.h"
 
 namespace pellucid::geometry {
 
 /// Gives each triangle one colour, `colors` has as many, in the place of the vertices'. A vertex of
-/// triangles of several colours becomes one vertex for each; those of no triangle are left out.
-void color_faces(const std::vector<Rgba>& colors, TriangleMesh& mesh);
+/// triangles of several colours becomes one vertex for each; those of no triangle are left out. The
+/// scalars of the vertices as they were become the file's `values`.
+void color_faces(const std::vector<Rgba>& colors, FileMesh& mesh);
 
 }  // namespace pellucid::geometry

@@ -61,10 +61,10 @@ std::vector<std::uint64_t> read_offsets(ByteReader& bytes, const HairHeader& hea
   return offsets;
 }
 
-LineSet read_hair(const std::filesystem::path& path) {
+FileLines read_hair(const std::filesystem::path& path) {
   ByteReader bytes(path);
   const HairHeader header = read_header(bytes);
-  LineSet lines;
+  FileLines lines;
   lines.offsets = read_offsets(bytes, header);
   const std::uint64_t count = header.points;
   const auto xyz = bytes.numbers<float>(3 * count, "points");

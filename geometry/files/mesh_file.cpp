@@ -43,24 +43,33 @@ void remark_untaken_colors(const Scalars& scalars, Vertices& vertices) {
                                             : "the colours are another array's"));
 }
 
+/// Colours, normals and the like are no scalars any more.
+void keep_scalars_alone(const Scalars& faces, const Scalars& vertices, Scalars& values) {
+  std::erase_if(values, [&](const auto& column) {
+    return !faces.contains(column.first) && !vertices.contains(column.first);
+  });
+}
+
 }  // namespace
 
-TriangleMesh read_mesh(const fs::path& path) {
-  TriangleMesh mesh = row_with(&FormatRow::read_mesh, path, "mesh").read_mesh(path);
+FileMesh read_mesh(const fs::path& path) {
+  FileMesh mesh = row_with(&FormatRow::read_mesh, path, "mesh").read_mesh(path);
   check_mesh(path.string(), mesh);
   const std::size_t none = mend_normals(mesh);
   remark_normals(none, mesh.positions.size(), mesh);
   remark_untaken_colors(mesh.scalars, mesh);
   remark_untaken_colors(mesh.face_scalars, mesh);
+  keep_scalars_alone(mesh.face_scalars, mesh.scalars, mesh.values);
   return mesh;
 }
 
-LineSet read_lines(const fs::path& path) {
-  LineSet lines = row_with(&FormatRow::read_lines, path, "line").read_lines(path);
+FileLines read_lines(const fs::path& path) {
+  FileLines lines = row_with(&FormatRow::read_lines, path, "line").read_lines(path);
   check_vertices(path.string(), lines);
   make_unit(lines.normals);
   if (lines.segment_count() == 0) throw InputError(path.string() + ": the file holds no lines");
   remark_untaken_colors(lines.scalars, lines);
+  keep_scalars_alone({}, lines.scalars, lines.values);
   return lines;
 }
 

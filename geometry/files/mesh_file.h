@@ -3,9 +3,8 @@
 
 #include <filesystem>
 
-#include "geometry/line_set.h"
+#include "geometry/files/from_file.h"
 #include "geometry/point_set.h"
-#include "geometry/triangle_mesh.h"
 
 namespace pellucid::geometry {
 
@@ -19,12 +18,12 @@ namespace pellucid::geometry {
 /// position and normal is a vertex. Throws InputError for a file that is missing, truncated,
 /// without triangles, or that holds a position that is not finite, an index out of range, or an
 /// opacity, colour or importance outside [0, 1].
-TriangleMesh read_mesh(const std::filesystem::path& path);
+FileMesh read_mesh(const std::filesystem::path& path);
 
 /// Reads polylines. In .ply consecutive vertices of equal `line` are joined, else those of an
 /// element `edge`; without either there are no lines. Attributes and refusals as for read_mesh();
 /// lines of fewer than two points are kept.
-LineSet read_lines(const std::filesystem::path& path);
+FileLines read_lines(const std::filesystem::path& path);
 
 /// Reads points; what joins them in a file of triangles or lines is left out. The first line of a
 /// .csv file names its columns; of a .vdb file the point grids are read.

@@ -10,9 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/line_set.h"
+#include "geometry/files/from_file.h"
 #include "geometry/point_set.h"
-#include "geometry/triangle_mesh.h"
 
 namespace pellucid::geometry {
 
@@ -21,8 +20,8 @@ struct FormatRow {
   std::string_view ending;  // ".ply", in small letters
   std::string_view title;
   std::string_view traps = {};  // what a user has to know, for people
-  TriangleMesh (*read_mesh)(const std::filesystem::path&) = nullptr;
-  LineSet (*read_lines)(const std::filesystem::path&) = nullptr;
+  FileMesh (*read_mesh)(const std::filesystem::path&) = nullptr;
+  FileLines (*read_lines)(const std::filesystem::path&) = nullptr;
   PointSet (*read_points)(const std::filesystem::path&) = nullptr;
   void (*write_mesh)(const std::filesystem::path&, const TriangleMesh&) = nullptr;
   void (*write_lines)(const std::filesystem::path&, const LineSet&) = nullptr;

@@ -169,10 +169,10 @@ void read_face(Lines& lines, TriangleMesh& mesh, Colors& colors) {
   for (std::size_t i = before; i < mesh.triangles.size(); ++i) colors.add(color);
 }
 
-TriangleMesh read_off(const std::filesystem::path& path) {
+FileMesh read_off(const std::filesystem::path& path) {
   Lines lines(path);
   const OffHeader header = read_header(lines);
-  TriangleMesh mesh;
+  FileMesh mesh;
   Colors of_vertices, of_faces;
   for (std::uint64_t i = 0; i < header.vertices; ++i) read_vertex(lines, header, mesh, of_vertices);
   for (std::uint64_t i = 0; i < header.faces; ++i) read_face(lines, mesh, of_faces);

@@ -69,8 +69,8 @@ void check_count(const TckHeader& header, std::size_t ended, const ByteReader& b
 }
 
 template <class Number>
-LineSet read_tracks(ByteReader& bytes, const TckHeader& header) {
-  LineSet lines;
+FileLines read_tracks(ByteReader& bytes, const TckHeader& header) {
+  FileLines lines;
   std::size_t ended = 0;
   const auto end_line = [&] {
     if (lines.positions.size() > lines.offsets.back())
@@ -92,7 +92,7 @@ LineSet read_tracks(ByteReader& bytes, const TckHeader& header) {
   bytes.fail("no point of infinities ends the tracks: truncated?");
 }
 
-LineSet read_tck(const std::filesystem::path& path) {
+FileLines read_tck(const std::filesystem::path& path) {
   ByteReader bytes(path);
   const TckHeader header = read_header(bytes);
   const auto type = header.find("datatype");

@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <span>
@@ -51,6 +52,12 @@ PointIds shown_points(vtkDataSet& data) {
   PointIds points = every_point(data);
   std::erase_if(points, [&](vtkIdType i) { return readers::hides_point(&data, i); });
   return points;
+}
+
+PointIds each_once(PointIds ids) {
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
 }
 
 /// Calls `visit(corners, number)` for each cell of an array.
@@ -112,11 +119,21 @@ std::vector<Rgba> colors_of(vtkDataArray& colors, const PointIds& cells) {
   return result;
 }
 
+/// The numbers of cells, each once; and those of points, where lines share some.
+VertexAttributes line_values(vtkPolyData& data, const PointIds& points, const PointIds& cells,
+                             const VertexAttributes& of_points) {
+  VertexAttributes values = vtk_cell_scalars(data, each_once(cells));
+  for (const auto& [name, column] : of_points) values.erase(name);
+  if (const PointIds once = each_once(points); once.size() < points.size())
+    values.merge(vtk_attributes(data, once));
+  return values;
+}
+
 }  // namespace
 
-TriangleMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
+FileMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   const auto data = cells_of(data_set);
-  TriangleMesh mesh;
+  FileMesh mesh;
   take_positions(*data, mesh);
   const PointIds cells = add_triangles(*data, mesh);
   VertexAttributes attributes = vtk_attributes(*data, every_point(*data));
@@ -124,12 +141,13 @@ TriangleMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   take_attributes(std::move(attributes), mesh);
   if (colors) color_faces(colors_of(*colors, cells), mesh);
   mesh.face_scalars = vtk_cell_scalars(*data, cells);
+  take_face_values(vtk_cell_scalars(*data, each_once(cells)), mesh);
   return mesh;
 }
 
-LineSet lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
+FileLines lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   const auto data = cells_of(data_set);
-  LineSet lines;
+  FileLines lines;
   PointIds points, cells;  // by vertex
   for_each_cell(data->GetLines(), [&](std::span<const vtkIdType> ids, vtkIdType line) {
     points.insert(points.end(), ids.begin(), ids.end());
@@ -141,6 +159,7 @@ LineSet lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   VertexAttributes attributes = vtk_attributes(*data, points);
   if (vtkDataArray* colors = vtk_cell_colors(*data, attributes))
     take_vtk_colors(*colors, cells, attributes);
+  lines.values = line_values(*data, points, cells, attributes);
   attributes.merge(vtk_cell_scalars(*data, cells));  // no two lines share a point here
   take_attributes(std::move(attributes), lines);
   return lines;
@@ -169,8 +188,8 @@ Taken read_vtk(const std::filesystem::path& path) {
 FormatRow read_by_vtk(std::string_view ending, std::string_view title) {
   return {.ending = ending,
           .title = title,
-          .read_mesh = read_vtk<TriangleMesh, mesh_of>,
-          .read_lines = read_vtk<LineSet, lines_of>,
+          .read_mesh = read_vtk<FileMesh, mesh_of>,
+          .read_lines = read_vtk<FileLines, lines_of>,
           .read_points = read_vtk<PointSet, points_of>};
 }
 
@@ -197,7 +216,7 @@ FormatRow stl_format() {
   return {.ending = format.ending,
           .title = format.title,
           .traps = format.traps,
-          .read_mesh = read_vtk<TriangleMesh, mesh_of>};
+          .read_mesh = read_vtk<FileMesh, mesh_of>};
 }
 
 }  // namespace pellucid::geometry

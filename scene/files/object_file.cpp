@@ -82,7 +82,8 @@ class ObjectReader {
   SceneObject restyle(SceneObject object) {
     const bool is_extracted =
         node_.has("isosurface") && !std::holds_alternative<Isosurface>(object.shape);
-    if (is_extracted) return read();  // its triangles are those of the value
+    if (is_extracted) return read();                // its triangles are those of the value
+    if (asks_percentiles_of_file()) return read();  // the vertices may repeat its values
     object_ = std::move(object);
     if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
     if (auto* lines = std::get_if<LineObject>(&object_.shape))
@@ -133,8 +134,8 @@ class ObjectReader {
   }
 
   /// Returns the shape that the node names: one that was given, or that of a file.
-  template <class Shape>
-  Shape shape_of(const JsonNode& node, Shape (*read_file)(const fs::path&)) const {
+  template <class Shape, class FileShape>
+  FileShape shape_of(const JsonNode& node, FileShape (*read_file)(const fs::path&)) const {
     const auto given = context_.given.find(node.string());
     if (given == context_.given.end())
       return at_place(node, [&] { return read_file(path_of(node)); });
@@ -143,12 +144,15 @@ class ObjectReader {
       node.fail(
           "its shape is of another kind; accepted: a mesh as \"mesh\", lines as "
           "\"lines\", points as \"points\"");
-    return *shape;
+    FileShape whole;
+    static_cast<Shape&>(whole) = *shape;
+    return whole;
   }
 
   void read_mesh_file(const JsonNode& node) {
-    geometry::TriangleMesh mesh = shape_of(node, geometry::read_mesh);
+    auto mesh = shape_of<geometry::TriangleMesh>(node, geometry::read_mesh);
     note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()), mesh);
+    values_ = std::move(mesh.values);
     draw(std::move(mesh));
   }
 
@@ -191,7 +195,8 @@ class ObjectReader {
   }
 
   geometry::LineSet line_file(const JsonNode& node) {
-    geometry::LineSet lines = shape_of(node, geometry::read_lines);
+    auto lines = shape_of<geometry::LineSet>(node, geometry::read_lines);
+    values_ = std::move(lines.values);
     note(fmt::format("{}, {} lines, {} points", file_name(node), lines.line_count(),
                      lines.positions.size()),
          lines);
@@ -224,7 +229,7 @@ class ObjectReader {
   }
 
   void read_point_object(const JsonNode& node) {
-    geometry::PointSet points = shape_of(node, geometry::read_points);
+    auto points = shape_of<geometry::PointSet>(node, geometry::read_points);
     note(fmt::format("{}, {} points", file_name(node), points.positions.size()), points);
     draw(std::move(points));
   }
@@ -269,6 +274,7 @@ class ObjectReader {
       if (std::holds_alternative<ScalarColor>(appearance.color)) appearance.color = {};
       if (std::holds_alternative<ScalarOpacity>(appearance.opacity)) appearance.opacity = {};
     }
+    find_percentiles(appearance);
     at_place(node_, [&] {
       if (auto* mesh = std::get_if<geometry::TriangleMesh>(&object_.shape)) {
         bring_to_vertices(appearance, *mesh);
@@ -277,6 +283,30 @@ class ObjectReader {
       apply_appearance(appearance, object_.vertices());
     });
     if (object_.source) fill_in(appearance);
+  }
+
+  bool asks_percentiles_of_file() const {
+    if (!node_.has("mesh") && !(node_.has("lines") && !node_["lines"].is_object())) return false;
+    const Appearance appearance = read_appearance(node_, context_.folder);
+    const auto asks = [](const auto* by) { return by && by->range && !has_given_range(*by); };
+    return asks(std::get_if<ScalarColor>(&appearance.color)) ||
+           asks(std::get_if<ScalarOpacity>(&appearance.opacity));
+  }
+
+  /// Of the values as the file has them, before vertices of faces are made to have them.
+  void find_percentiles(Appearance& appearance) const {
+    const auto find = [&](auto* by) {
+      if (!by || !by->range || has_given_range(*by)) return;
+      const auto& of_vertices = object_.vertices().scalars;
+      const auto of_file = values_.find(by->scalar), of_vertex = of_vertices.find(by->scalar);
+      if (of_file == values_.end() && of_vertex == of_vertices.end()) return;
+      by->range = range_over(*by, of_file == values_.end() ? of_vertex->second : of_file->second);
+      by->in_percent = {};
+    };
+    at_place(node_, [&] {
+      find(std::get_if<ScalarColor>(&appearance.color));
+      find(std::get_if<ScalarOpacity>(&appearance.opacity));
+    });
   }
 
   /// The ranges of the whole surface, for lines on it.
@@ -302,6 +332,7 @@ class ObjectReader {
   const JsonNode& node_;
   const ObjectContext& context_;
   SceneObject object_;
+  std::map<std::string, std::vector<double>> values_;  // of the file, where vertices repeat them
 };
 
 const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{

@@ -244,6 +244,23 @@ def compare_images(folder, nibabel):
         compare_image(folder / f"{name}.nii", matrix, nibabel)
 
 
+def write_turned_tracks(folder):
+    """Tracks in images whose axes are exchanged, turned round and sheared, in orders of other axes."""
+    import numpy
+    from nibabel.streamlines import Field, Tractogram, TrkFile
+    points = [numpy.array([[10, 20, 30], [11, 22, 33]], "f4")]
+    matrices = {"asr": [[0, 0, 2, -9], [1, 0, 0, 4], [0, 1.5, 0, 7]],
+                "lip": [[-1, 0, 0, 3], [0, 0, -2, 5], [0, -1.5, 0, 8]],
+                "sheared": [[1, 1.2, 0.9, 0], [-0.9, 1.1, 0.2, 0], [0.3, 0, -2, 0]]}
+    for name, rows in matrices.items():
+        for order in ("RAS", "SLA", "PIL"):
+            path = folder / f"{name}_{order}.trk"
+            header = {Field.VOXEL_TO_RASMM: numpy.array(rows + [[0, 0, 0, 1]]), Field.VOXEL_SIZES: (1, 1.5, 2),
+                      Field.DIMENSIONS: (50, 60, 70), Field.VOXEL_ORDER: order}
+            TrkFile(Tractogram(points, affine_to_rasmm=numpy.eye(4)), header).save(str(path))
+            yield path
+
+
 def compare_with_nibabel(folder):
     try:
         import nibabel
@@ -257,6 +274,8 @@ def compare_with_nibabel(folder):
     for name in ("complex.trk", "complex_big_endian.trk"):
         compare_values(data / name, load)
     compare_images(folder, nibabel)
+    for path in write_turned_tracks(folder):
+        compare_tracks(path, load)
     return True
 
 

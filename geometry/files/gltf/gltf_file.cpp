@@ -7,27 +7,28 @@
 namespace pellucid::geometry {
 namespace {
 
-TriangleMesh read_gltf(const std::filesystem::path& path) {
+FileMesh read_gltf(const std::filesystem::path& path) {
   GltfScene all = read_gltf_scene(path, GltfMode::triangles, GltfMode::fan);
-  TriangleMesh mesh;
+  FileMesh mesh;
   static_cast<Vertices&>(mesh) = std::move(all.vertices);
   mesh.triangles = std::move(all.triangles);
   return mesh;
 }
 
-LineSet read_gltf_lines(const std::filesystem::path& path) {
+FileLines read_gltf_lines(const std::filesystem::path& path) {
   const GltfScene all = read_gltf_scene(path, GltfMode::lines, GltfMode::line_strip);
   const auto pick = [&](const auto& from, auto& to) {
     if (from.empty()) return;
     for (const auto& polyline : all.polylines)
       for (const std::uint32_t i : polyline) to.push_back(from[i]);
   };
-  LineSet set;
+  FileLines set;
   set.remarks = all.vertices.remarks;
   pick(all.vertices.positions, set.positions);
   pick(all.vertices.colors, set.colors);
   pick(all.vertices.importance, set.importance);
   for (const auto& [name, column] : all.vertices.scalars) pick(column, set.scalars[name]);
+  set.values = all.vertices.scalars;
   for (const auto& polyline : all.polylines)
     set.offsets.push_back(set.offsets.back() + polyline.size());
   return set;

@@ -17,6 +17,7 @@ struct MtlMaterial {
   double opacity = 1;          // d; else 1 - Tr
   std::string passed_over;     // a statement that says its colour otherwise, such as map_Kd
 };
+/// MtlMaterials are materials by their name.
 using MtlMaterials = std::map<std::string, MtlMaterial>;
 
 /// Reads the materials of an .mtl file into `materials`; of several of one name the last counts.

@@ -80,9 +80,9 @@ std::vector<std::size_t> add_triangles(const ObjDocument& document, TriangleMesh
   return faces;
 }
 
-TriangleMesh read_obj(const std::filesystem::path& path) {
+FileMesh read_obj(const std::filesystem::path& path) {
   const ObjDocument document = read_obj_document(path);
-  TriangleMesh mesh;
+  FileMesh mesh;
   const std::vector<std::size_t> faces = add_triangles(document, mesh);
   const std::vector<Rgba> of_faces = obj_element_colors(document, document.faces, mesh.remarks);
   if (of_faces.empty()) return mesh;
@@ -91,6 +91,8 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
   color_faces(of_triangles, mesh);
   return mesh;
 }
+
+std::string texture_name(std::size_t k) { return fmt::format("attribute{}", k); }
 
 /// Numbers of the points of lines: those of the "vt" that a corner names, else of the one that is
 /// listed as its position is, when there are as many. (So do the data sets of M. Kern et al., A
@@ -108,21 +110,24 @@ VertexAttributes texture_attributes(const ObjDocument& document) {
       const std::uint32_t i =
           corner.texture == obj_none && by_position ? corner.position : corner.texture;
       const bool has = i < textures.count() && k < textures.row(i).size();
-      attributes[fmt::format("attribute{}", k)].push_back(has ? textures.row(i)[k] : NAN);
+      attributes[texture_name(k)].push_back(has ? textures.row(i)[k] : NAN);
     }
   return attributes;
 }
 
-LineSet read_obj_lines(const std::filesystem::path& path) {
+FileLines read_obj_lines(const std::filesystem::path& path) {
   const ObjDocument document = read_obj_document(path);
   const Rows<ObjCorner>& corners = document.lines.corners;
-  LineSet lines;
+  FileLines lines;
   for (const ObjCorner& corner : corners.values) {
     lines.positions.push_back(document.positions[corner.position]);
     if (!document.colors.empty()) lines.colors.push_back(document.colors[corner.position]);
   }
   lines.offsets.assign(corners.ends.begin(), corners.ends.end());
   lines.scalars = texture_attributes(document);
+  for (std::size_t i = 0; i < document.textures.count(); ++i)
+    for (std::size_t k = 0; k < document.textures.row(i).size(); ++k)
+      lines.values[texture_name(k)].push_back(document.textures.row(i)[k]);
   const std::vector<Rgba> of_lines = obj_element_colors(document, document.lines, lines.remarks);
   for (std::size_t line = 0; line < of_lines.size(); ++line)
     lines.colors.resize(corners.ends[line + 1], of_lines[line]);

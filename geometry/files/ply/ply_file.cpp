@@ -89,7 +89,7 @@ FaceNumbers read_faces(ply::Reader& reader, const ply::Element& element, Triangl
 }
 
 /// Colours are those of faces where the vertices have none; all other numbers are scalars.
-void take_face_numbers(FaceNumbers numbers, TriangleMesh& mesh) {
+void take_face_numbers(FaceNumbers numbers, FileMesh& mesh) {
   numbers.faces.resize(mesh.triangles.size(), no_face);
   VertexAttributes of_triangles;
   for (const auto& [name, values] : numbers.values) {
@@ -105,6 +105,7 @@ void take_face_numbers(FaceNumbers numbers, TriangleMesh& mesh) {
       color_faces(colors, mesh);
     }
   mesh.face_scalars = std::move(of_triangles);
+  take_face_values(std::move(numbers.values), mesh);
 }
 
 /// Strips of triangles, one after another in a list; -1 begins the next one. Every other triangle
@@ -161,8 +162,8 @@ constexpr auto nothing_else = [](const ply::Element&, ply::Reader&) { return fal
                                reader.where(), element.name));
 }
 
-TriangleMesh read_ply(const std::filesystem::path& path) {
-  TriangleMesh mesh;
+FileMesh read_ply(const std::filesystem::path& path) {
+  FileMesh mesh;
   FaceNumbers numbers;
   auto attributes =
       read_elements(path, mesh, [&](const ply::Element& element, ply::Reader& reader) {
@@ -179,8 +180,8 @@ TriangleMesh read_ply(const std::filesystem::path& path) {
   return mesh;
 }
 
-LineSet read_ply_lines(const std::filesystem::path& path) {
-  LineSet lines;
+FileLines read_ply_lines(const std::filesystem::path& path) {
+  FileLines lines;
   std::optional<VertexAttributes> edges;
   VertexAttributes attributes =
       read_elements(path, lines, [&](const ply::Element& element, ply::Reader& reader) {
@@ -191,9 +192,11 @@ LineSet read_ply_lines(const std::filesystem::path& path) {
   const auto line = attributes.extract("line");
   if (line)
     join_by_number(line.mapped(), lines);
-  else if (edges)
+  else if (edges) {
+    lines.values = *edges;
+    lines.values.insert(attributes.begin(), attributes.end());
     join_by_edges(std::move(*edges), path.string(), lines, attributes);
-  else
+  } else
     throw InputError(path.string() +
                      ": the file holds no lines; expected an element 'edge' with vertex1 and "
                      "vertex2, or a property 'line' of its vertices, which numbers their lines");

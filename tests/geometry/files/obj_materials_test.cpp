@@ -37,6 +37,7 @@ TEST_F(UnitObjMaterials, AFaceHasTheColourAndTheOpacityOfItsMaterial) {
       mesh_of("f 1 2 3\nmtllib a.mtl\nusemtl glass\nf 1 2 4 3\nusemtl old paint\nf 1 3 4\n");
   EXPECT_THAT(mesh.remarks, IsEmpty());
   ASSERT_EQ(mesh.triangles.size(), 4u);
+  ASSERT_EQ(mesh.colors.size(), mesh.positions.size());
   const Rgba grey(0.8f, 0.8f, 0.8f, 1), glass(1, 0, 0.5f, 0.25f), black(0, 0, 0, 1);
   const Rgba expected[] = {grey, glass, glass, black};
   for (std::size_t i = 0; i < 4; ++i)
@@ -68,6 +69,7 @@ TEST_F(UnitObjMaterials, SeveralFilesMayHaveThem) {
   const TriangleMesh mesh = mesh_of(
       "mtllib a b.mtl\nmtllib c.mtl d.mtl\nusemtl one\nf 1 2 3\nusemtl two\nf 1 2 4\n"
       "usemtl three\nf 1 3 4\n");
+  ASSERT_EQ(mesh.colors.size(), 9u);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(mesh.colors[mesh.triangles[std::size_t(i)][0]][i], 1.f);
 }
 

@@ -73,12 +73,13 @@ std::string trk(const std::string& order, bool big_endian) {
 
 TEST_F(UnitTracks, TrkIsInTheScannersCoordinates) {
   for (const bool big_endian : {false, true}) {
-    const LineSet lines = read_lines(file("a.trk", trk("RAS", big_endian)));
+    const FileLines lines = read_lines(file("a.trk", trk("RAS", big_endian)));
     // The first point is the centre of voxel (0, 0, 0), the second of (2, 1, 2).
     EXPECT_EQ(lines.positions, (std::vector<Vec3>{{10, 20, 30}, {12, 22, 38}}));
     EXPECT_EQ(lines.scalars.at("fa"), (std::vector<double>{0.25, 0.75}));
     EXPECT_EQ(lines.scalars.at("pair_0"), (std::vector<double>{-7, -7}));
     EXPECT_EQ(lines.scalars.at("pair_1"), (std::vector<double>{7, 7}));
+    EXPECT_EQ(lines.values.at("pair_1"), (std::vector<double>{7}));  // of the track
   }
   // The file's first two axes run the other way: voxel (0, 0, 0) of it is (7, 5, 0) of the image.
   EXPECT_EQ(read_lines(file("b.trk", trk("LPS", false))).positions[0], Vec3(17, 30, 30));
@@ -88,6 +89,44 @@ TEST_F(UnitTracks, TrkIsInTheScannersCoordinates) {
   for (std::size_t size = 0; size < whole.size(); size += 7)
     EXPECT_THAT(refusal([&] { read_lines(file("cut.trk", whole.substr(0, size))); }),
                 HasSubstr("cut.trk"));
+}
+
+/// The voxels of trk(), in an image whose axes run to the front, up and to the right, with voxels
+/// of 2 × 4 × 1 mm along them.
+std::string trk_of_other_axes(const std::string& order) {
+  std::string content = trk(order, false);
+  const std::string matrix = bytes_of<float>({0, 0, 1, 10, 2, 0, 0, 20, 0, 4, 0, 30, 0, 0, 0, 1});
+  return content.replace(440, matrix.size(), matrix);
+}
+
+/// nibabel 5.0 writes and reads them so; tests/app/compare_readers.py asks it.
+TEST_F(UnitTracks, TrkExchangesAxesAsNibabelDoes) {
+  const LineSet circle = read_lines(file("a.trk", trk_of_other_axes("RAS")));
+  // Voxel (2, 1, 2) of the file is y of the image: y_0 = 2 (the file's R is the image's third
+  // axis), y_1 = 2 (A, its first), y_2 = 1 (S, its second); in mm (y_2, 2 y_0, 4 y_1).
+  EXPECT_EQ(circle.positions, (std::vector<Vec3>{{10, 20, 30}, {11, 24, 38}}));
+  EXPECT_THAT(circle.remarks,
+              ::testing::ElementsAre("voxel_order RAS has other axes than vox_to_ras, ASR: "
+                                     "exchanged as nibabel does"));
+  // The same axes, of which the file's second runs to the inferior: of 6 voxels.
+  const LineSet turned = read_lines(file("b.trk", trk_of_other_axes("AIR")));
+  EXPECT_EQ(turned.positions, (std::vector<Vec3>{{10, 20, 50}, {12, 24, 46}}));
+  EXPECT_TRUE(turned.remarks.empty());
+}
+
+TEST_F(UnitTracks, TrkWithoutAMatrixHasTheIdentity) {
+  std::string content = trk("", false);
+  content.replace(440, 64, std::string(64, '\0'));
+  const LineSet lines = read_lines(file("a.trk", content));
+  EXPECT_EQ(lines.positions, (std::vector<Vec3>{{7, 5, 0}, {5, 4, 2}}));  // LPS, of 8 × 6 voxels
+  EXPECT_THAT(lines.remarks,
+              ::testing::ElementsAre("vox_to_ras is not recorded: taken for the identity"));
+  std::string old = trk("", false);
+  old[992] = 1;  // a version that has no matrix
+  EXPECT_EQ(read_lines(file("b.trk", old)).positions, lines.positions);
+  content.replace(440 + 60, 4, bytes_of<float>({1}));
+  EXPECT_THAT(refusal([&] { read_lines(file("c.trk", content)); }),
+              HasSubstr("vox_to_ras; accepted: a matrix with an inverse"));
 }
 
 std::string hair(std::uint32_t arrays, const std::string& data) {
