@@ -75,9 +75,12 @@ class OitRenderer final : public scene::Renderer {
  private:
   /// Draws the picture once for each of a pixel's samples and averages.
   void draw_samples(Frame& frame, Image& mean);
-  CountImage count_layers(const Vec2& sample);
+  enum class Counted { all, opaque };
+  CountImage count_layers(const Vec2& sample, Counted counted = Counted::all);
   /// Of all of a pixel's samples, as they are all drawn.
   std::uint64_t count_fragments(const CountImage& at_centre);
+  /// A method that makes layers of its own knows nothing of what is opaque behind them.
+  void add_opaque(scene::Rendering& rendering);
 
   const scene::Scene& scene_;
   Stage stage_;
@@ -102,6 +105,8 @@ scene::Rendering OitRenderer::render(const scene::RenderRequest& request) {
   if (!of_method) {
     rendering.stats.fragments = count_fragments(rendering.layers);
     method_->account(rendering.layers, rendering.stats);
+  } else if (stage_.has_opaque_context()) {
+    add_opaque(rendering);
   }
   rendering.stats.max_layers = *std::max_element(counts.begin(), counts.end());
   return rendering;
@@ -121,10 +126,11 @@ void OitRenderer::draw_samples(Frame& frame, Image& mean) {
   }
 }
 
+std::uint64_t sum(const CountImage& counts) {
+  return std::accumulate(counts.pixels.begin(), counts.pixels.end(), std::uint64_t(0));
+}
+
 std::uint64_t OitRenderer::count_fragments(const CountImage& at_centre) {
-  const auto sum = [](const CountImage& counts) {
-    return std::accumulate(counts.pixels.begin(), counts.pixels.end(), std::uint64_t(0));
-  };
   const std::vector<Vec2> samples = scene::pixel_samples(scene_.samples);
   if (samples.size() == 1) return sum(at_centre);
   std::uint64_t fragments = 0;
@@ -132,8 +138,18 @@ std::uint64_t OitRenderer::count_fragments(const CountImage& at_centre) {
   return fragments;
 }
 
+// The method's layers are those of the last sample.
+void OitRenderer::add_opaque(scene::Rendering& rendering) {
+  CountImage last;
+  for (const Vec2& sample : scene::pixel_samples(scene_.samples)) {
+    last = count_layers(sample, Counted::opaque);
+    rendering.stats.fragments += sum(last);
+  }
+  for (std::size_t i = 0; i < last.pixels.size(); ++i) rendering.layers.pixels[i] += last.pixels[i];
+}
+
 // Counts in float are exact up to 2^24 layers.
-CountImage OitRenderer::count_layers(const Vec2& sample) {
+CountImage OitRenderer::count_layers(const Vec2& sample, Counted counted) {
   const Texture counts(stage_.gl(), GL_R32F, stage_.width(), stage_.height());
   const Framebuffer target(stage_.gl(), {{counts}});
   const GeometryProgram program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
@@ -141,7 +157,7 @@ CountImage OitRenderer::count_layers(const Vec2& sample) {
   stage_.draw_opaque_context();
   target.clear_all(0);
   const Pass pass(target, {Blend::add});
-  stage_.draw_geometry(pass, program);
+  if (counted == Counted::all) stage_.draw_geometry(pass, program);
   if (stage_.has_opaque_context())
     stage_.draw_screen(pass, stage_.screen_program(oit_glsl::count_opaque_frag_glsl()));
   std::vector<float> floats(stage_.pixel_count());

@@ -56,7 +56,8 @@ class OitMethod {
   /// Draws one sample of every pixel into Frame::picture().
   virtual void draw(Frame& frame) = 0;
   /// Returns the layers per pixel that the last picture was made of, where the method makes layers
-  /// of its own; otherwise they are the geometry's crossings.
+  /// of its own, but for what is opaque behind them, which the renderer adds; otherwise they are
+  /// the geometry's crossings.
   virtual std::optional<CountImage> count_layers() { return std::nullopt; }
   /// Counts which of the geometry's crossings per pixel the method keeps apart or loses: fills
   /// `stored` and `truncated`.

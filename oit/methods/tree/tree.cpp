@@ -77,7 +77,7 @@ class Tree final : public OitMethod {
       composite(frame);
     else
       draw_lines(frame);
-    frame.stats().fragments = trees_.fragments();
+    frame.stats().fragments += trees_.fragments();  // of every sample of a pixel
     frame.stats().stored = trees_.layers();
   }
 
