@@ -18,8 +18,10 @@
 #include "fields/files/vector_array.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/vdb_levels.h"
+#include "readers/vdb/vdb_file.h"
 #include "readers/vtk/ascending_axes.h"
 #include "readers/vtk/shown_cells.h"
+#include "readers/vtk/times.h"
 #include "readers/vtk/vtk_file.h"
 #include "readers/vtk/vtk_formats.h"
 
@@ -150,13 +152,35 @@ ScalarLevel level_of(vtkDataSet& data, const fs::path& path, std::string_view sc
            fmt::format("no array is the scalar '{}'; arrays: {}", scalar, describe_arrays(data)));
 }
 
-std::vector<ScalarLevel> read_levels(const fs::path& path, std::string_view scalar,
-                                     const std::string& velocity) {
-  if (!readers::vtk_format(path)) return read_vdb_levels(path, scalar, velocity);
+namespace {
+
+FileLevels read_vdb_file(const fs::path& path, std::string_view scalar, const std::string& velocity,
+                         const std::string& time) {
+  if (!time.empty()) readers::chosen_time({}, time, path);  // throws: it has none
+  const auto grids = readers::read_vdb_grids(path);
+  FileLevels file;
+  file.levels = levels_of(grids, path, scalar, velocity);
+  file.range = value_range(grids, scalar, file.levels);
+  return file;
+}
+
+}  // namespace
+
+FileLevels read_levels(const fs::path& path, std::string_view scalar, const std::string& velocity,
+                       const std::string& time) {
+  if (!readers::vtk_format(path)) return read_vdb_file(path, scalar, velocity, time);
   const bool of_velocity = is_derived(scalar) && !velocity.empty();
-  const auto read =
-      readers::read_vtk_file(path, {}, "first", of_velocity ? velocity : std::string(scalar));
-  return {level_of(*read.front().data, path, scalar, velocity)};
+  const readers::VtkTime read =
+      readers::read_vtk_file(path, {}, time.empty() ? "first" : time,
+                             of_velocity ? velocity : std::string(scalar))
+          .front();
+  FileLevels file;
+  file.levels = {level_of(*read.data, path, scalar, velocity)};
+  file.range = sample_range(file.levels);
+  if (time.empty() && read.of > 1)
+    file.remark = fmt::format("{} is drawn at {}, the first of its {} times",
+                              path.filename().string(), read.time, read.of);
+  return file;
 }
 
 }  // namespace pellucid::fields

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -126,6 +127,30 @@ void append_levels(std::span<const readers::VdbGrid> grids, std::string_view wan
   }
 }
 
+constexpr Vec2 no_range(std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity());
+
+Vec2 joined(const Vec2& a, const Vec2& b) { return {std::min(a.x, b.x), std::max(a.y, b.y)}; }
+
+/// Of the active voxels, tiles among them.
+template <class Grid>
+Vec2 active_range(const Grid& grid) {
+  Vec2 range = no_range;
+  for (auto value = grid.cbeginValueOn(); value; ++value)
+    range = joined(range, Vec2(sample_of(*value)));
+  return range;
+}
+
+/// Of a level set of numbers; none of another grid.
+std::optional<Vec2> band_range(const openvdb::GridBase::Ptr& grid) {
+  if (!grid || grid->getGridClass() != openvdb::GRID_LEVEL_SET) return std::nullopt;
+  if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
+    return active_range(*floats);
+  if (const auto doubles = openvdb::gridPtrCast<openvdb::DoubleGrid>(grid))
+    return active_range(*doubles);
+  return std::nullopt;
+}
+
 openvdb::Vec3s voxel_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 float voxel_of(float v) { return v; }
 
@@ -198,6 +223,27 @@ void write_vdb_levels(const fs::path& path, const std::string& name,
 std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar,
                                          std::string_view velocity) {
   return levels_of(readers::read_vdb_grids(path), path, scalar, velocity);
+}
+
+Vec2 sample_range(std::span<const ScalarLevel> levels) {
+  Vec2 range = no_range;
+  for (const ScalarLevel& level : levels)
+    if (const auto [low, high] = std::ranges::minmax_element(level.samples);
+        low != level.samples.end())
+      range = joined(range, Vec2(*low, *high));
+  return range;
+}
+
+Vec2 value_range(std::span<const readers::VdbGrid> grids, std::string_view scalar,
+                 std::span<const ScalarLevel> levels) {
+  Vec2 range = no_range;
+  std::size_t bands = 0;
+  for (const readers::VdbGrid& grid : grids)
+    if (const auto band = grid.name == scalar ? band_range(grid.grid) : std::nullopt) {
+      range = joined(range, *band);
+      ++bands;
+    }
+  return bands == levels.size() ? range : joined(range, sample_range(levels));
 }
 
 std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids, const fs::path& path,

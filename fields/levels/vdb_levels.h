@@ -29,6 +29,14 @@ std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids,
                                    const std::filesystem::path& path, std::string_view scalar,
                                    std::string_view velocity = {});
 
+/// Returns the least and the largest sample; (inf, -inf) of none.
+Vec2 sample_range(std::span<const ScalarLevel> levels);
+
+/// Returns the least and the largest value of such levels of a scalar: of level sets that of their
+/// active voxels, since beyond its narrow band a level set has the band's width; else a sample's.
+Vec2 value_range(std::span<const readers::VdbGrid> grids, std::string_view scalar,
+                 std::span<const ScalarLevel> levels);
+
 /// Writes each level as a grid of that name whose active voxels are its samples, in one file, which
 /// appears whole or not at all: read again, every bit is as it was. Throws InputError for another
 /// ending than .vdb, no level, or one that check_level() refuses; WorkError when OpenVDB cannot

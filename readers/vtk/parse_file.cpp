@@ -115,9 +115,9 @@ const VtkReader& row_of(const std::filesystem::path& path, std::span<const VtkRe
 
 }  // namespace
 
-std::vector<double> parse_vtk_file(const std::filesystem::path& path,
-                                   std::span<const VtkReader> readers, const VtkRequest& request,
-                                   const std::function<void(const ParsedTime&)>& take) {
+FileTimes parse_vtk_file(const std::filesystem::path& path, std::span<const VtkReader> readers,
+                         const VtkRequest& request,
+                         const std::function<void(const ParsedTime&)>& take) {
   if (const VtkFormat* format = vtk_format(path); format && is_xml(*format)) {
     require_closing_tag(path);
     check_xml(path);
@@ -139,11 +139,12 @@ std::vector<double> parse_vtk_file(const std::filesystem::path& path,
   if (times.empty()) {
     if (request.time != "first" && !request.time.empty()) chosen_time(times, request.time, path);
     parse(std::nullopt);
-    return times;
+    return {};
   }
+  const std::size_t all = times.size();
   if (!request.time.empty()) times = {times[chosen_time(times, request.time, path)]};
   for (const double time : times) parse(time);
-  return times;
+  return {times, all};
 }
 
 }  // namespace pellucid::readers

@@ -30,6 +30,12 @@ struct ParsedTime {
   std::vector<std::string> left_out;  // arrays that do not fit those in `data`
 };
 
+/// FileTimes are the times that were read, and how many there are: none of a file without.
+struct FileTimes {
+  std::vector<double> read;
+  std::size_t all = 0;
+};
+
 /// One reader of VTK: made for a file, whose name and options it has.
 struct VtkReader {
   std::string_view ending;  // of a row of vtk_formats()
@@ -46,11 +52,11 @@ std::span<const VtkReader> plain_readers();
 std::span<const VtkReader> simulation_readers();
 
 /// Parses a file with the reader that its ending names, which a wrong file may crash, gives what it
-/// holds at each wanted time to `take`, one after another, and returns these times: none of a file
-/// without. Throws InputError for a file without points, a truncated one, and whatever else VTK
-/// would print about it.
-std::vector<double> parse_vtk_file(const std::filesystem::path& path,
-                                   std::span<const VtkReader> readers, const VtkRequest& request,
-                                   const std::function<void(const ParsedTime&)>& take);
+/// holds at each wanted time to `take`, one after another, and returns these times. Throws
+/// InputError for a file without points, a truncated one, and whatever else VTK would print about
+/// it.
+FileTimes parse_vtk_file(const std::filesystem::path& path, std::span<const VtkReader> readers,
+                         const VtkRequest& request,
+                         const std::function<void(const ParsedTime&)>& take);
 
 }  // namespace pellucid::readers

@@ -17,6 +17,7 @@ struct VtkTime {
   vtkSmartPointer<vtkDataSet> data;
   std::vector<std::string> blocks;    // names of those merged in it; none of a file of one data set
   std::vector<std::string> left_out;  // arrays that do not fit the grid of the others
+  std::size_t of = 0;                 // how many times the file has
 };
 
 /// Reads a file of vtk_formats() by VTK, in a process of its own: the blocks named in `block`, at

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 #include <vtkDataSet.h>
 
+#include <cstdint>
+
 #include "readers/vtk/data_set_blocks.h"
 
 namespace pellucid::readers {
@@ -20,9 +22,11 @@ void write_parsed(const std::filesystem::path& path, std::span<const VtkReader> 
     out.add_text("blocks", fmt::format("{}", fmt::join(parsed.blocks, "\n")));
     out.add_text("left out", fmt::format("{}", fmt::join(parsed.left_out, "\n")));
   };
-  const std::vector<double> times = parse_vtk_file(path, readers, request, take);
+  const FileTimes times = parse_vtk_file(path, readers, request, take);
   out.name_within("");
-  out.add("times", std::span<const double>(times));
+  out.add("times", std::span<const double>(times.read));
+  const std::uint64_t all = times.all;
+  out.add("time count", std::span(&all, 1));
 }
 
 }  // namespace pellucid::readers

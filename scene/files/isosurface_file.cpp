@@ -13,6 +13,7 @@
 #include "fields/levels/level_field.h"
 #include "fields/levels/level_files.h"
 #include "fields/levels/surface_extraction.h"
+#include "fields/levels/vdb_levels.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/solid_mesh.h"
 #include "scene/appearance/colormap.h"
@@ -24,30 +25,59 @@ namespace {
 
 using Levels = std::vector<fields::ScalarLevel>;
 
-/// Levels of each of the scalars, the surface's own first.
-std::vector<Levels> generate(const JsonNode& node, std::span<const std::string> scalars) {
+/// What a surface is drawn of.
+struct LevelData {
+  std::vector<Levels> levels;  // of each of the scalars, the surface's own first
+  Vec2 range{0};               // of the surface's own values
+  std::string origin;          // the names of the data, for messages
+  std::vector<std::string> remarks;
+};
+
+LevelData generate(const JsonNode& node, std::span<const std::string> scalars) {
   const JsonNode dataset = node["dataset"];
   const auto velocity = at_place(dataset, [&] { return make_velocity_levels(dataset.string()); });
-  std::vector<Levels> all;
+  LevelData data;
   for (const std::string& scalar : scalars)
-    all.push_back(at_place(all.empty() ? node["scalar"] : node,
-                           [&] { return fields::scalars_of(velocity, scalar); }));
-  return all;
+    data.levels.push_back(at_place(data.levels.empty() ? node["scalar"] : node,
+                                   [&] { return fields::scalars_of(velocity, scalar); }));
+  data.range = fields::sample_range(data.levels.front());
+  data.origin = dataset.string();
+  return data;
 }
 
-std::vector<Levels> read_files(const JsonNode& node, const std::filesystem::path& folder,
-                               std::span<const std::string> scalars) {
-  const JsonNode file = node["file"];
+/// "first", "last", or a number, as the fields' time=.
+std::string read_time(const JsonNode& node) {
+  if (!node.has("time")) return {};
+  const JsonNode time = node["time"];
+  return time.is_string() ? time.string() : fmt::format("{}", time.number(-any, any));
+}
+
+/// Adds the levels of one file.
+void read_file(const std::filesystem::path& path, const JsonNode& node,
+               std::span<const std::string> scalars, LevelData& data) {
   const std::string velocity = node.has("velocity") ? node["velocity"].string() : "";
-  std::vector<Levels> all(scalars.size());
-  for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file})
-    at_place(name, [&] {
-      for (std::size_t i = 0; i < scalars.size(); ++i)
-        for (fields::ScalarLevel& level :
-             fields::read_levels(folder / name.string(), scalars[i], velocity))
-          all[i].push_back(std::move(level));
-    });
-  return all;
+  for (std::size_t i = 0; i < scalars.size(); ++i) {
+    fields::FileLevels read = fields::read_levels(path, scalars[i], velocity, read_time(node));
+    std::ranges::move(read.levels, std::back_inserter(data.levels[i]));
+    if (i > 0) continue;
+    data.range = {std::min(data.range.x, read.range.x), std::max(data.range.y, read.range.y)};
+    if (!read.remark.empty()) data.remarks.push_back(std::move(read.remark));
+  }
+}
+
+LevelData read_files(const JsonNode& node, const std::filesystem::path& folder,
+                     std::span<const std::string> scalars) {
+  const JsonNode file = node["file"];
+  LevelData data;
+  data.levels.resize(scalars.size());
+  data.range = fields::sample_range({});
+  std::vector<std::string> names;
+  for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file}) {
+    names.push_back(name.string());
+    at_place(name, [&] { read_file(folder / name.string(), node, scalars, data); });
+  }
+  data.origin = fmt::format("{}", fmt::join(names, ", "));
+  return data;
 }
 
 bool on_same_samples(const fields::LevelField& a, const fields::LevelField& b) {
@@ -122,13 +152,16 @@ class IsosurfaceReader {
         reconstruction_(&reconstruction()) {}
 
   Isosurface read() {
-    node_.accept_keys(
-        {"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh", "velocity"});
+    node_.accept_keys({"file", "dataset", "scalar", "value", "reconstruction", "hole", "mesh",
+                       "velocity", "time"});
     Isosurface surface;
     surface.value = node_["value"].number(-any, any);
-    std::vector<Levels> levels = read_levels();
+    LevelData data = read_levels();
+    refuse_empty(surface.value, data);
+    std::vector<Levels>& levels = data.levels;
     surface.field = field_on(std::move(levels.front()));
     surface.corners = corners_of(surface.field->bounds());
+    surface.corners.remarks = std::move(data.remarks);
     if (color_)
       surface.coloring = {other_scalar(std::move(levels[1]), *surface.field, *color_), color_map(),
                           color_->custom, color_->nan};
@@ -148,15 +181,25 @@ class IsosurfaceReader {
   }
 
   /// Of the surface's scalar, then of its colour's, last of its opacity's.
-  std::vector<Levels> read_levels() const {
+  LevelData read_levels() const {
     if (node_.has("dataset") == node_.has("file"))
       node_.fail("accepted: one of the keys file, dataset");
     if (node_.has("velocity") && node_.has("dataset"))
       node_["velocity"].fail("names a grid of a file; accepted: with the key file");
+    if (node_.has("time") && node_.has("dataset"))
+      node_["time"].fail("is one of a file; accepted: with the key file");
     std::vector<std::string> scalars{node_["scalar"].string()};
     if (color_) scalars.push_back(color_->scalar);
     if (opacity_) scalars.push_back(opacity_->scalar);
     return node_.has("dataset") ? generate(node_, scalars) : read_files(node_, folder_, scalars);
+  }
+
+  /// What no value reaches would be an empty picture.
+  void refuse_empty(double value, const LevelData& data) const {
+    if (!(value >= data.range.x && value <= data.range.y))
+      node_["value"].fail(fmt::format("{}; accepted: from {} to {}, the range of {} of {}", value,
+                                      data.range.x, data.range.y, node_["scalar"].string(),
+                                      data.origin));
   }
 
   /// None when the map is one of the scene's own.
@@ -199,8 +242,10 @@ std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
     std::string& how) {
   Isosurface surface = IsosurfaceReader(node, folder, appearance).read();
   how = describe(*surface.field, node["scalar"].string());
+  for (const std::string& remark : surface.corners.remarks) how += "; " + remark;
   if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
   geometry::TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });
+  mesh.remarks = surface.corners.remarks;
   if (mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
   how += fmt::format(", {} triangles", mesh.triangles.size());
   return mesh;

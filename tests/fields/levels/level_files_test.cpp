@@ -21,7 +21,7 @@ class UnitLevelFiles : public ::testing::Test {
   std::vector<ScalarLevel> read(const std::string& text, std::string_view scalar,
                                 const std::string& velocity = {}) {
     write_bytes(folder_ / "l.vtr", text);
-    return read_levels(folder_ / "l.vtr", scalar, velocity);
+    return read_levels(folder_ / "l.vtr", scalar, velocity).levels;
   }
   std::string complaint(const std::string& text, std::string_view scalar) {
     try {

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "fields/levels/vdb_levels.h"
+#include "readers/vdb/grid_blocks.h"
 #include "tests/fields/readers/grid_files.h"
 #include "tests/support/levels.h"
 
@@ -256,6 +257,22 @@ TEST(UnitVdbLevels, ALevelSetIsTheBoxAroundItsBand) {
   // Between samples of a sphere's distance: a width² / 8 over the radius, in three directions.
   EXPECT_NEAR(*field.value(Vec3(0.64, 0.48, 0.6)), 0, 3 * 0.01 / 8);
   EXPECT_NEAR(*field.value(Vec3(1.1, 1.1, 1.1)), 0.3, 1e-7);
+}
+
+/// Around the band 0.3 stands for all that is farther: a surface there would be none of the data's.
+TEST(UnitVdbLevels, TheRangeOfALevelSetIsThatOfItsBand) {
+  const auto grid = ball();
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  const std::vector<readers::VdbGrid> grids{{.name = "ball", .value_type = "float", .grid = grid}};
+  const auto levels = levels_of(grids, "ball.vdb", "ball");
+  const Vec2 range = value_range(grids, "ball", levels);
+  EXPECT_LT(range.y, 0.3);  // the nearest voxel within it, a width of 0.1 off at most
+  EXPECT_GT(range.y, 0.2);
+  EXPECT_GT(range.x, -0.3);
+  EXPECT_LT(range.x, -0.2);
+  EXPECT_EQ(sample_range(levels), Vec2(float(-0.3), float(0.3)));
+  grid->setGridClass(openvdb::GRID_FOG_VOLUME);  // of which 0.3 is the value all around
+  EXPECT_EQ(value_range(grids, "ball", levels), sample_range(levels));
 }
 
 }  // namespace

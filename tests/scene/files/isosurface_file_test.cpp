@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Isosurfaces of a scene file.
 
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+
 #include "fields/levels/level_field.h"
 #include "scene/appearance/colormap.h"
 #include "tests/scene/files/scene_file_folder.h"
@@ -124,6 +130,97 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceMayBeCutAlongABody) {
               AllOf(HasSubstr("hole.mesh"), HasSubstr("closed mesh")));
   EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "radius": 1})")), HasSubstr("radius"));
   EXPECT_THAT(refusal(text(R"({"mesh": "body.ply", "distance": -1})")), HasSubstr("distance"));
+}
+
+/// Big-endian, as NetCDF's classic format has all numbers.
+template <class T>
+std::string big_endian(T number) {
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(bytes.data(), &number, sizeof number);
+  return {bytes.rbegin(), bytes.rend()};
+}
+std::string words(std::initializer_list<std::uint32_t> numbers) {
+  std::string bytes;
+  for (const std::uint32_t number : numbers) bytes += big_endian(number);
+  return bytes;
+}
+std::string counted(std::string text) {
+  const std::string count = words({std::uint32_t(text.size())});
+  text.resize((text.size() + 3) / 4 * 4, '\0');
+  return count + text;
+}
+
+/// A NetCDF file (classic format) of the axes time, z, y, x and of a variable p over all of them;
+/// `first` is the place of its data.
+std::string netcdf_head(std::uint32_t first) {
+  constexpr std::pair<const char*, std::uint32_t> axes[] = {
+      {"time", 2}, {"z", 3}, {"y", 3}, {"x", 3}};
+  std::string head = std::string("CDF\1", 4) + words({0, 10, 4});
+  for (const auto& [name, count] : axes) head += counted(name) + words({count});
+  head += words({0, 0, 11, 5});
+  std::uint32_t axis = 0;
+  for (const auto& [name, count] : axes) {
+    head += counted(name) + words({1, axis++});
+    head += std::string(name) == "time"
+                ? words({12, 1}) + counted("units") + words({2}) + counted("seconds since 2000-1-1")
+                : words({0, 0});
+    head += words({6, 8 * count, first});
+    first += 8 * count;
+  }
+  return head + counted("p") + words({4, 0, 1, 2, 3, 0, 0, 5, 4 * 54, first});
+}
+
+/// p is x, from 0 to 2; at the second of two times, 0.5 and 2, 10 more.
+std::string netcdf_of_two_times() {
+  std::string file = netcdf_head(std::uint32_t(netcdf_head(0).size()));
+  for (const double x : {0.5, 2., 0., 1., 2., 0., 1., 2., 0., 1., 2.}) file += big_endian(x);
+  for (int i = 0; i < 54; ++i) file += big_endian(float(i % 3 + (i < 27 ? 0 : 10)));
+  return file;
+}
+
+class UnitIsosurfaceValues : public SceneFileTest {
+ protected:
+  void SetUp() override {
+    std::string values;
+    for (int i = 0; i < 27; ++i) values += fmt::format("{} ", i % 3);
+    std::ofstream(folder_ / "x.vti")
+        << R"(<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+<ImageData WholeExtent="0 2 0 2 0 2" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="0 2 0 2 0 2">
+<PointData><DataArray type="Float32" Name="p" format="ascii">)"
+        << values << "</DataArray></PointData></Piece></ImageData></VTKFile>";
+    std::ofstream(folder_ / "times.nc", std::ios::binary) << netcdf_of_two_times();
+  }
+
+  static std::string object(const std::string& keys, const std::string& file = "x.vti") {
+    return R"({"isosurface": {"file": ")" + file + R"(", "scalar": "p", )" + keys + "}}";
+  }
+  Scene of(const std::string& keys) const { return with(object(keys, "times.nc")); }
+};
+
+TEST_F(UnitIsosurfaceValues, AValueThatNoneReachesIsRefused) {
+  EXPECT_EQ(with(object(R"("value": 2)")).objects.size(), 1u);
+  for (const char* value : {"5", "-0.1"})
+    EXPECT_THAT(refusal(object(std::string("\"value\": ") + value)),
+                HasSubstr(std::string("objects[0].isosurface.value: ") + value +
+                          "; accepted: from 0 to 2, the range of p of x.vti"));
+  EXPECT_THAT(refusal(R"({"isosurface": {"dataset": "sphere-levels:levels=1", "scalar": "speed",
+                          "value": 9}})"),
+              AllOf(HasSubstr("value: 9; accepted: from 0 to "),
+                    HasSubstr(", the range of speed of sphere-levels:levels=1")));
+}
+
+TEST_F(UnitIsosurfaceValues, OfSeveralTimesOneIsChosenOrTheFirstOneIsSaid) {
+  const auto remarks = [](const Scene& scene) { return scene.objects.front().vertices().remarks; };
+  EXPECT_THAT(remarks(of(R"("value": 1.5)")),
+              ::testing::ElementsAre("times.nc is drawn at 0.5, the first of its 2 times"));
+  EXPECT_TRUE(remarks(with(object(R"("value": 1.5)"))).empty());
+  for (const char* time : {"2", "\"2\"", "\"last\""})
+    EXPECT_TRUE(remarks(of(std::string(R"("value": 11.5, "time": )") + time)).empty()) << time;
+  EXPECT_THAT(refusal(object(R"("value": 1.5, "time": 2)", "times.nc")),
+              HasSubstr("accepted: from 10 to 12"));
+  EXPECT_THAT(refusal(object(R"("value": 1.5, "time": 1)", "times.nc")),
+              HasSubstr("time=1; accepted: first, last, or one of its 2 times from 0.5 to 2"));
+  EXPECT_THAT(refusal(object(R"("value": 1.5, "time": "last")")), HasSubstr("it has no times"));
 }
 
 }  // namespace
