@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/files/vtk_attributes.h"
 
+#include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -51,17 +52,28 @@ vtkDataArray* find_colors(vtkDataSetAttributes& arrays) {
   return nullptr;
 }
 
-/// Scalars keep their name, vectors give NAME_x, NAME_y, NAME_z; of bytes, the scalars red, green,
+/// "_x" of a vector, "_xy" of a tensor, symmetric ones in the order of VTK 9, else the number.
+std::string component_suffix(int component, int components) {
+  static constexpr const char* of_vector[] = {"_x", "_y", "_z", "_w"};
+  static constexpr const char* of_symmetric[] = {"_xx", "_yy", "_zz", "_xy", "_yz", "_xz"};
+  static constexpr const char* of_tensor[] = {"_xx", "_xy", "_xz", "_yx", "_yy",
+                                              "_yz", "_zx", "_zy", "_zz"};
+  if (components <= 4) return of_vector[component];
+  if (components == 6) return of_symmetric[component];
+  if (components == 9) return of_tensor[component];
+  return fmt::format("_{}", component);
+}
+
+/// Scalars keep their name, others have one for each component; of bytes, the scalars red, green,
 /// blue and alpha count in 255ths.
 void take_array(vtkDataArray& array, const PointIds& points, VertexAttributes& attributes) {
   const std::string name = array.GetName() ? array.GetName() : "unnamed";
   const int components = array.GetNumberOfComponents();
-  static const char* const axes[] = {"_x", "_y", "_z", "_w"};
   const bool is_channel = name == "red" || name == "green" || name == "blue" || name == "alpha";
   if (components == 1)
     return take_column(array, points, name, 0, is_channel ? vtk_color_unit(array) : 1, attributes);
-  for (int c = 0; c < std::min(components, 4); ++c)
-    take_column(array, points, name + axes[c], c, 1, attributes);
+  for (int c = 0; c < components; ++c)
+    take_column(array, points, name + component_suffix(c, components), c, 1, attributes);
 }
 
 }  // namespace

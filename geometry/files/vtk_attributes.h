@@ -17,7 +17,8 @@ namespace pellucid::geometry {
 using PointIds = std::vector<vtkIdType>;
 
 /// Returns the points' attributes, in the order of `points`: scalars by their name, vectors as
-/// NAME_x, NAME_y, NAME_z, colours as red, green, blue, alpha, the active normals as nx, ny, nz.
+/// NAME_x, NAME_y, NAME_z, tensors of nine or six numbers as NAME_xx, NAME_xy, …, longer rows as
+/// NAME_0, NAME_1, …, colours as red, green, blue, alpha, the active normals as nx, ny, nz.
 /// VTK's own flags are none.
 VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points);
 

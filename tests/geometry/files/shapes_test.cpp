@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What shapes mean, whatever their file: polygons, normals, edges, hidden cells, colours.
 
+#include <fmt/format.h>
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -251,6 +253,34 @@ TEST_F(UnitShapes, HiddenCellsAreNotDrawn) {
   const fs::path path = file("point.vtk", squares(hidden_point));
   EXPECT_NEAR(testing::area_of(read_mesh(path)), 1, 1e-14);
   EXPECT_EQ(read_points(path).positions.size(), 5u);
+}
+
+/// One cell of a vertex each; `components` numbers at it, 0, 1, 2, …
+std::string rows_vtp(int components) {
+  std::string values;
+  for (int c = 0; c < components; ++c) values += fmt::format("{} ", c);
+  return fmt::format(
+      R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="1" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+<PointData><DataArray type="Float32" Name="T" NumberOfComponents="{}" format="ascii">{}</DataArray>
+</PointData><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0</DataArray>
+</Points></Piece></PolyData></VTKFile>)",
+      components, values);
+}
+
+TEST_F(UnitShapes, EveryComponentOfATensorIsAScalar) {
+  const auto scalars = [&](int components) {
+    return read_points(file("t.vtp", rows_vtp(components))).scalars;
+  };
+  const auto tensor = scalars(9);
+  EXPECT_EQ(tensor.size(), 9u);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      EXPECT_EQ(tensor.at(fmt::format("T_{}{}", "xyz"[row], "xyz"[column])).front(),
+                3 * row + column);
+  EXPECT_EQ(scalars(6).at("T_xz").front(), 5);
+  EXPECT_EQ(scalars(2).at("T_y").front(), 1);
+  EXPECT_EQ(scalars(12).at("T_11").front(), 11);
 }
 
 }  // namespace
