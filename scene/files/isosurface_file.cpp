@@ -198,8 +198,8 @@ class IsosurfaceReader {
   void refuse_empty(double value, const LevelData& data) const {
     if (!(value >= data.range.x && value <= data.range.y))
       node_["value"].fail(fmt::format("{}; accepted: from {} to {}, the range of {} of {}", value,
-                                      data.range.x, data.range.y, node_["scalar"].string(),
-                                      data.origin));
+                                      float(data.range.x), float(data.range.y),  // as samples are
+                                      node_["scalar"].string(), data.origin));
   }
 
   /// None when the map is one of the scene's own.

@@ -266,10 +266,9 @@ TEST(UnitVdbLevels, TheRangeOfALevelSetIsThatOfItsBand) {
   const std::vector<readers::VdbGrid> grids{{.name = "ball", .value_type = "float", .grid = grid}};
   const auto levels = levels_of(grids, "ball.vdb", "ball");
   const Vec2 range = value_range(grids, "ball", levels);
-  EXPECT_LT(range.y, 0.3);  // the nearest voxel within it, a width of 0.1 off at most
-  EXPECT_GT(range.y, 0.2);
-  EXPECT_GT(range.x, -0.3);
-  EXPECT_LT(range.x, -0.2);
+  EXPECT_LT(range.y, 0.3f);  // of the farthest voxel within it, a width of 0.1 nearer at most
+  EXPECT_GT(range.y, 0.2f);
+  EXPECT_EQ(range.x, float(0.1 * 7 - 1));  // the voxel that is 7 off the centre along an axis
   EXPECT_EQ(sample_range(levels), Vec2(float(-0.3), float(0.3)));
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);  // of which 0.3 is the value all around
   EXPECT_EQ(value_range(grids, "ball", levels), sample_range(levels));
