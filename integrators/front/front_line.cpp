@@ -76,18 +76,53 @@ FrontLine::Shadow FrontLine::shadow_between(const Place& a, const Place& b, Shad
   return run_.spawn(0.5 * (a.s + b.s), 0.5 * (a.t + b.t), 0.5 * (a.tiled + b.tiled));
 }
 
+/// The surface between the two beside the edge between their heads, by the particle from halfway
+/// between their seeds; nothing where that has ended before. Once both have come to the border the
+/// edge stands for the border, and the point is where the surface ends between them: beside the
+/// edge's middle it may lie on the very chord, as in a uniform flow, and yet go on to a corner of
+/// the domain, or past an obstacle at which both have ended.
+std::optional<Vec3> FrontLine::halfway(int p, int q, Trajectory& between) {
+  const bool at_border = at(p).is_at_border() && at(q).is_at_border();
+  const double t =
+      at_border ? run_.options().trajectory.duration : 0.5 * (at(p).head.t + at(q).head.t);
+  const bool gets_there = between.reach(t, run_.sampler());
+  if (!gets_there && !at_border && is_border(*between.end())) return std::nullopt;
+  return between.position_at(std::min(t, between.time()));
+}
+
 bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
-  Vec3 middle(0);
-  if (shadow) {
-    const double t = 0.5 * (a.t + b.t);
-    shadow->reach(t, run_.sampler());
-    middle = shadow->position_at(std::min(t, shadow->time()));
-  } else if (refinement_.by_tolerance()) {
-    return false;
+  double sagitta = 0;
+  if (refinement_.by_tolerance()) {
+    const auto middle = shadow ? halfway(a.particle, b.particle, *shadow) : std::nullopt;
+    if (!middle) return false;
+    sagitta = distance_to_segment(*middle, at(a.particle).head.flow.x, at(b.particle).head.flow.x);
   }
-  return !asks_for_more(
-      refinement_, abreast(a.particle, b.particle),
-      distance_to_segment(middle, at(a.particle).head.flow.x, at(b.particle).head.flow.x));
+  return !asks_for_more(refinement_, abreast(a.particle, b.particle), sagitta);
+}
+
+bool FrontLine::covers(int left, int middle, int right) {
+  const bool at_border = at(left).is_at_border() && at(right).is_at_border();
+  if (!at_border && !refinement_.by_tolerance()) return true;
+  const auto between = halfway(left, right, at(middle).path);
+  if (!between || !at_border) return between.has_value();
+  const double largest =
+      refinement_.by_tolerance() ? refinement_.largest_sagitta() : refinement_.threshold;
+  return distance_to_segment(*between, at(left).head.flow.x, at(right).head.flow.x) <= largest;
+}
+
+/// Of two neighbours whose ways end apart, one at an obstacle that the other one passes, the ribbon
+/// ends in an edge along the flow once it is so narrow that nobody misses what lies between.
+bool FrontLine::closes(const Place& a, const Place& b) const {
+  const FrontParticle &p = at(a.particle), &q = at(b.particle);
+  return (p.is_at_border() || q.is_at_border()) &&
+         separation(p.head, q.head).width <= shortest_edge(refinement_);
+}
+
+/// No particle is left for a ribbon that asks for one: it stays as it is, and its ends say so.
+void FrontLine::keep_coarse(const Place& a, const Place& b, Shadow shadow) {
+  if (a.particle < 0 || b.particle < 0) return run_.drop(std::move(shadow), EndReason::particles);
+  at(a.particle).lacks_neighbour = at(b.particle).lacks_neighbour = true;
+  edges_.push_back({a.particle, b.particle, std::move(shadow)});
 }
 
 /// Seeds that all but coincide have led to places that do not: the surface stretches, and a ribbon
@@ -119,15 +154,21 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   const bool narrow = b.s - a.s <= run_.options().rip;
   // Neighbours that part, or of which one is missing, lie on either side of an edge of the surface.
   const bool at_edge = !both || are_parting(abreast(a.particle, b.particle));
-  const bool fine =
-      both && (is_fine(a, b, shadow.get()) || (narrow && !at_edge && !is_stretched(a, b)));
+  const bool fine = both && (is_fine(a, b, shadow.get()) ||
+                             (narrow && !at_edge && !closes(a, b) && !is_stretched(a, b)));
   if (fine && (!split || narrow)) {
     edges_.push_back({a.particle, b.particle, std::move(shadow)});
     return;
   }
+  if (both && narrow && closes(a, b)) {
+    run_.drop(std::move(shadow), EndReason::torn);
+    edges_.push_back({a.particle, b.particle, {}, true});
+    return;
+  }
   const bool torn = (narrow && at_edge) || b.s - a.s <= closest_seeds;
   if (both && torn) run_.tear(a.s, b.s);
-  if (torn || (!shadow && !run_.may_spawn())) return run_.drop(std::move(shadow), EndReason::torn);
+  if (torn) return run_.drop(std::move(shadow), EndReason::torn);
+  if (!shadow && !run_.may_spawn()) return keep_coarse(a, b, std::move(shadow));
   const Place middle =
       place(0.5 * (a.s + b.s), time_between(a, b), 0.5 * (a.tiled + b.tiled), std::move(shadow));
   span(a, middle, {}, false);
@@ -135,12 +176,13 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
 }
 
 void FrontLine::link_edges() {
-  for (auto& [left, right, shadow] : edges_) {
+  for (auto& [left, right, shadow, closes] : edges_) {
+    for (const int p : {left, right})
+      if (at(p).head.vertex == FrontPoint::no_vertex) at(p).head.vertex = run_.add_vertex(at(p));
+    if (closes) continue;
     at(left).right = right;
     at(right).left = left;
     at(left).shadow = std::move(shadow);
-    for (const int p : {left, right})
-      if (at(p).head.vertex == FrontPoint::no_vertex) at(p).head.vertex = run_.add_vertex(at(p));
   }
 }
 

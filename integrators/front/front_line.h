@@ -29,7 +29,8 @@ class FrontLine {
   /// An Edge joins two neighbours of the front.
   struct Edge {
     int left, right;
-    Shadow shadow;  // by tolerance: from halfway between the seeds
+    Shadow shadow;        // by tolerance: from halfway between the seeds
+    bool closes = false;  // the ribbon is tiled up to it, and ends there
   };
 
   /// `refines`: false keeps the particles as they start, and neighbours go as far as both do.
@@ -47,6 +48,9 @@ class FrontLine {
   /// Does it stand halfway between the seeds of its neighbours? By tolerance only such a particle
   /// can be taken out: it becomes the shadow of the ribbon that closes over it.
   bool is_halfway(int middle) const;
+  /// Does the front miss nothing of the surface without the particle between two? It may not end
+  /// before the edge between their heads nor, where both have come to the border, beyond it.
+  bool covers(int left, int middle, int right);
   /// Two particles as they are compared: at their heads, but in an unsteady flow, whose velocities
   /// mean nothing beside those of another time, at the later one's time.
   Abreast abreast(int p, int q);
@@ -59,7 +63,10 @@ class FrontLine {
  private:
   Place place(double s, double t, double tiled, Shadow path);
   Shadow shadow_between(const Place& a, const Place& b, Shadow known);
+  std::optional<Vec3> halfway(int p, int q, Trajectory& between);
   bool is_fine(const Place& a, const Place& b, Trajectory* shadow);
+  bool closes(const Place& a, const Place& b) const;
+  void keep_coarse(const Place& a, const Place& b, Shadow shadow);
   double time_between(const Place& a, const Place& b) const;
   bool is_stretched(const Place& a, const Place& b) const;
   void span(const Place& a, const Place& b, Shadow shadow, bool split);

@@ -31,10 +31,15 @@ struct FrontParticle {
   std::optional<FrontPoint> next;
   int left = -1, right = -1;  // neighbours; -1 where there is none, or where the ribbon was torn
   bool merged = false;
+  bool lacks_neighbour = false;        // one was needed beside it, and none was to be had
   bool lent = false;                   // merged, and its path is now its ribbon's shadow
   std::unique_ptr<Trajectory> shadow;  // from halfway to the right neighbour's seed
 
   bool is_linked() const { return left >= 0 || right >= 0; }
+  /// Has the mesh reached the end of its way, and with it the surface's border?
+  bool is_at_border() const {
+    return path.end() && is_border(*path.end()) && head.t >= path.time();
+  }
   /// Goes on to `next`, if it is later. Who rested meanwhile keeps its vertex: a second one there
   /// would make triangles without an area.
   void go_on();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/parallel.h"
@@ -64,27 +65,43 @@ void add_stretches(const Looks& looks, std::vector<int>& places) {
   std::sort(places.begin(), places.end());
 }
 
-/// Follows particles from looks, to tell which of them last for the whole duration.
+/// How a particle's way ends.
+struct Fate {
+  EndReason end;
+  double t, speed;  // there
+};
+
+/// By how much the border of the surface jumps between two particles, world units: in whatever
+/// each of them ends by, at the faster one's speed.
+double jump_between(const Fate& a, const Fate& b) {
+  if (a.end != b.end) return std::numeric_limits<double>::infinity();
+  if (!is_border(a.end)) return 0;
+  return std::abs(a.t - b.t) * std::max(a.speed, b.speed);
+}
+
+/// Follows particles from looks, to tell between which of them their ways' ends part.
 class Followed {
  public:
   Followed(const SurfaceRequest& request, const SurfaceSetup& setup)
-      : request_(request), source_(request, setup), lasts_(followed_looks + 1) {
-    parallel_for(0, followed_looks + 1, [&](int i) { lasts_[std::size_t(i)] = lasts(i * stride); });
+      : request_(request), setup_(setup), source_(request, setup), fates_(followed_looks + 1) {
+    parallel_for(0, followed_looks + 1, [&](int i) { fates_[std::size_t(i)] = fate(i * stride); });
   }
 
   std::uint64_t evaluations() const { return source_.evaluations(); }
 
-  /// Adds the two neighbouring looks between which a particle that lasts and one that does not lie.
+  /// Adds the two neighbouring looks between which the surface's border jumps, wherever it does,
+  /// and those between which it is straight.
   void add_edges(std::vector<int>& places) {
+    int begin = 0;
     for (int i = 0; i < followed_looks; ++i) {
-      if (lasts_[std::size_t(i)] == lasts_[std::size_t(i) + 1]) continue;
-      int low = i * stride, high = low + stride;
-      while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        (lasts(middle) == lasts_[std::size_t(i)] ? low : high) = middle;
-      }
-      places.insert(places.end(), {low, high});
+      const double jump = jump_between(fate_of(i), fate_of(i + 1));
+      if (!(jump > setup_.shortest_edge)) continue;
+      if (!add_edge({i * stride, fate_of(i)}, {(i + 1) * stride, fate_of(i + 1)}, jump, places))
+        continue;
+      add_bends(begin, i, places);
+      begin = i + 1;
     }
+    add_bends(begin, followed_looks, places);
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
   }
@@ -92,14 +109,56 @@ class Followed {
  private:
   static constexpr int stride = seed_looks / followed_looks;
 
-  char lasts(int look) {
+  struct Look {
+    int place;
+    Fate fate;
+  };
+
+  /// A border that jumps does so whole within each of ever smaller intervals; one that leans, as
+  /// where a front leaves the domain obliquely, is divided with them, and no edge: false.
+  bool add_edge(Look low, Look high, double jump, std::vector<int>& places) {
+    while (high.place - low.place > 1) {
+      const int middle = (low.place + high.place) / 2;
+      const Look look{middle, fate(middle)};
+      const bool before = jump_between(low.fate, look.fate) >= jump_between(look.fate, high.fate);
+      (before ? high : low) = look;
+    }
+    if (jump_between(low.fate, high.fate) < 0.5 * jump) return false;
+    places.insert(places.end(), {low.place, high.place});
+    return true;
+  }
+
+  /// Between two that end alike, where the border is farthest off the straight line, if that is
+  /// far: a front whose particles stand on either side of the corner of an obstacle would reach
+  /// over it.
+  void add_bends(int a, int b, std::vector<int>& places) {
+    double largest = setup_.shortest_edge;
+    int bend = a;
+    for (int i = a + 1; i < b; ++i) {
+      const Fate& fate = fate_of(i);
+      const double line = std::lerp(fate_of(a).t, fate_of(b).t, double(i - a) / (b - a));
+      const double off = is_border(fate.end) ? std::abs(fate.t - line) * fate.speed : 0;
+      if (off > largest) largest = off, bend = i;
+    }
+    if (bend == a) return;
+    places.push_back(bend * stride);
+    add_bends(a, bend, places);
+    add_bends(bend, b, places);
+  }
+
+  const Fate& fate_of(int i) const { return fates_[std::size_t(i)]; }
+
+  Fate fate(int look) {
     Trajectory path = source_.start(double(look) / seed_looks);
-    return path.exists() && path.reach(request_.duration, source_.sampler());
+    if (path.exists()) path.skip_to(request_.duration, source_.sampler());
+    const double speed = path.exists() ? magnitude(path.at(path.time()).v) : 0;
+    return {path.end().value_or(EndReason::duration), path.time(), speed};
   }
 
   const SurfaceRequest& request_;
+  const SurfaceSetup& setup_;
   ParticleSource source_;
-  std::vector<char> lasts_;
+  std::vector<Fate> fates_;
 };
 
 void add_bends(const Looks& looks, int a, int b, std::vector<int>& places) {

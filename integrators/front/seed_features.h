@@ -26,8 +26,9 @@ struct SeedFeatures {
 /// ascend from 0 to 1, so as not to step over a feature of the field: where its velocity along the
 /// seed curve at the start time is off the straight line between its neighbours' by more than a
 /// quarter of the largest speed on the curve; one in each stretch of the curve that has none and in
-/// which the field is there, or is not; and on both sides of where particles begin or cease to last
-/// for the whole duration.
+/// which the field is there, or is not; and on both sides of where the surface's border jumps:
+/// where particles begin to end by another reason, or at another time by more than `shortest_edge`
+/// of `setup` at their speed, as past an obstacle; and where that border has corners.
 SeedFeatures seed_features(const SurfaceRequest& request, const SurfaceSetup& setup,
                            std::span<const double> seeds);
 

@@ -110,7 +110,9 @@ void SurfaceRun::retire(std::span<const FrontParticle> particles) {
     if (particle.shadow) bytes += sizeof(Trajectory) + particle.shadow->bytes();
     if (particle.shadow) ++stats_.ends[particle.shadow->end().value_or(otherwise)];
     if (particle.lent) continue;  // counted as a shadow
-    if (particle.merged)
+    if (particle.lacks_neighbour)
+      ++stats_.ends[EndReason::particles];
+    else if (particle.merged)
       ++stats_.ends[EndReason::merged];
     else
       ++stats_.ends[particle.next ? otherwise : particle.path.end().value_or(otherwise)];

@@ -42,6 +42,16 @@ bool is_for_want_of_field(EndReason reason) {
          reason == EndReason::not_finite;
 }
 
+bool is_budget(EndReason reason) {
+  return reason == EndReason::steps || reason == EndReason::particles ||
+         reason == EndReason::triangles || reason == EndReason::vertices;
+}
+
+bool is_border(EndReason reason) {
+  return is_for_want_of_field(reason) || reason == EndReason::duration ||
+         reason == EndReason::length;
+}
+
 std::string in_words(const EndCounts& ends) {
   std::string text;
   for (const auto& [reason, count] : ends)

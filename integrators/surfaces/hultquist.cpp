@@ -148,7 +148,7 @@ void RibbonFront::tile(int left, int right, int advanced, const FrontPoint& befo
   for (const auto& edge : reached_from(advanced, edges))
     run_.add_triangle(before.vertex, front_.at(edge.right).head.vertex,
                       front_.at(edge.left).head.vertex);
-  const bool whole = edges.size() == 1 && edges[0].left == left && edges[0].right == right;
+  const bool whole = edges.size() == 1 && front_.at(left).right == right;
   if (whole) return merge(advanced, advanced == left ? right : left);
   for (const auto& edge : edges) {
     for (const int p : {edge.left, edge.right}) {
@@ -170,6 +170,7 @@ void RibbonFront::merge(int p, int middle) {
   const FrontPoint &m = front_.at(middle).head, &b = front_.at(beyond).head, &n = front_.at(p).head;
   const double sagitta = distance_to_segment(m.flow.x, n.flow.x, b.flow.x);
   if (!can_do_without(refinement_, front_.abreast(p, beyond), sagitta)) return;
+  if (!(to_right ? front_.covers(p, middle, beyond) : front_.covers(beyond, middle, p))) return;
   const FrontPoint &first = to_right ? m : b, &second = to_right ? b : m;
   if (!is_well_shaped(first, second, n)) return;
   run_.add_triangle(first.vertex, second.vertex, n.vertex);

@@ -122,8 +122,13 @@ double SynchronousFront::reach(double t) {
   steps_.resize(moving_.size());
   for_each_moving([&](std::size_t i, FrontParticle& particle, const FrontPoint* left,
                       const FrontPoint* right, fields::FieldSampler& sampler) {
-    particle.path.release(particle.head.t);
-    particle.path.reach(t, sampler);
+    // A row without refinement may be as long as it likes; what lies within it nobody asks for.
+    if (rows_ > 0) {
+      particle.path.skip_to(t, sampler);
+    } else {
+      particle.path.release(particle.head.t);
+      particle.path.reach(t, sampler);
+    }
     particle.next = front_point(particle.path, std::min(t, particle.path.time()));
     steps_[i] = rows_ > 0 ? std::numeric_limits<double>::infinity()
                           : allowed_step(refinement_, particle.path, particle.head, left, right,
@@ -143,6 +148,7 @@ bool SynchronousFront::try_merge(const Ribbon& a, const Ribbon& b) {
   const FrontPoint &l = head_of(left), &m = before_[std::size_t(middle)], &r = head_of(right);
   const double sagitta = distance_to_segment(head_of(middle).flow.x, l.flow.x, r.flow.x);
   if (!can_do_without(refinement_, front_.abreast(left, right), sagitta)) return false;
+  if (!front_.covers(left, middle, right)) return false;
   if (!is_well_shaped(m, r, l)) return false;
   const Trajectory& between = front_.at(middle).path;
   if (refinement_.by_tolerance() && diagonal_sagitta(left, right, [&](double t) {

@@ -165,16 +165,25 @@ class ObjectReader {
     integrators::IntegratedSurface surface =
         at_place(node, [&] { return integrators::integrate_surface(integrator, request); });
     if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
-    if (surface.stats.ends.contains(integrators::EndReason::triangles))
-      node.fail(fmt::format(
-          "it ends unfinished after {} triangles; accepted: a shorter seed or duration, a coarser "
-          "threshold or tolerance, a larger max-triangles",
-          surface.mesh.triangles.size()));
+    refuse_unfinished(node, "a shorter seed or duration, a coarser threshold or tolerance",
+                      surface.stats.ends);
     integrators::turn_back(surface.mesh, *source.field);
     note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
                      surface.stats.particles, surface.mesh.triangles.size()));
     draw(std::move(surface.mesh));
     object_.source = source;
+  }
+
+  /// What a budget has cut short is not what the scene asks for.
+  static void refuse_unfinished(const JsonNode& node, std::string_view smaller,
+                                const integrators::EndCounts& ends) {
+    const auto budget = std::ranges::find_if(
+        ends, [](const auto& end) { return integrators::is_budget(end.first); });
+    if (budget == ends.end()) return;
+    const std::string_view name = integrators::name_of(budget->first);
+    node.fail(
+        fmt::format("it is unfinished: max-{} ended {} particles; accepted: {}, a larger max-{}",
+                    name, budget->second, smaller, name));
   }
 
   FlowSource read_flow(const JsonNode& node) const {
@@ -217,11 +226,8 @@ class ObjectReader {
           node.has("both") && node["both"].boolean()};
       return integrators::integrate_lines(integrator, request);
     });
-    if (lines.stats.ends.contains(integrators::EndReason::vertices))
-      node.fail(fmt::format(
-          "its lines end unfinished after {} vertices; accepted: fewer particles, a shorter "
-          "duration, a longer step or turn, a larger max-vertices",
-          lines.lines.positions.size()));
+    refuse_unfinished(node, "fewer particles, a shorter duration, a longer step or turn",
+                      lines.stats.ends);
     integrators::turn_back(lines.lines, *source.field);
     note(fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
                      lines.lines.line_count(), lines.lines.positions.size()));

@@ -85,12 +85,18 @@ TEST_F(UnitCommandLine, RefusesWhatATraceWouldIgnore) {
 TEST_F(UnitCommandLine, RefusesScenesOfFlowsThatEndUnfinished) {
   const std::string flow = R"({"field": "abc", "seed": {"from": [0, 0, 0], "to": [1, 0, 0]},
                               "duration": 2, "integrator": )";
-  for (const auto& [object, integrator] :
-       {std::pair("surface", "hultquist:max-triangles=20"),
-        std::pair("lines", "stream-lines:particles=4,max-vertices=20")}) {
-    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "objects": [{")" +
-                            std::string(object) + "\": " + flow + '"' + integrator + "\"}}]}");
-    EXPECT_THAT(refusal(render("raytrace")), HasSubstr("unfinished after 2")) << object;
+  struct Cut {
+    std::string object, integrator, budget;
+  };
+  for (const auto& [object, integrator, budget] :
+       {Cut{"surface", "hultquist:max-triangles=20", "max-triangles"},
+        Cut{"surface", "hultquist:tolerance=1e-4,max-particles=20", "max-particles"},
+        Cut{"surface", "hultquist:max-steps=3", "max-steps"},
+        Cut{"lines", "stream-lines:particles=4,max-vertices=20", "max-vertices"},
+        Cut{"lines", "stream-lines:particles=4,max-steps=3", "max-steps"}}) {
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "objects": [{")" + object +
+                            "\": " + flow + '"' + integrator + "\"}}]}");
+    EXPECT_THAT(refusal(render("raytrace")), HasSubstr("unfinished: " + budget)) << integrator;
   }
 }
 
