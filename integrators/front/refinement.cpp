@@ -63,6 +63,14 @@ double twist_sagitta(const FrontPoint& a, const FrontPoint& b) {
 // ribbon's triangles by that part, as in Schwarz's lantern.
 constexpr double largest_tilt = 0.15;
 
+/// The shortest step that is one, time units: over less of it a particle has not left its place,
+/// or doubles do not tell the times apart, and a front would go on for ever without a triangle.
+double shortest_step(const Trajectory& path, const FrontPoint& head) {
+  constexpr double resolution = 4 * std::numeric_limits<double>::epsilon();
+  const double to_move = head.speed > 0 ? 2 * path.still() / head.speed : 0;
+  return std::min(std::max(to_move, resolution * head.t), path.longest_plan());
+}
+
 /// By how much the step to `next` has to be shortened: 1 when it will do.
 double shortening(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                   const FrontPoint* left, const FrontPoint* right, const FrontPoint& next) {
@@ -81,8 +89,11 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
 
 }  // namespace
 
-double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
-                    const FrontPoint* left, const FrontPoint* right) {
+namespace {
+
+/// What the refinement asks for, however short.
+double wanted_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                   const FrontPoint* left, const FrontPoint* right) {
   const double longest = path.longest_plan();
   if (!refinement.by_tolerance() || refinement.step > 0)
     return std::min(time_to_move(head, refinement.step), longest);
@@ -100,12 +111,21 @@ double planned_step(const Refinement& refinement, const Trajectory& path, const 
   return std::min(dt, longest);
 }
 
+}  // namespace
+
+double planned_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
+                    const FrontPoint* left, const FrontPoint* right) {
+  return std::max(wanted_step(refinement, path, head, left, right), shortest_step(path, head));
+}
+
 double allowed_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                     const FrontPoint* left, const FrontPoint* right, const FrontPoint& next) {
   const double moved = next.t - head.t;
   if (!(moved > 0)) return std::numeric_limits<double>::infinity();
   const double part = shortening(refinement, path, head, left, right, next);
-  return part >= 1 ? std::numeric_limits<double>::infinity() : std::max(part, 0.1) * moved;
+  const double shortest = shortest_step(path, head);
+  if (part >= 1 || moved <= shortest) return std::numeric_limits<double>::infinity();
+  return std::max(std::max(part, 0.1) * moved, shortest);
 }
 
 double shortest_edge(const Refinement& refinement) {

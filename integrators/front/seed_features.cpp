@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/parallel.h"
 #include "integrators/paths/magnitude.h"
@@ -83,7 +84,8 @@ double jump_between(const Fate& a, const Fate& b) {
 class Followed {
  public:
   Followed(const SurfaceRequest& request, const SurfaceSetup& setup)
-      : request_(request), setup_(setup), source_(request, setup), fates_(followed_looks + 1) {
+      : request_(request), setup_(setup), source_(request, setup_), fates_(followed_looks + 1) {
+    setup_.trajectory.max_steps = std::min(setup.trajectory.max_steps, most_steps);
     parallel_for(0, followed_looks + 1, [&](int i) { fates_[std::size_t(i)] = fate(i * stride); });
   }
 
@@ -92,61 +94,72 @@ class Followed {
   /// Adds the two neighbouring looks between which the surface's border jumps, wherever it does,
   /// and those between which it is straight.
   void add_edges(std::vector<int>& places) {
-    int begin = 0;
+    std::vector<Look> alike{look_of(0)};
     for (int i = 0; i < followed_looks; ++i) {
-      const double jump = jump_between(fate_of(i), fate_of(i + 1));
-      if (!(jump > setup_.shortest_edge)) continue;
-      if (!add_edge({i * stride, fate_of(i)}, {(i + 1) * stride, fate_of(i + 1)}, jump, places))
-        continue;
-      add_bends(begin, i, places);
-      begin = i + 1;
+      if (const auto edge = edge_between(look_of(i), look_of(i + 1))) {
+        places.insert(places.end(), {edge->first.place, edge->second.place});
+        append(alike, edge->first);
+        add_bends(alike, places);
+        alike = {edge->second};
+      }
+      append(alike, look_of(i + 1));
     }
-    add_bends(begin, followed_looks, places);
+    add_bends(alike, places);
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
   }
 
  private:
   static constexpr int stride = seed_looks / followed_looks;
+  // A duration of a million turns is not to take longer to look at than to sweep.
+  static constexpr std::uint64_t most_steps = 20'000;
 
   struct Look {
     int place;
     Fate fate;
   };
 
-  /// A border that jumps does so whole within each of ever smaller intervals; one that leans, as
-  /// where a front leaves the domain obliquely, is divided with them, and no edge: false.
-  bool add_edge(Look low, Look high, double jump, std::vector<int>& places) {
+  Look look_of(int i) const { return {i * stride, fates_[std::size_t(i)]}; }
+
+  static void append(std::vector<Look>& looks, const Look& look) {
+    if (look.place > looks.back().place) looks.push_back(look);
+  }
+
+  /// The two neighbouring looks where the border jumps. One that jumps does so whole within each of
+  /// ever smaller intervals; one that leans, as where a front leaves the domain obliquely, is
+  /// divided with them, and has no edge.
+  std::optional<std::pair<Look, Look>> edge_between(Look low, Look high) {
+    const double jump = jump_between(low.fate, high.fate);
+    if (!(jump > setup_.shortest_edge)) return std::nullopt;
     while (high.place - low.place > 1) {
       const int middle = (low.place + high.place) / 2;
       const Look look{middle, fate(middle)};
       const bool before = jump_between(low.fate, look.fate) >= jump_between(look.fate, high.fate);
       (before ? high : low) = look;
     }
-    if (jump_between(low.fate, high.fate) < 0.5 * jump) return false;
-    places.insert(places.end(), {low.place, high.place});
-    return true;
+    if (jump_between(low.fate, high.fate) < 0.5 * jump) return std::nullopt;
+    return std::pair(low, high);
   }
 
-  /// Between two that end alike, where the border is farthest off the straight line, if that is
-  /// far: a front whose particles stand on either side of the corner of an obstacle would reach
-  /// over it.
-  void add_bends(int a, int b, std::vector<int>& places) {
+  /// Of looks that end alike, where the border is farthest off the straight line between the first
+  /// and the last, if that is far: a front whose particles stand on either side of the corner of an
+  /// obstacle would reach over it.
+  void add_bends(std::span<const Look> looks, std::vector<int>& places) const {
+    const Look &first = looks.front(), &last = looks.back();
     double largest = setup_.shortest_edge;
-    int bend = a;
-    for (int i = a + 1; i < b; ++i) {
-      const Fate& fate = fate_of(i);
-      const double line = std::lerp(fate_of(a).t, fate_of(b).t, double(i - a) / (b - a));
-      const double off = is_border(fate.end) ? std::abs(fate.t - line) * fate.speed : 0;
+    std::size_t bend = 0;
+    for (std::size_t i = 1; i + 1 < looks.size(); ++i) {
+      const auto& [place, fate] = looks[i];
+      if (!is_border(fate.end)) continue;
+      const double part = double(place - first.place) / (last.place - first.place);
+      const double off = std::abs(fate.t - std::lerp(first.fate.t, last.fate.t, part)) * fate.speed;
       if (off > largest) largest = off, bend = i;
     }
-    if (bend == a) return;
-    places.push_back(bend * stride);
-    add_bends(a, bend, places);
-    add_bends(bend, b, places);
+    if (bend == 0) return;
+    places.push_back(looks[bend].place);
+    add_bends(looks.first(bend + 1), places);
+    add_bends(looks.subspan(bend), places);
   }
-
-  const Fate& fate_of(int i) const { return fates_[std::size_t(i)]; }
 
   Fate fate(int look) {
     Trajectory path = source_.start(double(look) / seed_looks);
@@ -156,7 +169,7 @@ class Followed {
   }
 
   const SurfaceRequest& request_;
-  const SurfaceSetup& setup_;
+  SurfaceSetup setup_;
   ParticleSource source_;
   std::vector<Fate> fates_;
 };

@@ -84,6 +84,8 @@ class Trajectory {
   bool are_same(const Vec3& a, const Vec3& b) const {
     return glm::distance(a, b) <= options_->still;
   }
+  /// How far two places of it are apart at least, world units.
+  double still() const { return options_->still; }
   /// Forgets what lies before t.
   void release(double t);
 
