@@ -2,7 +2,10 @@
 #include "integrators/front/surface_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "integrators/paths/magnitude.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -43,9 +46,7 @@ void SurfaceBuilder::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_
 }
 
 bool SurfaceBuilder::has_one_normal(std::uint32_t vertex) const {
-  if (normals_[vertex] == Vec3(0)) return false;
-  return std::none_of(curve_.corners.begin(), curve_.corners.end(),
-                      [&](double corner) { return std::abs(s_[vertex] - corner) < 1e-9; });
+  return normals_[vertex] != Vec3(0);
 }
 
 /// From a to b; over the seam of a closed curve s jumps from 1 to 0.
@@ -89,15 +90,23 @@ void SurfaceBuilder::drop_unused_vertices() {
     for (std::uint32_t& corner : triangle) corner = place[corner];
 }
 
-/// Where the flow has no normal, that of the triangles around stands in.
+/// Where the surface has no normal, that of the triangles around stands in, each by its angle
+/// there: whatever way a crease's two sides are cut into triangles, both weigh the same.
 void SurfaceBuilder::fill_missing_normals() {
   std::vector<bool> missing(normals_.size());
   for (std::size_t i = 0; i < normals_.size(); ++i) missing[i] = normals_[i] == Vec3(0);
   for (const auto& [a, b, c] : triangles_) {
     if (!missing[a] && !missing[b] && !missing[c]) continue;
-    const Vec3 area = glm::cross(positions_[b] - positions_[a], positions_[c] - positions_[a]);
-    for (const std::uint32_t corner : {a, b, c})
-      if (missing[corner]) normals_[corner] += area;
+    const std::array corners{a, b, c};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!missing[corners[k]]) continue;
+      const Vec3& x = positions_[corners[k]];
+      const Vec3 one = positions_[corners[(k + 1) % 3]] - x;
+      const Vec3 other = positions_[corners[(k + 2) % 3]] - x;
+      const Vec3 area = glm::cross(one, other);
+      normals_[corners[k]] +=
+          std::atan2(magnitude(area), glm::dot(one, other)) * direction_of(area);
+    }
   }
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     if (!missing[i]) continue;

@@ -62,7 +62,10 @@ ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup
 Trajectory ParticleSource::start(double s) {
   const double wrapped = seed_.closed ? s - std::floor(s) : s;
   const Vec3 seed = onto_edge(domain_, seed_.point_at(wrapped));
-  return Trajectory(options_, seed, seed_.tangent_at(wrapped), sampler());
+  // On the crease that starts at a corner ∂x/∂s is two vectors. Neither of them speaks for the
+  // other side, and normals by it would seem to turn at once, however near the next particle is.
+  const Vec3 tangent = is_corner(seed_, s) ? Vec3(0) : seed_.tangent_at(wrapped);
+  return Trajectory(options_, seed, tangent, sampler());
 }
 
 std::uint64_t ParticleSource::evaluations() const {

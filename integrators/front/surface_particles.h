@@ -28,7 +28,7 @@ class ParticleSource {
  public:
   ParticleSource(const SurfaceRequest& request, const SurfaceSetup& setup);
 
-  /// s may run past 1 on a closed curve.
+  /// s may run past 1 on a closed curve. At a corner the particle has no ∂x/∂s.
   Trajectory start(double s);
   fields::FieldSampler& sampler() { return samplers_.local(); }
   std::uint64_t evaluations() const;

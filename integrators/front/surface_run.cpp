@@ -6,6 +6,7 @@
 #include "core/machine/stopwatch.h"
 #include "integrators/front/facet_mending.h"
 #include "integrators/front/seed_features.h"
+#include "integrators/paths/seed_place.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -34,6 +35,17 @@ std::vector<Piece> pieces_between(std::vector<std::pair<double, double>> tears, 
   for (std::size_t i = 0; i + 1 < bounds.size(); i += 2)
     if (bounds[i + 1] - bounds[i] > 4 * rip) pieces.push_back({bounds[i], bounds[i + 1], false});
   return pieces;
+}
+
+/// Adds one between any two corners that have none between them: both ends of that ribbon would be
+/// without a normal, and how it twists would not be seen.
+void add_between_corners(const SeedCurve& curve, std::vector<double>& seeds) {
+  std::vector<double> middles;
+  for (std::size_t i = 1; i < seeds.size(); ++i)
+    if (is_corner(curve, seeds[i - 1]) && is_corner(curve, seeds[i]))
+      middles.push_back(0.5 * (seeds[i - 1] + seeds[i]));
+  seeds.insert(seeds.end(), middles.begin(), middles.end());
+  std::sort(seeds.begin(), seeds.end());
 }
 
 /// Where the first particles start: evenly over the whole curve, and at its corners.
@@ -160,6 +172,7 @@ IntegratedSurface run_surface(const SurfaceRequest& request, const SurfaceSetup&
   const Stopwatch watch;
   std::vector<std::pair<double, double>> tears;
   std::vector<double> first = even_seeds(request.seed, particles);
+  if (options.refines) add_between_corners(request.seed, first);
   SeedFeatures features;
   if (options.refines) features = seed_features(request, options, first);
   first.insert(first.end(), features.seeds.begin(), features.seeds.end());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/indexed_random.h"
+
 namespace pellucid::integrators {
 namespace {
 
@@ -15,10 +17,6 @@ double twice_area(const geometry::TriangleMesh& mesh, std::size_t triangle) {
   const Vec3& x = mesh.positions[a];
   return glm::length(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
 }
-
-}  // namespace
-
-namespace {
 
 /// The i-th of a sequence that covers the triangle evenly: R₂ of M. Roberts, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", 2018, additive with the powers of 1 / g, g³ = g + 1, on
@@ -46,8 +44,12 @@ std::vector<MeshSample> sample_mesh(const geometry::TriangleMesh& mesh, std::uin
       for (const auto& place : places) chosen.push_back({next, place, 0});
   };
   // Each stands for the same area: a few long triangles across a gap matter as much as they show.
+  // Where in its part of the area is drawn by lot. Triangles come in rows, and even steps, or any
+  // lattice's, fall into step with some number of rows: each row would then be looked at in the
+  // same few places. Chance does not, whatever the order; what it costs falls with the number's
+  // root where triangles are more than the samples, and faster where they are fewer.
   for (std::uint64_t i = 0; i < samples && !end_areas.empty(); ++i) {
-    const double area = (double(i) + 0.5) / double(samples) * total;
+    const double area = (double(i) + IndexedRandom(0, i).uniform(0)) / double(samples) * total;
     const auto found = std::upper_bound(end_areas.begin(), end_areas.end() - 1, area);
     const auto triangle = std::size_t(found - end_areas.begin());
     choose_places(triangle + 1);

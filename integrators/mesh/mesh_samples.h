@@ -17,11 +17,11 @@ struct MeshSample {
   double weight;
 };
 
-/// Samples `samples` places evenly over the area, so that sums by their parts come to the integral
-/// over the mesh; and, standing for no area, the middles of triangles and of their sides, where
-/// linear interpolation of a curved surface errs most: all four of every triangle where that takes
-/// no more than `samples`, else one beside each sample. Ascending in the triangle; the same for the
-/// same mesh.
+/// Samples `samples` places evenly over the area, one by lot in each equal part of it, so that sums
+/// by their parts come to the integral over the mesh in whatever order its triangles are; and,
+/// standing for no area, the middles of triangles and of their sides, where linear interpolation of
+/// a curved surface errs most: all four of every triangle where that takes no more than `samples`,
+/// else one beside each sample. Ascending in the triangle; the same for the same mesh.
 std::vector<MeshSample> sample_mesh(const geometry::TriangleMesh& mesh, std::uint64_t samples);
 
 /// Returns where a sample lies, in world units.

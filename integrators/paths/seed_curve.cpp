@@ -47,6 +47,20 @@ std::size_t piece_of(const std::vector<double>& knots, double s) {
   return std::size_t(above - knots.begin()) - 1;
 }
 
+/// The knots at which one piece's direction is not the next one's: a point on a straight line is no
+/// corner.
+std::vector<double> corners_of(const std::vector<Vec3>& x, const std::vector<double>& knots,
+                               bool closed) {
+  constexpr double straight = 1e-6;  // radians: some rounding of coordinates
+  const std::size_t pieces = x.size() - 1;
+  const auto direction = [&](std::size_t i) { return glm::normalize(x[i + 1] - x[i]); };
+  std::vector<double> corners;
+  for (std::size_t i = closed ? 0 : 1; i < pieces; ++i)
+    if (glm::distance(direction(i), direction((i + pieces - 1) % pieces)) > straight)
+      corners.push_back(knots[i]);
+  return corners;
+}
+
 /// A cubic through x0 and x1 with the tangents m0 and m1 over a knot distance h.
 struct HermitePiece {
   Vec3 x0, x1, m0, m1;
@@ -100,7 +114,7 @@ SeedCurve polyline_seed(std::span<const Vec3> points, bool closed) {
   const auto knots = knots_of(x, 1);
   SeedCurve curve;
   curve.closed = closed;
-  curve.corners.assign(knots.begin() + 1, knots.end() - 1);
+  curve.corners = corners_of(x, knots, closed);
   curve.point_at = [x, knots](double s) {
     const std::size_t i = piece_of(knots, s);
     const double u = (s - knots[i]) / (knots[i + 1] - knots[i]);

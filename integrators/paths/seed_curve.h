@@ -15,7 +15,7 @@ struct SeedCurve {
   bool closed = false;
   std::function<Vec3(double s)> point_at;
   std::function<Vec3(double s)> tangent_at;  // dc/ds; at a corner that of the piece after it
-  std::vector<double> corners;               // s in (0, 1) where the tangent jumps, ascending
+  std::vector<double> corners;               // s in [0, 1) where the tangent turns, ascending
 };
 
 /// Makes the straight segment between two points, s proportional to arc length.

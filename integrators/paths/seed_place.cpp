@@ -33,6 +33,13 @@ Vec3 onto_edge(const Box3& domain, const Vec3& seed) {
   return edge;
 }
 
+bool is_corner(const SeedCurve& curve, double s) {
+  constexpr double same = 1e-9;
+  const double on_curve = curve.closed ? s - std::floor(s + same) : s;
+  const auto next = std::ranges::lower_bound(curve.corners, on_curve - same);
+  return next != curve.corners.end() && *next <= on_curve + same;
+}
+
 std::string in_words(const Vec3& x) { return fmt::format("({}, {}, {})", x.x, x.y, x.z); }
 
 std::string ended_in_words(const EndCounts& ends, const fields::VectorField& field) {

@@ -55,7 +55,7 @@ Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const
   Vec3 companion = tangent;
   if (options.companion == Companion::none) companion = Vec3(0);
   if (is_ghost(options.companion))
-    companion = seed + options.ghost_distance * glm::normalize(tangent);
+    companion = seed + options.ghost_distance * direction_of(tangent);
   y_ = joined(seed, companion);
   const fields::SampleStatus status = slope(0, y_, f_, sampler);
   if (status != fields::SampleStatus::ok) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.h"
 #include "integrators/front/surface_particles.h"
@@ -23,13 +24,35 @@ struct Place {
 struct Move {
   double ds, dt;
 };
+/// A smooth stretch of the seed curve, between neighbouring corners or ends.
+struct Stretch {
+  double begin = -std::numeric_limits<double>::infinity();
+  double end = std::numeric_limits<double>::infinity();
+
+  double inside(double s) const { return std::clamp(s, begin, end); }
+};
 
 /// A point of the mesh with its parameters on the surface, and those of its facet's corners.
 struct Sample {
   Place place;
   std::array<Place, 3> corners;
   Vec3 x, facet;  // facet: unit normal
+
+  double middle() const { return (corners[0].s + corners[1].s + corners[2].s) / 3; }
 };
+
+/// The stretch that holds s, which may lie beyond 0 and 1 on a closed curve; without corners such a
+/// one has no end.
+Stretch stretch_around(const SeedCurve& curve, double s) {
+  const std::vector<double>& corners = curve.corners;
+  const double turn = curve.closed ? std::floor(s) : 0;
+  const auto above = std::ranges::upper_bound(corners, s - turn);
+  const bool first = above == corners.begin(), last = above == corners.end();
+  if (!curve.closed) return {first ? 0 : *std::prev(above), last ? 1 : *above};
+  if (corners.empty()) return {};
+  return {turn + (first ? corners.back() - 1 : *std::prev(above)),
+          turn + (last ? corners.front() + 1 : *above)};
+}
 
 class Tangents;
 
@@ -69,14 +92,17 @@ class ExactSurface {
  private:
   /// A point of the surface, and whether its distance is the smallest around.
   struct Nearest {
+    Place place;
     FlowPoint here;
     double distance;
     bool settled;
   };
 
   FlowPoint point(double s, double& t);
-  Move move_within(const Tangents& tangents, const Place& from, const Vec3& off) const;
-  Nearest descend(Place place, const Vec3& x);
+  Move move_within(const Tangents& tangents, const Place& from, const Stretch& stretch,
+                   const Vec3& off) const;
+  Nearest descend(Place place, const Stretch& stretch, const Vec3& x);
+  Vec3 normal_at(const Nearest& nearest, const Stretch& stretch);
 
   const SurfaceRequest& request_;
   ParticleSource source_;
@@ -143,11 +169,11 @@ class Tangents {
   double cosine_;
 };
 
-/// On the surface's border one parameter is fixed, and the other one alone is corrected.
-Move ExactSurface::move_within(const Tangents& tangents, const Place& from, const Vec3& off) const {
-  const auto inside_s = [&](double ds) {
-    return request_.seed.closed ? ds : std::clamp(from.s + ds, 0.0, 1.0) - from.s;
-  };
+/// On the surface's border, and on a crease, one parameter is fixed, and the other one alone is
+/// corrected.
+Move ExactSurface::move_within(const Tangents& tangents, const Place& from, const Stretch& stretch,
+                               const Vec3& off) const {
+  const auto inside_s = [&](double ds) { return stretch.inside(from.s + ds) - from.s; };
   Move move = tangents.move_towards(off);
   if (inside_s(move.ds) != move.ds) move = tangents.along_t(off, inside_s(move.ds));
   const double t = from.t + move.dt;
@@ -160,7 +186,7 @@ Move ExactSurface::move_within(const Tangents& tangents, const Place& from, cons
 
 /// The place's own distance is left for smaller ones by Gauss-Newton, whose moves are halved until
 /// they come nearer: near a fold or a place of rest, where v all but vanishes, they overshoot.
-ExactSurface::Nearest ExactSurface::descend(Place place, const Vec3& x) {
+ExactSurface::Nearest ExactSurface::descend(Place place, const Stretch& stretch, const Vec3& x) {
   constexpr int iterations = 24, halvings = 16;
   FlowPoint here = point(place.s, place.t);
   for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -168,11 +194,11 @@ ExactSurface::Nearest ExactSurface::descend(Place place, const Vec3& x) {
     const double distance = glm::length(off);
     const Tangents tangents(here);
     const bool regular = tangents.span_a_plane();
-    Move move = move_within(tangents, place, off);
+    Move move = move_within(tangents, place, stretch, off);
     // No closer than what two trajectories differ by. Near rest a long time makes a short way.
     const bool stays = std::abs(move.ds) <= 1e-2 && std::abs(move.dt) <= 1e-2 * request_.duration;
     if (tangents.way(move) <= std::max(1e-4 * distance, 1e-12 * extent_) && (stays || !regular))
-      return {here, distance, regular};
+      return {place, here, distance, regular};
     Place next;
     FlowPoint there;
     int halving = 0;
@@ -180,23 +206,41 @@ ExactSurface::Nearest ExactSurface::descend(Place place, const Vec3& x) {
       next = {place.s + move.ds, place.t + move.dt};
       there = point(next.s, next.t);
       if (glm::distance(there.x, x) < distance) break;
-      if (halving == halvings) return {here, distance, false};
+      if (halving == halvings) return {place, here, distance, false};
     }
     place = next, here = there;
   }
-  return {here, glm::distance(here.x, x), false};
+  return {place, here, glm::distance(here.x, x), false};
+}
+
+/// Unit; 0 where there is none. On a crease it is that of the stretch's side.
+Vec3 ExactSurface::normal_at(const Nearest& nearest, const Stretch& stretch) {
+  constexpr double beside = 1e-7;  // in s: no corner any more
+  FlowPoint here = nearest.here;
+  if (here.w == Vec3(0)) {
+    Place place = nearest.place;
+    place.s = std::clamp(place.s, stretch.begin + beside, stretch.end - beside);
+    here = point(place.s, place.t);
+  }
+  const Tangents tangents(here);
+  return tangents.span_a_plane()
+             ? direction_of(glm::cross(direction_of(here.w), direction_of(here.v)))
+             : Vec3(0);
 }
 
 /// Where the sample's own (s, t) leads to no smallest distance, those of its facet's corners do: in
-/// a fan about a place of rest what is interpolated between them may be anything.
+/// a fan about a place of rest what is interpolated between them may be anything. The surface is
+/// that of the facet's side of a crease: beyond, its normal would be another one.
 Deviation ExactSurface::deviation(const Sample& sample) {
-  Nearest nearest = descend(sample.place, sample.x);
+  const Stretch stretch = stretch_around(request_.seed, sample.middle());
+  Nearest nearest = descend(sample.place, stretch, sample.x);
   for (const Place& corner : sample.corners) {
     if (nearest.settled || nearest.distance <= 1e-12 * extent_) break;
-    const Nearest other = descend(corner, sample.x);
+    const Nearest other = descend(corner, stretch, sample.x);
     if (other.distance < nearest.distance) nearest = other;
   }
-  const Vec3 normal = glm::cross(direction_of(nearest.here.w), direction_of(nearest.here.v));
+  const Vec3 normal = normal_at(nearest, stretch);
+  if (normal == Vec3(0) || sample.facet == Vec3(0)) return {nearest.distance, 0};
   const double sine = glm::length(glm::cross(normal, sample.facet));
   return {nearest.distance, degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
 }

@@ -2,10 +2,10 @@
 #pragma once
 // What the stand-ins share: data sets that take the place of data that were never published.
 
+#include "core/indexed_random.h"
 #include "core/options/option_table.h"
 #include "core/parallel.h"
 #include "scene/datasets/dataset.h"
-#include "scene/datasets/indexed_random.h"
 
 namespace pellucid::scene {
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "integrators/paths/seed_place.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -77,6 +78,26 @@ TEST(UnitSeedCurve, CallableDifferencesItsTangent) {
 TEST(UnitSeedCurve, RepeatedPointsAreDropped) {
   const Vec3 points[] = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
   EXPECT_TRUE(polyline_seed(points).corners.empty());
+}
+
+TEST(UnitSeedCurve, CornersAreWhereTheTangentTurns) {
+  // A square with a point on its first side, and begun at a corner or in that side's middle.
+  const Vec3 begun_at_corner[] = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Vec3 begun_in_side[] = {{0.5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}};
+  EXPECT_EQ(polyline_seed(begun_at_corner, true).corners, (std::vector<double>{0, .25, .5, .75}));
+  EXPECT_EQ(polyline_seed(begun_in_side, true).corners,
+            (std::vector<double>{.125, .375, .625, .875}));
+  EXPECT_EQ(polyline_seed(begun_at_corner).corners.size(), 2u);  // its ends are none
+}
+
+TEST(UnitSeedCurve, TheSeamIsAtBothEndsOfS) {
+  const Vec3 triangle[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const SeedCurve closed = polyline_seed(triangle, true), open = polyline_seed(triangle);
+  for (const double s : {0., 1e-10, 1 - 1e-10, 1., 1 + 1e-10, 2.}) {
+    EXPECT_TRUE(is_corner(closed, s)) << s;
+    EXPECT_FALSE(is_corner(open, s)) << s;
+  }
+  for (const double s : {1e-8, 0.1, 1 - 1e-8, 1.1}) EXPECT_FALSE(is_corner(closed, s)) << s;
 }
 
 TEST(UnitSeedCurve, CurvesOfNoLengthAreRefused) {

@@ -7,7 +7,7 @@
 
 #include "core/vec.h"
 
-namespace pellucid::scene {
+namespace pellucid {
 
 /// Random numbers that are a function of seed, element and channel alone, so that elements can be
 /// made in any order and by any number of threads. Channels of one element are independent.
@@ -62,4 +62,4 @@ class IndexedRandom {
   std::uint64_t state_;
 };
 
-}  // namespace pellucid::scene
+}  // namespace pellucid
