@@ -96,7 +96,8 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
   if (options.samples > 0) {
     report(request.progress, 1, "measuring the distance to the exact surface");
     integrators::SurfaceError error =
-        integrators::measure_error(surface.mesh, request, options.samples);
+        integrators::measure_error(surface.mesh, request, options.samples,
+                                   integrators::integrator_parameters(options.integrator));
     compare::add_error_json(json, error);
     if (!options.error_picture.empty())
       write_error_picture(options.error_picture, surface.mesh, error.at_vertices);

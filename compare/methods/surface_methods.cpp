@@ -120,7 +120,7 @@ class SurfaceMethod : public scene::Renderer {
     const geometry::TriangleMesh& mesh = object_.mesh();
     scene::Findings findings;
     const integrators::SurfaceError error =
-        integrators::measure_error(mesh, request_, distance_samples);
+        integrators::measure_error(mesh, request_, distance_samples, parameters_);
     add_counts(stats_, mesh, findings.measures);
     add_quality(integrators::measure_quality(mesh), findings.measures);
     add_error(error, findings.measures);

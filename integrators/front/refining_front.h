@@ -41,6 +41,7 @@ IntegratedSurface run_refining(const SurfaceRequest& request, const Options& opt
   SurfaceSetup setup = surface_setup(request, options.surface);
   const Refinement refinement =
       refinement_of(options.refinement, default_threshold, steps_per_threshold);
+  bound_particle_errors(setup, shortest_edge(refinement));
   bound_facets(setup, options.refinement.facet_angle, refinement, options.particles);
   return run_surface(request, setup, options.particles,
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {

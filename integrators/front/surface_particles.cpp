@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -51,6 +52,12 @@ SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& 
   setup.trajectory.companion = companion_of(options);
   setup.trajectory.ghost_distance = 1e-5 * setup.extent;
   return setup;
+}
+
+void bound_particle_errors(SurfaceSetup& setup, double distance) {
+  constexpr double part = 0.03;
+  TrajectoryOptions& options = setup.trajectory;
+  options.error_floor = std::min(options.error_floor, part * distance / options.duration);
 }
 
 ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup& setup)

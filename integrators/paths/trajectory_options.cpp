@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/indexed_random.h"
 
 namespace pellucid::integrators {
 
@@ -24,6 +25,32 @@ double default_step(const fields::VectorField& field, const TrajectoryOptions& o
   if (!options.stepper->adaptive) return options.duration / 500;
   if (!options.changing) return options.duration;
   return std::min(options.duration / 50, field.time_spacing().value_or(options.duration));
+}
+
+/// A field that is off by something, but whose Jacobian is 0 wherever it is asked for, is constant
+/// in each cell. (Another one that is at so many places would lose no more than time.)
+bool is_constant_in_cells(const fields::VectorField& field, double time) {
+  constexpr std::uint64_t looks = 256;
+  const auto sampler = field.sampler();
+  bool found = false;
+  for (std::uint64_t i = 0; i < looks; ++i) {
+    Vec3 v;
+    Mat3 jacobian;
+    const Vec3 x = IndexedRandom(0, i).in_box(0, field.domain());
+    if (sampler->velocity_and_jacobian(x, time, v, jacobian) != fields::SampleStatus::ok) continue;
+    if (jacobian != Mat3(0)) return false;
+    found = true;
+  }
+  return found;
+}
+
+/// What the interpolant is off by anyway bounds the default alone: who gives an accuracy gets it.
+/// Where cells are constant it bounds nothing: a field that jumps from cell to cell is off by about
+/// as much as it is large, though within a cell the way is exact at no cost, and at a face that is
+/// found.
+double default_error_floor(const fields::VectorField& field, double velocity_error, double time) {
+  if (velocity_error == 0 || is_constant_in_cells(field, time)) return 0;
+  return 0.1 * velocity_error;
 }
 
 }  // namespace
@@ -49,8 +76,8 @@ TrajectoryOptions trajectory_options(const fields::VectorField& field, const Jou
   const double cells = positive("cells", stepping.cells, 0.5);
   if (const auto cell = field.cell_size()) options.max_move = cells * *cell;
   options.velocity_error = field.sampling_error().value_or(0);
-  // What the interpolant is off by anyway bounds the default alone: who gives an accuracy gets it.
-  if (!stepping.accuracy) options.error_floor = 0.1 * options.velocity_error;
+  if (!stepping.accuracy)
+    options.error_floor = default_error_floor(field, options.velocity_error, journey.start_time);
   if (!stepping.cells && field.cell_size() && field.fills_domain()) options.filled = field.domain();
   options.still = 1e-12 * extent;
   return options;

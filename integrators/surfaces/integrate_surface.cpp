@@ -18,11 +18,16 @@ std::span<const IntegratorRow> integrators() {
   return table;
 }
 
-IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRequest& request) {
+Parameters integrator_parameters(std::string_view integrator) {
   const NameAndOptions parsed = parse_name_and_options(integrator);
   const IntegratorRow& row = find_row("integrator", parsed.name, integrators());
-  IntegratedSurface surface =
-      row.run(request, Parameters(row.name, row.parameters, parsed.options));
+  return Parameters(row.name, row.parameters, parsed.options);
+}
+
+IntegratedSurface integrate_surface(std::string_view integrator, const SurfaceRequest& request) {
+  const Parameters parameters = integrator_parameters(integrator);
+  const IntegratorRow& row = find_row("integrator", parameters.owner(), integrators());
+  IntegratedSurface surface = row.run(request, parameters);
   if (surface.mesh.triangles.empty())
     throw InputError(fmt::format("{}: no triangle came of {} particles; {}", row.name,
                                  surface.stats.particles,

@@ -11,6 +11,7 @@
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
 #include "integrators/paths/magnitude.h"
+#include "integrators/surfaces/surface_tangents.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -20,9 +21,6 @@ constexpr double degrees = 57.295779513082320877;
 /// Parameters of the surface.
 struct Place {
   double s = 0, t = 0;
-};
-struct Move {
-  double ds, dt;
 };
 /// A smooth stretch of the seed curve, between neighbouring corners or ends.
 struct Stretch {
@@ -54,8 +52,6 @@ Stretch stretch_around(const SeedCurve& curve, double s) {
           turn + (last ? corners.front() + 1 : *above)};
 }
 
-class Tangents;
-
 struct Deviation {
   double distance = 0, degrees = 0;
 };
@@ -83,10 +79,14 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
 class ExactSurface {
  public:
   ExactSurface(const SurfaceRequest& request, const SurfaceSetup& setup)
-      : request_(request), source_(request, setup), extent_(setup.extent) {}
+      : request_(request),
+        source_(request, setup),
+        noise_(std::max(1e-12 * setup.extent,
+                        setup.trajectory.error_floor * setup.trajectory.duration)) {}
 
   Deviation deviation(const Sample& sample);
-  /// Points of the surface at seed s, spread over the particle's time.
+  /// Points of the surface at seed s, spread over the particle's time: none where it has no area,
+  /// as at rest or along a seed curve that is a stream line.
   std::vector<Vec3> points_at(double s);
 
  private:
@@ -106,7 +106,7 @@ class ExactSurface {
 
   const SurfaceRequest& request_;
   ParticleSource source_;
-  double extent_;  // world units
+  double noise_;  // world units: two trajectories to the same place differ by no more
 };
 
 /// Where the surface ends before t, its last point: t is set back.
@@ -124,50 +124,12 @@ std::vector<Vec3> ExactSurface::points_at(double s) {
   Trajectory path = source_.start(s);
   if (!path.exists()) return points;
   path.reach(request_.duration, source_.sampler());
-  for (int i = 0; i <= times; ++i) points.push_back(path.position_at(path.time() * i / times));
+  for (int i = 0; i <= times; ++i) {
+    const FlowPoint here = path.at(path.time() * i / times);
+    if (Tangents(here).span_a_plane()) points.push_back(here.x);
+  }
   return points;
 }
-
-/// Unit vectors of ∂x/∂s and ∂x/∂t and their lengths: products of the vectors themselves would
-/// leave a double's range where a flow is slow or fast enough.
-class Tangents {
- public:
-  explicit Tangents(const FlowPoint& here)
-      : w_length_(magnitude(here.w)),
-        v_length_(magnitude(here.v)),
-        w_(direction_of(here.w)),
-        v_(direction_of(here.v)),
-        cosine_(glm::dot(w_, v_)) {}
-
-  /// Neither vanishes, and they are not parallel.
-  bool span_a_plane() const { return w_ != Vec3(0) && v_ != Vec3(0) && sine2() > 1e-12; }
-  /// Least squares for off ≈ w ds + v dt; where they span no plane one of them alone.
-  Move move_towards(const Vec3& off) const {
-    const double wo = glm::dot(w_, off), vo = glm::dot(v_, off);
-    if (!span_a_plane()) return v_ != Vec3(0) ? Move{0, vo / v_length_} : along_s(off, 0);
-    return {(wo - cosine_ * vo) / sine2() / w_length_, (vo - cosine_ * wo) / sine2() / v_length_};
-  }
-  /// The same with one of the two given.
-  Move along_s(const Vec3& off, double dt) const {
-    const double ds = (glm::dot(w_, off) - cosine_ * dt * v_length_) / w_length_;
-    return {w_length_ > 0 ? ds : 0, dt};
-  }
-  Move along_t(const Vec3& off, double ds) const {
-    const double dt = (glm::dot(v_, off) - cosine_ * ds * w_length_) / v_length_;
-    return {ds, v_length_ > 0 ? dt : 0};
-  }
-  /// How far the move takes a point, world units.
-  double way(const Move& move) const {
-    return glm::length(move.ds * w_length_ * w_ + move.dt * v_length_ * v_);
-  }
-
- private:
-  double sine2() const { return 1 - cosine_ * cosine_; }
-
-  double w_length_, v_length_;
-  Vec3 w_, v_;
-  double cosine_;
-};
 
 /// On the surface's border, and on a crease, one parameter is fixed, and the other one alone is
 /// corrected.
@@ -197,7 +159,7 @@ ExactSurface::Nearest ExactSurface::descend(Place place, const Stretch& stretch,
     Move move = move_within(tangents, place, stretch, off);
     // No closer than what two trajectories differ by. Near rest a long time makes a short way.
     const bool stays = std::abs(move.ds) <= 1e-2 && std::abs(move.dt) <= 1e-2 * request_.duration;
-    if (tangents.way(move) <= std::max(1e-4 * distance, 1e-12 * extent_) && (stays || !regular))
+    if (tangents.way(move) <= std::max(1e-4 * distance, noise_) && (stays || !regular))
       return {place, here, distance, regular};
     Place next;
     FlowPoint there;
@@ -235,7 +197,7 @@ Deviation ExactSurface::deviation(const Sample& sample) {
   const Stretch stretch = stretch_around(request_.seed, sample.middle());
   Nearest nearest = descend(sample.place, stretch, sample.x);
   for (const Place& corner : sample.corners) {
-    if (nearest.settled || nearest.distance <= 1e-12 * extent_) break;
+    if (nearest.settled || nearest.distance <= noise_) break;
     const Nearest other = descend(corner, stretch, sample.x);
     if (other.distance < nearest.distance) nearest = other;
   }
@@ -291,14 +253,30 @@ std::vector<Vec3> points_of_surface(ExactSurface& surface) {
   return points;
 }
 
+/// What the surface is, whatever made the mesh: all by the tightest integration there is, but for
+/// the length at which particles end.
+SurfaceSetup exact_setup(const SurfaceRequest& request, const Parameters& integrator) {
+  const SurfaceOptions made = surface_options().read(integrator);
+  SurfaceOptions exact;
+  exact.stepping.length = made.stepping.length;
+  exact.stepping.accuracy = made.stepping.accuracy;
+  SurfaceSetup setup = surface_setup(request, exact);
+  // In samples a particle of the mesh may err by a tenth of theirs; the truth by a hundredth of it.
+  setup.trajectory.error_floor *= 0.01;
+  const double tolerance =
+      integrator.is_set("tolerance") ? integrator.real("tolerance") : setup.extent;
+  bound_particle_errors(setup, std::min(0.1 * tolerance, 1e-4 * setup.extent));
+  // A thousand kinks may be as far off as that allows; one by one they would take most of the time.
+  setup.trajectory.tolerance = std::max(
+      1e-13 * setup.extent, 1e-3 * setup.trajectory.error_floor * setup.trajectory.duration);
+  return setup;
+}
+
 }  // namespace
 
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
-                           std::uint64_t samples) {
-  SurfaceSetup setup = surface_setup(request, SurfaceOptions{});
-  setup.trajectory.tolerance = 1e-13 * setup.extent;
-  // In samples a particle of the mesh may err by a tenth of theirs; the truth by a hundredth of it.
-  setup.trajectory.error_floor *= 0.01;
+                           std::uint64_t samples, const Parameters& integrator) {
+  const SurfaceSetup setup = exact_setup(request, integrator);
   ExactSurface truth(request, setup);
   const std::vector<MeshSample> chosen = sample_mesh(mesh, samples);
   std::vector<Deviation> deviations(chosen.size());

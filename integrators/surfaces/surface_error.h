@@ -31,8 +31,10 @@ constexpr std::uint64_t most_error_samples = 100'000'000;
 /// truth, be it a formula or interpolated samples. The nearest point is the one reached from the
 /// mesh's own (s, t): an upper bound where another sheet is closer. A few hundred particles of
 /// seeds spread over the curve, which know nothing of the mesh's, give the points of
-/// `max_from_surface`.
+/// `max_from_surface`, wherever the surface has an area. `integrator` holds the mesh's own
+/// parameters: particles go no farther than its `length`, and in samples the truth is exacter than
+/// its tolerance. What the mesh lacks since a budget was used up, as `max-steps`, is missing.
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
-                           std::uint64_t samples = 2000);
+                           std::uint64_t samples = 2000, const Parameters& integrator = {});
 
 }  // namespace pellucid::integrators

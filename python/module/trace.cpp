@@ -53,7 +53,8 @@ Surface trace_surface(const Request& request,
   auto quality = compare::surface_json(made, integrators::measure_quality(made.mesh));
   if (request.samples > 0) {
     integrators::SurfaceError error =
-        integrators::measure_error(made.mesh, wanted, std::uint64_t(request.samples));
+        integrators::measure_error(made.mesh, wanted, std::uint64_t(request.samples),
+                                   integrators::integrator_parameters(request.integrator));
     compare::add_error_json(quality, error);
     made.mesh.scalars["error"] = std::move(error.at_vertices);
   }

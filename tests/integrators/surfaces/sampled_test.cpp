@@ -11,6 +11,7 @@
 #include "core/files/output_file.h"
 #include "fields/make_field.h"
 #include "integrators/surfaces/integrate_surface.h"
+#include "integrators/surfaces/surface_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid::integrators {
@@ -18,11 +19,11 @@ namespace {
 
 constexpr double duration = 0.8;
 
-/// A velocity at 33³ points of the cube [low, low + 6]³. Returns the file's name.
+/// A velocity at count³ points of the cube [low, low + 6]³. Returns the file's name.
 std::string write_samples(const testing::TemporaryFolder& folder,
-                          const std::function<Vec3(const Vec3& x)>& velocity, double low = 0) {
-  constexpr int count = 33;
-  constexpr double spacing = 6. / (count - 1);
+                          const std::function<Vec3(const Vec3& x)>& velocity, double low = 0,
+                          int count = 33) {
+  const double spacing = 6. / (count - 1);
   std::string raw;
   for (int k = 0; k < count; ++k)
     for (int j = 0; j < count; ++j)
@@ -118,6 +119,82 @@ TEST(UnitSampledSteps, HalfACellWhereThereAreKinks) {
     EXPECT_EQ(of(""), of(",cells=0.5")) << sampler;
     // Shorter ones are as many more as they are shorter, but for the first and the last.
     EXPECT_GT(of(",cells=0.05"), 3 * of(",cells=0.5")) << sampler;
+  }
+}
+
+/// Neighbours whose errors differ by more than the tolerance would make wrinkles, however many
+/// there are.
+TEST(AgreementSampled, ATimeOfLooseStepsDoesNotWrinkleASurface) {
+  const testing::TemporaryFolder folder;
+  const auto vortex = [](const Vec3& x) {
+    const double decay = std::exp(-x.x * x.x - x.y * x.y);
+    return Vec3(-x.y * decay, x.x * decay, 0.1);
+  };
+  const auto field = fields::make_field(write_samples(folder, vortex, -3, 13));
+  const SurfaceRequest request{field.get(), segment_seed({0.2, 0, -1}, {1, 0, -1}), 8, 0, false,
+                               {}};
+  for (const std::string integrator :
+       {"hultquist:tolerance=1e-4", "adaptive-front:tolerance=1e-3"}) {
+    const auto surface = integrate_surface(integrator, request);
+    const auto exact = integrate_surface(integrator + ",accuracy=1e-9", request);
+    EXPECT_LE(surface.mesh.triangles.size(), 1.25 * double(exact.mesh.triangles.size()));
+    const Parameters parameters = integrator_parameters(integrator);
+    const SurfaceError error = measure_error(surface.mesh, request, 200, parameters);
+    EXPECT_LE(error.max, parameters.real("tolerance")) << integrator;
+    EXPECT_LE(error.max_from_surface, parameters.real("tolerance")) << integrator;
+    EXPECT_LE(error.normal_max_degrees, 30) << integrator;
+  }
+}
+
+/// u = 2^⌊x⌋ in cells of width 1, as of a file's cells: off from any smooth field by some units.
+class Stairs final : public fields::VectorField {
+ public:
+  std::unique_ptr<fields::FieldSampler> sampler() const override {
+    return std::make_unique<Sampler>();
+  }
+  Box3 domain() const override { return {{0, 0, 0}, {4, 2, 2}}; }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return 1; }
+  std::optional<double> sampling_error() const override { return 4; }
+  bool fills_domain() const override { return true; }
+  std::string description() const override { return "stairs"; }
+
+ private:
+  class Sampler final : public fields::FieldSampler {
+   public:
+    fields::SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
+      v = Vec3(std::exp2(std::floor(x.x)), 0, 0);
+      return x.x >= 0 && x.x < 4 ? fields::SampleStatus::ok : fields::SampleStatus::outside;
+    }
+    fields::SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v,
+                                               Mat3& jacobian) override {
+      jacobian = Mat3(0);
+      return velocity(x, t, v);
+    }
+  };
+};
+
+/// 0.75 of the time are spent in the first cell, from x = 0.25, at the speed 1, and 0.5 in the
+/// second one at 2.
+double on_stairs(double t) {
+  if (t <= 0.75) return 0.25 + t;
+  return t <= 1.25 ? 1 + 2 * (t - 0.75) : 2 + 4 * (t - 1.25);
+}
+
+TEST(UnitSampledSteps, CellsOfOneVelocityAreFollowedExactly) {
+  const Stairs field;
+  const SurfaceRequest request{&field, segment_seed({0.25, 0.5, 1}, {0.25, 1.5, 1}), 1.5, 0, false,
+                               {}};
+  for (const char* integrator : {"fixed-front:particles=3,rows=60", "hultquist:tolerance=1e-3"}) {
+    const auto mesh = integrate_surface(integrator, request).mesh;
+    const auto &t = mesh.scalars.at("t"), &speed = mesh.scalars.at("speed");
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const bool at_face = std::abs(t[i] - 0.75) < 1e-6 || std::abs(t[i] - 1.25) < 1e-6;
+      // A step's estimated error is at most 1e-9; one over a face may in truth be hundreds of that.
+      ASSERT_NEAR(mesh.positions[i].x, on_stairs(t[i]), 1e-6) << integrator << ' ' << t[i];
+      const double expected = t[i] < 0.75 ? 1 : t[i] < 1.25 ? 2 : 4;
+      ASSERT_TRUE(at_face || std::abs(speed[i] - expected) < 1e-6) << integrator << ' ' << t[i];
+    }
   }
 }
 
