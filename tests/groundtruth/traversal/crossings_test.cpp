@@ -2,10 +2,10 @@
 // Each crossing once: rays aimed at edges and vertices of meshes with known numbers of crossings.
 
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <atomic>
 
+#include "core/parallel.h"
 #include "groundtruth/shapes/crossing_geometry.h"
 #include "groundtruth/traversal/crossing_finder.h"
 #include "scene/view_depth.h"
@@ -65,7 +65,7 @@ TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
   }
   const CrossingFinder finder(scene, Precision::exact);
   std::atomic<std::uint64_t> total = 0;
-  tbb::parallel_for(0, 1000, [&](int y) {
+  parallel_for(0, 1000, [&](int y) {
     std::array<std::vector<Crossing>, RayPacket::width> crossings;
     std::array<PictureRay, RayPacket::width> rays;
     for (int x = 0; x < 1000; x += 8) {
