@@ -72,12 +72,20 @@ std::vector<Vec3> grid(std::string_view text) {
 std::optional<geometry::LineSet> lines_of(const std::string& file) {
   const geometry::FormatRow* format = geometry::mesh_format(file);
   if (!format || !format->read_lines) return std::nullopt;
-  if (!format->read_points) return geometry::read_lines(file);
+  if (!format->read_points && !format->read_mesh) return geometry::read_lines(file);
   try {
     return geometry::read_lines(file);
   } catch (const InputError&) {
     return std::nullopt;  // reading its points says what is wrong, if anything is
   }
+}
+
+/// The points of a file, or a mesh's vertices where its format knows no points.
+std::vector<Vec3> points_of(const std::string& file) {
+  const geometry::FormatRow* format = geometry::mesh_format(file);
+  if (format && format->read_mesh && !format->read_points)
+    return geometry::read_mesh(file).positions;
+  return geometry::read_points(file).positions;
 }
 
 integrators::SeedCurve curve_of(const std::string& file, const geometry::LineSet& lines,
@@ -96,7 +104,7 @@ integrators::SeedCurve curve_of(const std::string& file, const geometry::LineSet
 
 Seeds of_file(const std::string& file, bool closed) {
   if (const auto lines = lines_of(file)) return {{}, curve_of(file, *lines, closed)};
-  return {geometry::read_points(file).positions, std::nullopt};
+  return {points_of(file), std::nullopt};
 }
 
 Seeds of_seeds(const SeedTexts& texts) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "integrators/front/front_mesh.h"
+#include "integrators/paths/magnitude.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -52,6 +53,14 @@ class FacetMender {
   }
   double length(Edge edge) const { return distance(mesh_.from(edge), mesh_.to(edge)); }
 
+  /// Has a triangle no area in space, to rounding? It may have one in (s, t), where particles rest.
+  bool is_line(const Corners& corners) const {
+    constexpr double smallest_sine = 1e-12;
+    const Vec3& x = builder_.position(corners[0]);
+    const Vec3 one = direction_of(builder_.position(corners[1]) - x);
+    const Vec3 other = direction_of(builder_.position(corners[2]) - x);
+    return glm::length(glm::cross(one, other)) < smallest_sine;
+  }
   bool is_off(Facet facet) const {
     return facet_cosine(builder_, mesh_.corners(facet)) < smallest_cosine_;
   }
@@ -91,6 +100,7 @@ double FacetMender::gain(Edge edge, Better better) const {
                       d = mesh_.apex(mesh_.opposite(edge));
   const double left = builder_.parameter_area(c, a, d), right = builder_.parameter_area(d, b, c);
   if (!(std::min(left, right) > smallest_share * (left + right))) return 0;
+  if (is_line({c, a, d}) || is_line({d, b, c})) return 0;
   if (better == Better::shorter) return distance(a, b) - distance(c, d);
   const auto worse = [&](const Corners& one, const Corners& other) {
     return std::min(facet_cosine(builder_, one), facet_cosine(builder_, other));

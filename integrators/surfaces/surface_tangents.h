@@ -11,8 +11,8 @@ struct Move {
   double ds, dt;
 };
 
-/// Tangents are the unit vectors of ∂x/∂s and ∂x/∂t and their lengths: products of the vectors themselves would
-/// leave a double's range where a flow is slow or fast enough.
+/// Tangents are the unit vectors of ∂x/∂s and ∂x/∂t and their lengths: products of the vectors
+/// themselves would leave a double's range where a flow is slow or fast enough.
 class Tangents {
  public:
   explicit Tangents(const FlowPoint& here)
@@ -24,8 +24,8 @@ class Tangents {
 
   /// Returns true when neither vanishes, and they are not parallel.
   bool span_a_plane() const { return w_ != Vec3(0) && v_ != Vec3(0) && sine2() > 1e-12; }
-  /// Returns the least squares solution of off ≈ w ds + v dt; where they span no plane that of one of them
-  /// alone.
+  /// Returns the least squares solution of off ≈ w ds + v dt; where they span no plane that of one
+  /// of them alone.
   Move move_towards(const Vec3& off) const {
     const double wo = glm::dot(w_, off), vo = glm::dot(v_, off);
     if (!span_a_plane()) return v_ != Vec3(0) ? Move{0, vo / v_length_} : along_s(off, 0);

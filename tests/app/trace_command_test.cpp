@@ -32,6 +32,7 @@ TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
   write_text(folder_ / "open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n");
   write_text(folder_ / "closed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3 1\n");
   write_text(folder_ / "two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2\nl 2 3\n");
+  write_text(folder_ / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
   const std::string up = "trace --field formula:u=0,v=0,w=1 --duration 2 --json --quiet ";
   const std::string lines =
       up + "--integrator stream-lines:particles=4 -o " + (folder_ / "l.vtp").string() + " --seeds ";
@@ -40,8 +41,11 @@ TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
   const auto of_file = [&](const char* name) { return (folder_ / name).string(); };
   const std::string circle = "circle:center=1,2,3,radius=1,normal=0,0,2";
   const std::string grid = "grid:from=0,0,0,to=1,1,0,count=3,2,1";
-  const std::vector<std::pair<std::string, int>> line_counts{
-      {circle, 4}, {grid, 6}, {of_file("p.csv"), 3}, {of_file("open.obj"), 4}};
+  const std::vector<std::pair<std::string, int>> line_counts{{circle, 4},
+                                                             {grid, 6},
+                                                             {of_file("p.csv"), 3},
+                                                             {of_file("open.obj"), 4},
+                                                             {of_file("mesh.obj"), 3}};
   for (const auto& [seeds, count] : line_counts) {
     const Outcome outcome = run(lines + seeds);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

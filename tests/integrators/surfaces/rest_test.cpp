@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "fields/make_field.h"
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -75,6 +76,32 @@ TEST(UnitRest, ThereAndBackIsSweptEachTime) {
           "fixed-front:particles=17,rows=50"})
       EXPECT_NEAR(testing::area_of(rest_sweep(velocity, integrator).mesh), 4 / 3.14159265, 0.016)
           << velocity << ' ' << integrator;
+}
+
+/// Mending splits edges between particles that rest, but makes no lines of them.
+TEST(UnitRest, APulseLeavesNoTriangleWithoutAnArea) {
+  const auto field = fields::make_field("formula:u=0,v=0,w=exp(-((t-1.5)/0.05)^2)");
+  const SurfaceRequest request{field.get(), segment_seed({0, 0, 0}, {1, 0, 0}), 3, 0, true, {}};
+  for (const char* integrator : {"hultquist:tolerance=1e-3", "adaptive-front:tolerance=1e-3"}) {
+    const auto surface = integrate_surface(integrator, request);
+    const MeshQuality quality = measure_quality(surface.mesh);
+    EXPECT_EQ(quality.degenerate_triangles, 0u) << integrator;
+    // 0.05 √π; where the pulse sets in, ribbons overlap by up to two thousandths of it.
+    EXPECT_NEAR(testing::area_of(surface.mesh), 0.088622692545, 2e-4) << integrator;
+  }
+}
+
+/// Triangles between seeds along the flow are lines.
+TEST(UnitRest, NoSurfaceComesOfAStreamLine) {
+  const auto field = fields::make_field("shear:b=1");
+  for (const IntegratorRow& row : integrators()) try {
+      integrate_surface(row.name,
+                        {field.get(), segment_seed({0, 1, 0}, {1, 1, 0}), 1, 0, false, {}});
+      ADD_FAILURE() << row.name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string_view(error.what()).find("no triangle came of"), std::string::npos)
+          << error.what();
+    }
 }
 
 }  // namespace
