@@ -116,6 +116,17 @@ class NiftiReader : public vtkNIFTIImageReader {
   static NiftiReader* New() { VTK_STANDARD_NEW_BODY(NiftiReader); }
 
  protected:
+  /// Without VTK's warning of a qform and an sform of different hands, of which place() takes one.
+  /// An error is met again.
+  int RequestInformation(vtkInformation* request, vtkInformationVector** input,
+                         vtkInformationVector* output) override {
+    const int shown = GetGlobalWarningDisplay();
+    SetGlobalWarningDisplay(0);
+    const int done = vtkNIFTIImageReader::RequestInformation(request, input, output);
+    SetGlobalWarningDisplay(shown);
+    return done ? done : vtkNIFTIImageReader::RequestInformation(request, input, output);
+  }
+
   int RequestData(vtkInformation* request, vtkInformationVector** input,
                   vtkInformationVector* output) override {
     refuse_times();

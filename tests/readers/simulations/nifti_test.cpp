@@ -159,6 +159,17 @@ TEST_F(UnitNifti, VoxelsAreWhereTheQuaternionHasThem) {
   }
 }
 
+TEST_F(UnitNifti, TheSformCountsWhereTheQformIsOfTheOtherHand) {
+  const glm::dmat3 steps{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const float qfac : {-1.0f, 1.0f}) {
+    const auto describe = [&](Bytes& bytes) {
+      bytes.put(252, std::int16_t(1)), bytes.put(76, qfac);  // no turn
+      put_sform(bytes, origin, qfac > 0 ? steps : glm::dmat3(1));
+    };
+    expect_at(nifti(1, 0, 1, describe), origin, qfac > 0 ? steps : glm::dmat3(1));
+  }
+}
+
 TEST_F(UnitNifti, WithoutAMatrixTheFirstVoxelIsAtZero) {
   expect_at(nifti(1, 0), glm::dvec3(0), glm::dmat3(1));
 }
