@@ -116,12 +116,17 @@ void refuse_curved_cgns(const fs::path& path) {
 void refuse_divided_foam(const fs::path& path) {
   const fs::path folder = fs::absolute(path).parent_path();
   const std::set<std::string> times = times_in(folder);
-  for (const std::string& time : times_in(folder / "processor0"))
-    if (!times.contains(time))
-      throw InputError(
-          fmt::format("{}: processor0 has the time {}, which the case itself lacks; "
-                      "accepted: a case of which reconstructPar has made one",
-                      path.string(), time));
+  std::error_code code;
+  for (fs::directory_iterator entry(folder, code), end; entry != end; entry.increment(code)) {
+    const std::string name = entry->path().filename().string();  // "processor0", "processors4"
+    if (!name.starts_with("processor")) continue;
+    for (const std::string& time : times_in(entry->path()))
+      if (!times.contains(time))
+        throw InputError(
+            fmt::format("{}: {} has the time {}, which the case itself lacks; "
+                        "accepted: a case of which reconstructPar has made one",
+                        path.string(), name, time));
+  }
 }
 
 }  // namespace pellucid::readers

@@ -144,13 +144,15 @@ TEST_F(UnitSimulationFiles, CgnsInCylindricalCoordinatesIsRefused) {
 }
 
 TEST_F(UnitSimulationFiles, FoamWhoseProcessorsHaveMoreIsRefused) {
-  std::filesystem::create_directories(folder_ / "case" / "0");
-  std::filesystem::create_directories(folder_ / "case" / "processor0" / "0");
-  std::filesystem::create_directories(folder_ / "case" / "processor0" / "0.25");
-  write_text(folder_ / "case" / "c.foam", "");
-  EXPECT_THAT(complaint(folder_ / "case" / "c.foam"), HasSubstr("processor0 has the time 0.25"));
-  std::filesystem::create_directories(folder_ / "case" / "0.25");
-  EXPECT_THAT(complaint(folder_ / "case" / "c.foam"), Not(HasSubstr("processor0")));
+  for (const std::string part : {"processor0", "processors4"}) {
+    const auto folder = folder_ / part / "case";
+    for (const auto& time : {folder / "0", folder / part / "0", folder / part / "0.25"})
+      std::filesystem::create_directories(time);
+    write_text(folder / "c.foam", "");
+    EXPECT_THAT(complaint(folder / "c.foam"), HasSubstr(part + " has the time 0.25"));
+    std::filesystem::create_directories(folder / "0.25");
+    EXPECT_THAT(complaint(folder / "c.foam"), Not(HasSubstr(part + " has")));
+  }
 }
 
 }  // namespace
