@@ -76,6 +76,14 @@ def check_written(folder):
               TURN / 2)
 
 
+def check_left_out(folder):
+    """What a grid of three axes has no room for is said."""
+    told = subprocess.run([PROGRAM, "info", str(folder / "turned.nc")], capture_output=True, text=True, check=False)
+    if "left out, of other dimensions: [\"ground(nx, ny)\"]" not in told.stdout:
+        failures.append("left out")
+        print(f"FAIL left out: {told.stdout}{told.stderr}")
+
+
 def bilinear(values, x, y):
     i, j = int(x), int(y)
     s, t = x - i, y - j
@@ -126,6 +134,7 @@ def check_disk(path):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         check_written(pathlib.Path(folder))
+        check_left_out(pathlib.Path(folder))
     data = os.environ.get("PELLUCID_DEBIAN_DATA")
     if data:
         check_winds(next(pathlib.Path(data).rglob("monthly_navy_winds.cdf")))
