@@ -90,12 +90,25 @@ std::optional<Vec3> FrontLine::halfway(int p, int q, Trajectory& between) {
   return between.position_at(std::min(t, between.time()));
 }
 
+/// How far the border of the surface halfway between two is from the line between their ends, of
+/// which one is not reached yet: that one's triangles will fan out from the other's end, which is
+/// right where the border leans, and reaches over what the border leaves out where it jumps.
+double FrontLine::border_sagitta(int p, int q, Trajectory& between) {
+  const auto end_of = [&](Trajectory& path) {
+    path.reach(run_.options().trajectory.duration, run_.sampler());
+    return path.position_at(path.time());
+  };
+  return distance_to_segment(end_of(between), end_of(at(p).path), end_of(at(q).path));
+}
+
 bool FrontLine::is_fine(const Place& a, const Place& b, Trajectory* shadow) {
   double sagitta = 0;
   if (refinement_.by_tolerance()) {
     const auto middle = shadow ? halfway(a.particle, b.particle, *shadow) : std::nullopt;
     if (!middle) return false;
     sagitta = distance_to_segment(*middle, at(a.particle).head.flow.x, at(b.particle).head.flow.x);
+    if (ends_early(a.particle) != ends_early(b.particle))
+      sagitta = std::max(sagitta, border_sagitta(a.particle, b.particle, *shadow));
   }
   return !asks_for_more(refinement_, abreast(a.particle, b.particle), sagitta);
 }
@@ -110,12 +123,18 @@ bool FrontLine::covers(int left, int middle, int right) {
   return distance_to_segment(*between, at(left).head.flow.x, at(right).head.flow.x) <= largest;
 }
 
+/// Has the particle come to the surface's border before the time is over?
+bool FrontLine::ends_early(int p) const {
+  return at(p).is_at_border() && at(p).head.t < run_.options().trajectory.duration;
+}
+
 /// Of two neighbours whose ways end apart, one at an obstacle that the other one passes, the ribbon
-/// ends in an edge along the flow once it is so narrow that nobody misses what lies between.
+/// ends in an edge along the flow once it is so narrow that nobody misses what lies between, or as
+/// `rip` was where it began: ribbons as thin as a small tolerance would take as short steps.
 bool FrontLine::closes(const Place& a, const Place& b) const {
-  const FrontParticle &p = at(a.particle), &q = at(b.particle);
-  return (p.is_at_border() || q.is_at_border()) &&
-         separation(p.head, q.head).width <= shortest_edge(refinement_);
+  const double width = separation(at(a.particle).head, at(b.particle).head).width;
+  const double narrowest = run_.options().rip * run_.options().extent;
+  return width <= std::max(shortest_edge(refinement_), narrowest) || b.s - a.s <= closest_seeds;
 }
 
 /// No particle is left for a ribbon that asks for one: it stays as it is, and its ends say so.
@@ -154,13 +173,14 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
   const bool narrow = b.s - a.s <= run_.options().rip;
   // Neighbours that part, or of which one is missing, lie on either side of an edge of the surface.
   const bool at_edge = !both || are_parting(abreast(a.particle, b.particle));
+  const bool apart = both && (ends_early(a.particle) || ends_early(b.particle));
   const bool fine = both && (is_fine(a, b, shadow.get()) ||
-                             (narrow && !at_edge && !closes(a, b) && !is_stretched(a, b)));
+                             (narrow && !at_edge && !apart && !is_stretched(a, b)));
   if (fine && (!split || narrow)) {
     edges_.push_back({a.particle, b.particle, std::move(shadow)});
     return;
   }
-  if (both && narrow && closes(a, b)) {
+  if (apart && narrow && closes(a, b)) {
     run_.drop(std::move(shadow), EndReason::torn);
     edges_.push_back({a.particle, b.particle, {}, true});
     return;

@@ -65,6 +65,8 @@ class FrontLine {
   Shadow shadow_between(const Place& a, const Place& b, Shadow known);
   std::optional<Vec3> halfway(int p, int q, Trajectory& between);
   bool is_fine(const Place& a, const Place& b, Trajectory* shadow);
+  bool ends_early(int p) const;
+  double border_sagitta(int p, int q, Trajectory& between);
   bool closes(const Place& a, const Place& b) const;
   void keep_coarse(const Place& a, const Place& b, Shadow shadow);
   double time_between(const Place& a, const Place& b) const;
