@@ -31,8 +31,8 @@ std::string_view name_of(EndReason reason);
 /// Returns true when a particle ended since the field has no velocity where it is.
 bool is_for_want_of_field(EndReason reason);
 
-/// Returns true when the surface of a particle's neighbours has its border where it ended: not so at
-/// rest, where it stays, nor where a budget cut it short.
+/// Returns true when the surface of a particle's neighbours has its border where it ended: not so
+/// at rest, where it stays, nor where a budget cut it short.
 bool is_border(EndReason reason);
 
 /// Returns true when a budget ended a particle: the option "max-" and the reason's name.

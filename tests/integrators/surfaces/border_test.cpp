@@ -157,6 +157,18 @@ TEST(UnitBudget, TheEndOfParticlesIsNamed) {
   EXPECT_GT(surface.stats.ends.at(EndReason::particles), 0u);
 }
 
+/// Steps over which nothing moves would make no triangle, and go on for ever.
+TEST(UnitBudget, StepsTooShortToBeOneEndByTriangles) {
+  const auto field = fields::make_field("rotation");
+  for (const char* integrator :
+       {"hultquist:step=1e-20,max-triangles=1000", "hultquist:tolerance=1e-30,max-triangles=1000",
+        "adaptive-front:particles=5,step=1e-20,max-triangles=1000"}) {
+    const auto surface = integrate_surface(
+        integrator, {field.get(), segment_seed({1, 0, 0}, {2, 0, 0}), 1, 0, false, {}});
+    EXPECT_GT(surface.stats.ends.at(EndReason::triangles), 0u) << integrator;
+  }
+}
+
 /// 10 000 turns within a row take 3e5 steps, of which none is kept.
 TEST(UnitBudget, AFixedFrontKeepsNoneOfTheWayWithinARow) {
   const auto field = fields::make_field("rotation");
