@@ -170,10 +170,9 @@ FileLevels read_levels(const fs::path& path, std::string_view scalar, const std:
                        const std::string& time) {
   if (!readers::vtk_format(path)) return read_vdb_file(path, scalar, velocity, time);
   const bool of_velocity = is_derived(scalar) && !velocity.empty();
-  const readers::VtkTime read =
-      readers::read_vtk_file(path, {}, time.empty() ? "first" : time,
-                             of_velocity ? velocity : std::string(scalar))
-          .front();
+  const readers::VtkTime read = readers::read_vtk_file(path, {}, time.empty() ? "first" : time,
+                                                       of_velocity ? velocity : std::string(scalar))
+                                    .front();
   FileLevels file;
   file.levels = {level_of(*read.data, path, scalar, velocity)};
   file.range = sample_range(file.levels);
