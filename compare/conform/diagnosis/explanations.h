@@ -15,25 +15,31 @@ struct Explanation {
   std::string text;
 };
 
-// Each looks for one kind; nothing where that does not explain the wrong pixels.
+// Each looks for one kind, and returns nothing where that does not explain the wrong pixels.
 
-// What the picture's file keeps, or its values: kept_digits.cpp.
+/// Tell what the picture's file keeps of numbers, or the renderer did: kept_digits.cpp.
+///@{
 std::optional<Explanation> nearly_right(const WrongPixels& pixels);
 std::optional<Explanation> of_8_bits(const WrongPixels& pixels);
 std::optional<Explanation> of_half_floats(const WrongPixels& pixels);
+///@}
 
-// What is seen instead: shown_colors.cpp.
+/// Tell what else is seen: shown_colors.cpp.
+///@{
 std::optional<Explanation> over_another_background(const WrongPixels& pixels);
 std::optional<Explanation> through_a_curve(const WrongPixels& pixels);
 std::optional<Explanation> of_the_picture(const WrongPixels& pixels);
+///@}
 
-// Which layers count, and how much: counted_layers.cpp.
+/// Tell which layers count, and how much: counted_layers.cpp.
+///@{
 std::optional<Explanation> missed(const WrongPixels& pixels);
 std::optional<Explanation> capped(const WrongPixels& pixels);
 std::optional<Explanation> doubled(const WrongPixels& pixels);
 std::optional<Explanation> clamped(const WrongPixels& pixels);
+///@}
 
-// In which order they do: ordered_layers.cpp.
+/// Tells in which order they do: ordered_layers.cpp.
 std::optional<Explanation> misordered(const WrongPixels& pixels);
 
 }  // namespace pellucid::compare
