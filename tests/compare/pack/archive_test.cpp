@@ -66,7 +66,7 @@ TEST_F(UnitArchive, AFolderIsReplacedOnlyByItsLike) {
   write_package(folder_ / "p", "name", files_);
   expect_all_in(folder_ / "p");
   write_package(folder_ / "p", "name", files_);
-  fs::remove(folder_ / "p" / "ro-crate-metadata.json");
+  write_text(folder_ / "p" / "notes.txt", "of who unpacked it");
   EXPECT_THROW(write_package(folder_ / "p", "name", files_), InputError);
 }
 
