@@ -11,6 +11,7 @@
 #include "compare/measures/layer_error.h"
 #include "compare/measures/layer_pictures.h"
 #include "compare/measures/study_measures.h"
+#include "compare/methods/given_method.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/flip.h"
 #include "compare/pictures/given_faults.h"
@@ -84,6 +85,16 @@ void compare_with_reference(const Job& job, const CellFiles& files, CellMeasurem
         check_coverage(reference, *regions.reference_layers, measured.image, measured.layers);
 }
 
+/// A picture that was made of one scene or view is none of others.
+void add_shared_picture(const MethodCall& call, const Study& study, ResultRow& row) {
+  const std::pair<std::string_view, bool> several[] = {{"scene", study.scenes.size() > 1},
+                                                       {"view", study.views.any()}};
+  for (const auto& [what, is_several] : several)
+    if (call.given && is_several && !call.given->tells_apart(what))
+      row.given_faults.push_back(
+          fmt::format("stands for several {0}s: its name has no {{{0}}}", what));
+}
+
 bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
 
 }  // namespace
@@ -135,6 +146,7 @@ void finish_view(const Job& job, CellMeasurement measured, SceneAtHand& at_hand,
   write_picture(files, measured, form_of_picture(at_hand.scene(), job.cell.call.text()));
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, files, measured, at_hand);
+  add_shared_picture(job.cell.call, study, measured.row);
   if (makes_layers(job.cell.call) && !job.cell.reference && at_hand.has_reference_layers())
     add_layer_difference(at_hand.reference_layers(), measured);
   if (job.cell.budget && at_hand.view() == 0)

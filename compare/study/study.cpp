@@ -8,7 +8,6 @@
 #include <set>
 
 #include "compare/measures/study_measures.h"
-#include "compare/methods/given_method.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/study/needs.h"
 #include "compare/study/read_calls.h"
@@ -254,19 +253,6 @@ void refuse_other_keys(const JsonNode& root) {
   root.accept_keys(known);
 }
 
-/// A picture that was made of one scene or view is none of others.
-void refuse_one_for_all(const JsonNode& root, const Study& study) {
-  const std::pair<std::string_view, bool> several[] = {{"scene", study.scenes.size() > 1},
-                                                       {"view", study.views.any()}};
-  for (const MethodCall& call : study.methods)
-    for (const auto& [what, is_several] : several)
-      if (call.given && is_several && !call.given->tells_apart(what))
-        root["methods"].fail(
-            fmt::format("'{0}': one picture for several {1}s; accepted: a name with {{{1}}}, as "
-                        "\"theirs/{{{1}}}.exr\"",
-                        call.given->name(), what));
-}
-
 }  // namespace
 
 std::string scene_name(const fs::path& scene) { return scene.stem().string(); }
@@ -292,7 +278,6 @@ Study load_study(const fs::path& file, std::span<const scene::MethodRow> methods
   read_keys(marks, root, reading);
   refuse_other_keys(root);
   read_keys(keys, root, reading);
-  refuse_one_for_all(root, reading.study);
   return std::move(reading.study);
 }
 

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Both scenes' pictures lie in the folder; scripts copy them.
 class UnitGivenStudy : public ::testing::Test {
@@ -82,10 +83,6 @@ TEST_F(UnitGivenStudy, NamesWhoseFilesWouldBeThoseOfAnotherCallAreRefused) {
 }
 
 TEST_F(UnitGivenStudy, MarksThatStandForNothingAreRefused) {
-  EXPECT_THAT(refusal(R"([{"picture": "one.exr", "name": "theirs"}])"),
-              HasSubstr("'theirs': one picture for several scenes"));
-  EXPECT_THAT(refusal(R"([{"picture": "{scene}.exr", "name": "theirs"}], "views": 2)"),
-              HasSubstr("'theirs': one picture for several views"));
   EXPECT_THAT(refusal(R"([{"picture": "{scene}-{veiw}.exr", "name": "theirs"}])"),
               HasSubstr("nothing is known as {veiw}; accepted: {scene}, {view}"));
 }
@@ -194,8 +191,18 @@ TEST_F(UnitGivenStudy, WhatLooksWrongIsSaidInTheTablesAndKept) {
   for (const bool resume : {false, true}) {
     const StudyOutcome outcome = run(folder_, entry, resume);
     EXPECT_THAT(row_of(outcome, "one", "theirs").given_faults, Contains(HasSubstr("180 degrees")));
+    EXPECT_THAT(row_of(outcome, "one", "theirs").given_faults,
+                Not(Contains(HasSubstr("stands for several"))));
     EXPECT_THAT(provenance_warnings(outcome.rows), Contains(HasSubstr("one/theirs: the picture")));
   }
+}
+
+TEST_F(UnitGivenStudy, OnePictureForAllScenesIsSaidToBeOne) {
+  write_scene(folder_ / "two.json", 24, 16);
+  const StudyOutcome outcome = run(folder_, R"([{"picture": "one.exr", "name": "theirs"}])");
+  for (const char* scene : {"one", "two"})
+    EXPECT_THAT(row_of(outcome, scene, "theirs").given_faults,
+                Contains(HasSubstr("stands for several scenes: its name has no {scene}")));
 }
 
 /// What it does not tell is no bargain.
