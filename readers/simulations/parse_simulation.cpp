@@ -45,7 +45,7 @@ std::string small(std::string text) {
 
 template <class Reader>
 vtkSmartPointer<Reader> reader_of(const Path& path) {
-  const auto reader = vtkSmartPointer<Reader>::New();
+  auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
   return reader;
 }
