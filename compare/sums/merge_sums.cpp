@@ -99,6 +99,17 @@ void check_same_sums(const fs::path& first_file, const SumsInfo& first, const fs
   check_same_picture({first_file, first.of}, {file, picture});
 }
 
+void check_totals(const fs::path& totals_file, const SumsInfo& totals, const fs::path& file,
+                  const SumsInfo& info) {
+  if (totals.phases == 1 || totals.phase != 1 || totals.of.part != scene::PartNumber())
+    throw InputError(fmt::format(
+        "{}: is of phase {} of {} and part {} of {} of {}; accepted: the totals over all parts, as "
+        "merge --partial leaves them, of the first of two phases",
+        totals_file.string(), totals.phase, totals.phases, totals.of.part.part,
+        totals.of.part.count, totals.method));
+  check_same_sums(totals_file, totals, file, info);
+}
+
 SumsFile merge_sums(const std::vector<fs::path>& files, const Progress& progress) {
   const std::vector<NamedSums> parts = infos_of(files);
   SumsAdder adder;

@@ -47,4 +47,9 @@ SumsFile merge_sums(const std::vector<std::filesystem::path>& files, const Progr
 void check_same_sums(const std::filesystem::path& first_file, const SumsInfo& first,
                      const std::filesystem::path& file, const SumsInfo& other);
 
+/// Throws InputError unless `totals`, of the file `totals_file`, are those of the first of two
+/// phases over all parts, of the picture and method that `info`, of `file`, is of.
+void check_totals(const std::filesystem::path& totals_file, const SumsInfo& totals,
+                  const std::filesystem::path& file, const SumsInfo& info);
+
 }  // namespace pellucid::compare

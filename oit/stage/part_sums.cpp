@@ -49,11 +49,23 @@ void from_texels(Numbers numbers, std::vector<float>& values) {
 
 void to_texels(Numbers numbers, std::vector<float>& values) {
   if (numbers != Numbers::counts) return;
-  for (float& value : values) value = std::bit_cast<float>(std::uint32_t(value));
+  constexpr float most = 0x1p24f;  // counts are exact up to here
+  for (float& value : values)
+    value = std::bit_cast<float>(value > 0 ? std::uint32_t(std::min(value, most)) : 0u);
 }
 
 void clear(const SumTarget& target) {
   target.numbers == Numbers::floats ? target.texture->clear_floats(0) : target.texture->clear(0);
+}
+
+std::string plane_name(const SumTarget& target, int round, int layer) {
+  return fmt::format("{} {}.{}", target.name, round, layer);
+}
+
+std::size_t values_of(const SumTarget& target) {
+  const Texture& texture = *target.texture;
+  return std::size_t(texture.width()) * std::size_t(texture.height()) *
+         std::size_t(channels_of(texture.format()));
 }
 
 int planes_of(const SumTarget& target) { return std::max(target.texture->layers(), 1); }
@@ -62,12 +74,8 @@ void read(const SumTarget& target, int round, SumPlanes& planes) {
   const Texture& texture = *target.texture;
   const auto [format, type] = transfer_of(target);
   for (int layer = 0; layer < planes_of(target); ++layer) {
-    SumPlane plane{fmt::format("{} {}.{}", target.name, round, layer),
-                   target.combine,
-                   channels_of(texture.format()),
-                   {}};
-    plane.values.resize(std::size_t(texture.width()) * std::size_t(texture.height()) *
-                        std::size_t(plane.channels));
+    SumPlane plane{plane_name(target, round, layer), target.combine, channels_of(texture.format()),
+                   std::vector<float>(values_of(target))};
     texture.read_layer(layer, format, type, plane.values.size() * sizeof(float),
                        plane.values.data());
     from_texels(target.numbers, plane.values);
@@ -75,13 +83,16 @@ void read(const SumTarget& target, int round, SumPlanes& planes) {
   }
 }
 
-void write(const SumTarget& target, std::span<const SumPlane> planes) {
+/// Takes the planes of a target from the front. They come from files, which may lie.
+void write(const SumTarget& target, int round, std::span<const SumPlane>& planes) {
   const auto [format, type] = transfer_of(target);
-  for (int layer = 0; layer < planes_of(target); ++layer) {
-    std::vector<float> values = planes[std::size_t(layer)].values;
-    assert(values.size() == std::size_t(target.texture->width()) *
-                                std::size_t(target.texture->height()) *
-                                std::size_t(channels_of(target.texture->format())));
+  for (int layer = 0; layer < planes_of(target); ++layer, planes = planes.subspan(1)) {
+    const std::string name = plane_name(target, round, layer);
+    if (planes.empty() || planes[0].name != name || planes[0].values.size() != values_of(target))
+      throw InputError(fmt::format(
+          "the sums have no '{}' of this picture; accepted: those of its method, by this build",
+          name));
+    std::vector<float> values = planes[0].values;
     to_texels(target.numbers, values);
     target.texture->write_layer(layer, format, type, values.data());
   }
@@ -112,12 +123,9 @@ Frame PartSums::begin() const {
 
 void PartSums::take(int phase, const SumPlanes& totals, Frame& frame) const {
   const auto [first, end] = rounds_of(phase);
-  std::size_t next = 0;
+  std::span<const SumPlane> planes(totals);
   for (int round = first; round < end; ++round) {
-    for (const SumTarget& target : method_.targets(round)) {
-      write(target, std::span(totals).subspan(next, std::size_t(planes_of(target))));
-      next += std::size_t(planes_of(target));
-    }
+    for (const SumTarget& target : method_.targets(round)) write(target, round, planes);
     method_.close(round, frame);
   }
 }
@@ -130,6 +138,7 @@ SumPlanes PartSums::sum(int phase, std::span<const SumPlanes> totals) {
   SumPlanes planes;
   const auto [first, end] = rounds_of(phase);
   for (int round = first; round < end; ++round) {
+    // Where no fragment comes a method may leave what was there, if it does not look at it.
     for (const SumTarget& target : method_.targets(round)) clear(target);
     method_.sum(round, frame);
     for (const SumTarget& target : method_.targets(round)) read(target, round, planes);
@@ -138,7 +147,8 @@ SumPlanes PartSums::sum(int phase, std::span<const SumPlanes> totals) {
 }
 
 Image PartSums::composite(std::span<const SumPlanes> totals) {
-  assert(totals.size() == std::size_t(phases()));
+  if (totals.size() != std::size_t(phases()))
+    throw InputError(fmt::format("sums of {} phases; accepted: of {}", totals.size(), phases()));
   Frame frame = begin();
   for (int phase = 0; phase < phases(); ++phase) take(phase, totals[std::size_t(phase)], frame);
   method_.composite(frame);

@@ -5,19 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "fields/make_field.h"
-#include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
-#include "integrators/lines/integrate_lines.h"
-#include "integrators/paths/backward.h"
-#include "integrators/surfaces/integrate_surface.h"
 #include "scene/appearance/face_scalars.h"
 #include "scene/datasets/dataset.h"
 #include "scene/files/any_number.h"
 #include "scene/files/appearance_file.h"
+#include "scene/files/flow_file.h"
 #include "scene/files/isosurface_file.h"
 #include "scene/files/transform_file.h"
 
@@ -25,21 +20,6 @@ namespace pellucid::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-integrators::SeedCurve read_seed(const JsonNode& node) {
-  node.accept_keys({"from", "to", "points", "spline", "closed", "center", "normal", "radius"});
-  const bool closed = node.has("closed") && node["closed"].boolean();
-  if (node.has("from")) return integrators::segment_seed(node["from"].vec3(), node["to"].vec3());
-  if (node.has("center"))
-    return integrators::circle_seed(node["center"].vec3(), node["normal"].vec3(),
-                                    node["radius"].number(0, any));
-  const bool spline = node.has("spline");
-  std::vector<Vec3> points;
-  for (const JsonNode& point : node[spline ? "spline" : "points"].elements())
-    points.push_back(point.vec3());
-  return spline ? integrators::spline_seed(points, closed)
-                : integrators::polyline_seed(points, closed);
-}
 
 double read_radius(const JsonNode& node) {
   const double radius = node["radius"].number(0, any);
@@ -156,51 +136,23 @@ class ObjectReader {
     draw(std::move(mesh));
   }
 
-  void integrate(const JsonNode& node) {
-    node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
-    const std::string integrator = node["integrator"].string();
-    const FlowSource source = read_flow(node);
-    const integrators::SurfaceRequest request{source.field.get(), source.seed, source.duration,
-                                              source.start_time,  source.path, context_.progress};
-    integrators::IntegratedSurface surface =
-        at_place(node, [&] { return integrators::integrate_surface(integrator, request); });
-    if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
-    refuse_unfinished(node, "a shorter seed or duration, a coarser threshold or tolerance",
-                      surface.stats.ends);
-    integrators::turn_back(surface.mesh, *source.field);
-    note(fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
-                     surface.stats.particles, surface.mesh.triangles.size()));
-    draw(std::move(surface.mesh));
-    object_.source = source;
+  void read_surface(const JsonNode& node) {
+    std::string how;
+    FlowSurface made = read_flow_surface(node, context_.folder, context_.progress, how);
+    note(std::move(how));
+    draw(std::move(made.mesh));
+    object_.source = std::move(made.source);
   }
 
-  /// What a budget has cut short is not what the scene asks for.
-  static void refuse_unfinished(const JsonNode& node, std::string_view smaller,
-                                const integrators::EndCounts& ends) {
-    const auto budget = std::ranges::find_if(
-        ends, [](const auto& end) { return integrators::is_budget(end.first); });
-    if (budget == ends.end()) return;
-    const std::string_view name = integrators::name_of(budget->first);
-    node.fail(
-        fmt::format("it is unfinished: max-{} ended {} particles; accepted: {}, a larger max-{}",
-                    name, budget->second, smaller, name));
-  }
-
-  FlowSource read_flow(const JsonNode& node) const {
-    FlowSource source;
-    source.field = at_place(
-        node["field"], [&] { return fields::make_field(node["field"].string(), context_.folder); });
-    source.seed = at_place(node["seed"], [&] { return read_seed(node["seed"]); });
-    source.duration = node["duration"].number(-any, any);
-    if (node.has("start_time")) source.start_time = node["start_time"].number(-any, any);
-    if (node.has("path")) source.path = node["path"].boolean();
-    if (source.duration < 0) source.field = fields::reversed(source.field, source.start_time);
-    source.duration = std::abs(source.duration);
-    return source;
+  geometry::LineSet flow_lines(const JsonNode& node) {
+    std::string how;
+    geometry::LineSet lines = read_flow_lines(node, context_.folder, context_.progress, how);
+    note(std::move(how));
+    return lines;
   }
 
   void read_line_object(const JsonNode& node) {
-    draw(node.is_object() ? integrated_lines(node) : line_file(node));
+    draw(node.is_object() ? flow_lines(node) : line_file(node));
   }
 
   geometry::LineSet line_file(const JsonNode& node) {
@@ -210,28 +162,6 @@ class ObjectReader {
                      lines.positions.size()),
          lines);
     return lines;
-  }
-
-  geometry::LineSet integrated_lines(const JsonNode& node) {
-    node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "both"});
-    const std::string integrator = node["integrator"].string();
-    const FlowSource source = read_flow(node);
-    integrators::IntegratedLines lines = at_place(node, [&] {
-      const integrators::LineRequest request{
-          source.field.get(),
-          integrators::seeds_on(source.seed, integrators::line_particles(integrator)),
-          source.duration,
-          source.start_time,
-          context_.progress,
-          node.has("both") && node["both"].boolean()};
-      return integrators::integrate_lines(integrator, request);
-    });
-    refuse_unfinished(node, "fewer particles, a shorter duration, a longer step or turn",
-                      lines.stats.ends);
-    integrators::turn_back(lines.lines, *source.field);
-    note(fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
-                     lines.lines.line_count(), lines.lines.positions.size()));
-    return lines.lines;
   }
 
   void read_point_object(const JsonNode& node) {
@@ -343,7 +273,7 @@ class ObjectReader {
 
 const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{
     {{"mesh", &ObjectReader::read_mesh_file},
-     {"surface", &ObjectReader::integrate},
+     {"surface", &ObjectReader::read_surface},
      {"lines", &ObjectReader::read_line_object},
      {"points", &ObjectReader::read_point_object},
      {"dataset", &ObjectReader::read_dataset},

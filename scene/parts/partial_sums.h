@@ -35,9 +35,9 @@ class PartialSums {
   /// Returns the number of phases.
   virtual int phases() const = 0;
   /// Sums up `phase`, from 0, over the scene's fragments, one sample at each pixel's centre;
-  /// `totals` are those of all phases before it. Throws WorkError as Renderer::render() does.
+  /// `totals` are those of all phases before it. Throws InputError as composite(), and WorkError.
   virtual SumPlanes sum(int phase, std::span<const SumPlanes> totals) = 0;
-  /// Makes the picture of the totals of all phases.
+  /// Makes the picture of all phases' totals. Throws InputError for planes that it does not have.
   virtual Image composite(std::span<const SumPlanes> totals) = 0;
   /// Returns what lies behind the transparent fragments: colour and 1 of the nearest opaque one, or
   /// the background's colour and 0.

@@ -141,6 +141,19 @@ TEST(UnitPartSums, FilesHoldThemToTheLastBit) {
   }
 }
 
+TEST(UnitPartSums, PlanesThatAreNotTheMethodsAreRefused) {
+  const FromParts parts(parse_call("fourier:bands=3"), stack(3, 3, {Rgba(0.5)}), 1);
+  const auto refused = [&](const auto& change) {
+    std::vector<SumsFile> totals = parts.totals();
+    change(totals);
+    EXPECT_THROW(composite_sums(totals, "osmesa"), InputError);
+  };
+  refused([](std::vector<SumsFile>& totals) { totals[0].planes.pop_back(); });
+  refused([](std::vector<SumsFile>& totals) { totals[0].planes[1].name = "others"; });
+  refused([](std::vector<SumsFile>& totals) { totals[1].planes[0].values.resize(5); });
+  refused([](std::vector<SumsFile>& totals) { totals.pop_back(); });
+}
+
 TEST(UnitPartSums, WhatIsNoSumIsRefused) {
   scene::Scene scene = stack(3, 3, {Rgba(0.5)});
   const MethodCall subset = parse_call("fourier:subset=2");

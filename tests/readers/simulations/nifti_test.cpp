@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What VTK's reader of NIfTI leaves to its caller: scales, and where voxels are.
 
-#include <gmock/gmock.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
-#include <vtkPointData.h>
 
 #include <array>
 #include <cstring>
@@ -14,10 +10,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 
-#include "core/error.h"
 #include "core/files/output_file.h"
-#include "readers/vtk/vtk_file.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/readers/simulations/read_files.h"
 
 namespace pellucid::readers {
 namespace {
@@ -43,7 +37,7 @@ class Bytes {
   std::string text_;
 };
 
-class UnitNifti : public ::testing::Test {
+class UnitNifti : public ReadFiles {
  protected:
   using Describe = std::function<void(Bytes&)>;
 
@@ -63,22 +57,6 @@ class UnitNifti : public ::testing::Test {
     for (std::int16_t i = 0; i < 8 * times; ++i) bytes.append(i);
     write_text(folder_ / "i.nii", bytes.text());
     return folder_ / "i.nii";
-  }
-
-  std::vector<double> values(const std::filesystem::path& file, int count) const {
-    const auto data = read_vtk_data_set(file);
-    std::vector<double> result;
-    for (int i = 0; i < count; ++i)
-      result.push_back(data->GetPointData()->GetArray(0)->GetComponent(i, 0));
-    return result;
-  }
-  std::string complaint(const std::filesystem::path& file) const {
-    try {
-      read_vtk_data_set(file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no complaint";
   }
 
   /// Every voxel, which its value numbers, is where the file has it.
@@ -101,8 +79,6 @@ class UnitNifti : public ::testing::Test {
     const auto data = read_vtk_data_set(folder_ / "i.nii");
     return vtkImageData::SafeDownCast(data)->GetDirectionMatrix()->IsIdentity();
   }
-
-  testing::TemporaryFolder folder_;
 };
 
 TEST_F(UnitNifti, IsScaled) {

@@ -2,11 +2,7 @@
 // What VTK's readers of NetCDF and MRC leave to their caller: missing samples, scales, signs.
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <netcdf.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
@@ -14,10 +10,8 @@
 #include <functional>
 #include <limits>
 
-#include "core/error.h"
 #include "core/files/output_file.h"
-#include "readers/vtk/vtk_file.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/readers/simulations/read_files.h"
 
 namespace pellucid::readers {
 namespace {
@@ -26,27 +20,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsNan;
 
-class UnitScaledValues : public ::testing::Test {
+class UnitScaledValues : public ReadFiles {
  protected:
-  /// The first `count` numbers of the only point array.
-  std::vector<double> values(const std::filesystem::path& file, int count) const {
-    const auto data = read_vtk_data_set(file);
-    vtkDataArray* array = data->GetPointData()->GetArray(0);
-    std::vector<double> result;
-    for (int i = 0; i < count; ++i)
-      result.push_back(array->GetComponent(i / array->GetNumberOfComponents(),
-                                           i % array->GetNumberOfComponents()));
-    return result;
-  }
-  std::string complaint(const std::filesystem::path& file) const {
-    try {
-      read_vtk_data_set(file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no complaint";
-  }
-
   /// A file of 2 × 2 × 2 samples q: the four that are given, and then ones.
   std::filesystem::path netcdf(nc_type type, std::vector<double> samples,
                                const std::function<void(int file, int q)>& describe) const {
@@ -98,8 +73,6 @@ class UnitScaledValues : public ::testing::Test {
     write_text(folder_ / "m.mrc", bytes);
     return folder_ / "m.mrc";
   }
-
-  testing::TemporaryFolder folder_;
 };
 
 std::string bytes_of(const std::vector<float>& numbers) {

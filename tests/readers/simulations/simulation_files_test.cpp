@@ -2,17 +2,11 @@
 // What the formats of simulations mean, where VTK's readers by themselves take something else.
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkPointData.h>
 
 #include <map>
 
-#include "core/error.h"
 #include "core/files/output_file.h"
-#include "readers/vtk/vtk_file.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/readers/simulations/read_files.h"
 
 namespace pellucid::readers {
 namespace {
@@ -21,17 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class UnitSimulationFiles : public ::testing::Test {
+class UnitSimulationFiles : public ReadFiles {
  protected:
-  std::string complaint(const std::filesystem::path& file) const {
-    try {
-      read_vtk_data_set(file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no complaint";
-  }
-
   /// A cube of eight points, at each of which the numbers are those of `row`.
   std::filesystem::path tecplot(const std::string& variables, std::string_view row) const {
     std::string text = fmt::format("VARIABLES = {}\nZONE I=2, J=2, K=2, F=POINT\n", variables);
@@ -66,8 +51,6 @@ class UnitSimulationFiles : public ::testing::Test {
     write_text(folder_ / "e.U", fmt::format("U\n{}block\n{}", part, vectors));
     return folder_ / "e.case";
   }
-
-  testing::TemporaryFolder folder_;
 };
 
 /// The vectors that a field takes unless told otherwise, of one point.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a scene file asks to be integrated: surfaces and lines of flows.
+
+#include <filesystem>
+#include <string>
+
+#include "core/files/json_node.h"
+#include "core/progress.h"
+#include "scene/scene.h"
+
+namespace pellucid::scene {
+
+/// A FlowSurface is a surface and what it was integrated from, but for its appearance.
+struct FlowSurface {
+  geometry::TriangleMesh mesh;
+  FlowSource source;
+};
+
+/// Integrates the surface of an object's key "surface". `how` gets a line on it. Throws InputError
+/// for a wrong key or value, a file that cannot be read, a surface without a triangle, and one that
+/// a budget has cut short.
+FlowSurface read_flow_surface(const JsonNode& node, const std::filesystem::path& folder,
+                              const Progress& progress, std::string& how);
+
+/// Integrates the lines of an object's key "lines", where that is no file. `how` gets a line on
+/// them. Throws InputError likewise.
+geometry::LineSet read_flow_lines(const JsonNode& node, const std::filesystem::path& folder,
+                                  const Progress& progress, std::string& how);
+
+}  // namespace pellucid::scene
