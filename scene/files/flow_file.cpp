@@ -41,8 +41,8 @@ integrators::SeedCurve read_seed(const JsonNode& node) {
 
 FlowSource read_flow(const JsonNode& node, const fs::path& folder) {
   FlowSource source;
-  source.field = at_place(node["field"],
-                          [&] { return fields::make_field(node["field"].string(), folder); });
+  source.field =
+      at_place(node["field"], [&] { return fields::make_field(node["field"].string(), folder); });
   source.seed = at_place(node["seed"], [&] { return read_seed(node["seed"]); });
   source.duration = node["duration"].number(-any, any);
   if (node.has("start_time")) source.start_time = node["start_time"].number(-any, any);
@@ -55,8 +55,8 @@ FlowSource read_flow(const JsonNode& node, const fs::path& folder) {
 /// What a budget has cut short is not what the scene asks for.
 void refuse_unfinished(const JsonNode& node, std::string_view smaller,
                        const integrators::EndCounts& ends) {
-  const auto budget = std::ranges::find_if(
-      ends, [](const auto& end) { return integrators::is_budget(end.first); });
+  const auto budget =
+      std::ranges::find_if(ends, [](const auto& end) { return integrators::is_budget(end.first); });
   if (budget == ends.end()) return;
   const std::string_view name = integrators::name_of(budget->first);
   node.fail(

@@ -134,6 +134,14 @@ TEST_F(UnitSceneFile, ASurfaceKeepsWhatItWasMadeFrom) {
 }
 
 TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
+  for (const char* seed :
+       {R"({"from": [0, 0, 0], "to": [0, 1, 0], "closed": true})",
+        R"({"center": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "to": [1, 0, 0]})"})
+    EXPECT_THAT(
+        refusal(std::string(R"({"surface": {"field": "rotation", "integrator": "fixed-front",
+                                        "duration": 1, "seed": )") +
+                seed + "}}"),
+        HasSubstr("surface.seed: unknown key"));
   EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "opacity": 1.5})"),
               HasSubstr("objects[0].opacity: 1.5; accepted: 0 … 1"));
   EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "opacty": 1})"),
