@@ -16,6 +16,7 @@
 #include "geometry/files/mesh_formats.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/butcher_tableau.h"
+#include "integrators/sheets/integrate_sheet.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "oit/gl/egl_devices.h"
 #include "scene/appearance/colormap.h"
@@ -58,16 +59,16 @@ nlohmann::ordered_json list_methods() {
 
 nlohmann::ordered_json list_integrators() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const integrators::IntegratorRow& row : integrators::integrators())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"parameters", parameters_json(row.parameters)}});
-  for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
-    rows.push_back({{"name", row.name},
-                    {"title", row.title},
-                    {"citation", row.citation},
-                    {"parameters", parameters_json(row.parameters)}});
+  const auto add = [&](const auto& table) {
+    for (const auto& row : table)
+      rows.push_back({{"name", row.name},
+                      {"title", row.title},
+                      {"citation", row.citation},
+                      {"parameters", parameters_json(row.parameters)}});
+  };
+  add(integrators::integrators());
+  add(integrators::sheet_integrators());
+  add(integrators::line_integrators());
   return rows;
 }
 

@@ -14,15 +14,17 @@
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
-#include "core/options/names.h"
 #include "fields/make_field.h"
 #include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/files/mesh_formats.h"
+#include "integrators/integrator_kind.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/paths/backward.h"
+#include "integrators/sheets/integrate_sheet.h"
+#include "integrators/sheets/sheet_error.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
 
@@ -46,16 +48,13 @@ nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
 }
 
 /// Of the surface from that of another integrator, and the other way round.
-void add_distance_between(nlohmann::ordered_json& json, const TraceOptions& options,
-                          const geometry::TriangleMesh& mesh,
-                          const integrators::SurfaceRequest& request) {
-  const geometry::TriangleMesh other =
-      integrators::integrate_surface(options.against, request).mesh;
-  report(request.progress, 1, "measuring the distance between the two surfaces");
+nlohmann::ordered_json distance_between(const TraceOptions& options,
+                                        const geometry::TriangleMesh& mesh,
+                                        const geometry::TriangleMesh& other) {
   const auto [from_this, from_other] = integrators::mesh_distance(mesh, other, options.samples);
-  json["against"] = {{"integrator", options.against},
-                     {"from_this", to_json(from_this)},
-                     {"from_other", to_json(from_other)}};
+  return {{"integrator", options.against},
+          {"from_this", to_json(from_this)},
+          {"from_other", to_json(from_other)}};
 }
 
 void print_summary(const std::string& output, const nlohmann::ordered_json& json) {
@@ -79,35 +78,71 @@ void write_error_picture(const std::string& file, const geometry::TriangleMesh& 
   compare::write_image(file, compare::distance_picture(view, mesh, distances).image);
 }
 
-void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
-                   const std::shared_ptr<const fields::VectorField>& field) {
-  const auto way = options.duration < 0 ? fields::reversed(field, options.start_time) : field;
-  integrators::SurfaceRequest request;
-  request.field = way.get();
-  request.seed = surface_seed(options.seed);
-  request.duration = std::abs(options.duration);
-  request.start_time = options.start_time;
-  request.path = options.path;
-  request.progress = console_progress(globals);
-  integrators::IntegratedSurface surface =
-      integrators::integrate_surface(options.integrator, request);
+/// `integrate(call)` makes a surface, `measure(surface)` tells how far it is from the exact one; in
+/// the field `way`, which may be a reversed one.
+template <class Integrate, class Measure>
+void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
+                const fields::VectorField& way, const Integrate& integrate,
+                const Measure& measure) {
+  auto surface = integrate(options.integrator);
   nlohmann::ordered_json json =
       compare::surface_json(surface, integrators::measure_quality(surface.mesh));
+  const Progress progress = console_progress(globals);
   if (options.samples > 0) {
-    report(request.progress, 1, "measuring the distance to the exact surface");
-    integrators::SurfaceError error =
-        integrators::measure_error(surface.mesh, request, options.samples,
-                                   integrators::integrator_parameters(options.integrator));
+    report(progress, 1, "measuring the distance to the exact surface");
+    integrators::SurfaceError error = measure(surface);
     compare::add_error_json(json, error);
     if (!options.error_picture.empty())
       write_error_picture(options.error_picture, surface.mesh, error.at_vertices);
     surface.mesh.scalars["error"] = std::move(error.at_vertices);
   }
-  if (!options.against.empty()) add_distance_between(json, options, surface.mesh, request);
-  integrators::turn_back(surface.mesh, *way);
-  json["field"] = way->description();
+  if (!options.against.empty()) {
+    const auto other = integrate(options.against);
+    report(progress, 1, "measuring the distance between the two surfaces");
+    json["against"] = distance_between(options, surface.mesh, other.mesh);
+  }
+  integrators::turn_back(surface.mesh, way);
+  json["field"] = way.description();
   geometry::write_mesh(options.output, surface.mesh);
   print(options, globals, json);
+}
+
+void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
+                   const fields::VectorField& way) {
+  integrators::SurfaceRequest request;
+  request.field = &way;
+  request.seed = surface_seed(options.seed);
+  request.duration = std::abs(options.duration);
+  request.start_time = options.start_time;
+  request.path = options.path;
+  request.progress = console_progress(globals);
+  trace_mesh(
+      options, globals, way,
+      [&](const std::string& call) { return integrators::integrate_surface(call, request); },
+      [&](const integrators::IntegratedSurface& surface) {
+        return integrators::measure_error(surface.mesh, request, options.samples,
+                                          integrators::integrator_parameters(options.integrator));
+      });
+}
+
+void trace_sheet(const TraceOptions& options, const GlobalOptions& globals,
+                 const fields::VectorField& way) {
+  integrators::SheetRequest request;
+  request.field = &way;
+  if (integrators::integrator_kind(options.integrator) == integrators::IntegratorKind::streak_sheet)
+    request.curve = surface_seed(options.seed);
+  else
+    request.surface = sheet_seed(options.seed);
+  request.duration = std::abs(options.duration);
+  request.start_time = options.start_time;
+  request.progress = console_progress(globals);
+  trace_mesh(
+      options, globals, way,
+      [&](const std::string& call) { return integrators::integrate_sheet(call, request); },
+      [&](const integrators::IntegratedSheet& sheet) {
+        return integrators::measure_sheet_error(sheet, request, options.samples,
+                                                integrators::sheet_parameters(options.integrator));
+      });
 }
 
 void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
@@ -126,36 +161,28 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
   print(options, globals, json);
 }
 
-/// Is the integrator one of lines? Throws InputError that lists those of both kinds.
-bool draws_lines(std::string_view integrator) {
-  const std::string name = parse_name_and_options(integrator).name;
-  std::vector<std::string_view> known;
-  for (const integrators::IntegratorRow& row : integrators::integrators())
-    known.push_back(row.name);
-  for (const integrators::LineIntegratorRow& row : integrators::line_integrators())
-    known.push_back(row.name);
-  const auto found = std::find(known.begin(), known.end(), name);
-  if (found == known.end()) throw InputError(unknown_name("integrator", name, known));
-  return std::size_t(found - known.begin()) >= integrators::integrators().size();
-}
-
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
+  using integrators::IntegratorKind;
   const ProtectedInputs inputs;
   const std::shared_ptr<const fields::VectorField> field = fields::make_field(options.field);
-  if (options.both && !draws_lines(options.integrator))
+  const IntegratorKind kind = integrators::integrator_kind(options.integrator);
+  const bool lines = kind == IntegratorKind::lines;
+  if (options.both && !lines)
     throw InputError("--both: accepted: with an integrator of lines; of a surface run each way");
-  const bool measures = options.samples > 0 && !draws_lines(options.integrator);
   for (const auto& [name, value] : {std::pair("--error-picture", &options.error_picture),
                                     std::pair("--against", &options.against)})
-    if (!value->empty() && !measures)
+    if (!value->empty() && (lines || options.samples == 0))
       throw InputError(
           fmt::format("{}: accepted: with a surface and --samples of at least 1", name));
-  if (options.path && draws_lines(options.integrator))
-    integrators::check_runs_along("--path", options.integrator);
-  if (draws_lines(options.integrator))
-    trace_lines(options, globals, *field);
+  if (lines) {
+    if (options.path) integrators::check_runs_along("--path", options.integrator);
+    return trace_lines(options, globals, *field);
+  }
+  const auto way = options.duration < 0 ? fields::reversed(field, options.start_time) : field;
+  if (integrators::is_sheet(kind))
+    trace_sheet(options, globals, *way);
   else
-    trace_surface(options, globals, field);
+    trace_surface(options, globals, *way);
 }
 
 }  // namespace
@@ -173,7 +200,9 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--seeds", options->seed.seeds,
                       "Instead: circle:center=X,Y,Z,radius=R,normal=X,Y,Z; of lines "
                       "grid:from=X,Y,Z,to=X,Y,Z,count=NX,NY,NZ; or a FILE of points, of lines one "
-                      "each and else joined, or of one polyline");
+                      "each and else joined, or of one polyline. Of a time surface "
+                      "patch:corner=X,Y,Z,u=X,Y,Z,v=X,Y,Z, sphere:center=X,Y,Z,radius=R, or a FILE "
+                      "of a mesh");
   command->add_flag("--closed", options->seed.closed, "Join the polyline's ends");
   command
       ->add_option("--duration", options->duration,
@@ -212,6 +241,10 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
       "      --integrator stream-lines:particles=1 --seed 10,45,0 --duration 3 --both -o line.vtp\n"
       "  pellucid trace --field abc --integrator stream-lines --duration 2 -o lines.vtp \\\n"
       "      --seeds grid:from=0,0,0,to=6,6,6,count=5,5,5\n"
+      "  pellucid trace --field double-gyre --integrator streak-surface:tolerance=0.01 \\\n"
+      "      --seed 1,0.2,0:1,0.2,1 --duration 10 -o streak.ply\n"
+      "  pellucid trace --field double-gyre --integrator time-surface --duration 10 -o dye.ply \\\n"
+      "      --seeds sphere:center=1,0.5,0.5,radius=0.2\n"
       "What may stand behind a file's name: docs/fields.md; formats: pellucid list formats.");
   add_global_options(*command, globals);
   command->callback([options, &globals] { trace(*options, globals); });

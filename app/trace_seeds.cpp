@@ -133,6 +133,29 @@ integrators::SeedCurve surface_seed(const SeedTexts& texts) {
   return seeds.curve ? *seeds.curve : integrators::polyline_seed(seeds.points, texts.closed);
 }
 
+integrators::SeedSurface sheet_seed(const SeedTexts& texts) {
+  constexpr std::string_view option = "--seeds", patch_prefix = "patch:", sphere_prefix = "sphere:";
+  const std::string_view text = texts.seeds;
+  if (text.empty() || !texts.seed.empty() || texts.closed)
+    throw InputError(
+        "--seeds: accepted of a time surface, alone: patch:corner=X,Y,Z,u=X,Y,Z,v=X,Y,Z, "
+        "sphere:center=X,Y,Z,radius=R, or a FILE of a mesh");
+  if (text.starts_with(patch_prefix)) {
+    constexpr std::array<std::string_view, 3> keys{"corner", "u", "v"};
+    const KeyedWords words = keyed_words(option, text.substr(patch_prefix.size()), keys);
+    return integrators::patch_seed(vector_of_key(option, words, "corner"),
+                                   vector_of_key(option, words, "u"),
+                                   vector_of_key(option, words, "v"));
+  }
+  if (text.starts_with(sphere_prefix)) {
+    constexpr std::array<std::string_view, 2> keys{"center", "radius"};
+    const KeyedWords words = keyed_words(option, text.substr(sphere_prefix.size()), keys);
+    return integrators::sphere_seed(vector_of_key(option, words, "center"),
+                                    number_of_key(option, words, "radius"));
+  }
+  return integrators::mesh_seed(geometry::read_mesh(texts.seeds));
+}
+
 std::vector<Vec3> line_seeds(const SeedTexts& texts, const std::string& integrator) {
   const Seeds seeds = seeds_of(texts);
   if (!seeds.curve) return seeds.points;

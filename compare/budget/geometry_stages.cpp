@@ -14,6 +14,7 @@
 #include "core/vec.h"
 #include "fields/readers/file_field.h"
 #include "integrators/lines/integrate_lines.h"
+#include "integrators/sheets/integrate_sheet.h"
 #include "integrators/surfaces/integrate_surface.h"
 
 namespace pellucid::compare {
@@ -87,8 +88,9 @@ const ParameterSpec* parameter_of(const NameAndOptions& call, std::string_view k
         if (row.name == call.name && spec.name == key) return &spec;
     return nullptr;
   };
-  const ParameterSpec* of_surfaces = find(integrators::integrators());
-  return of_surfaces ? of_surfaces : find(integrators::line_integrators());
+  const ParameterSpec* found = find(integrators::integrators());
+  if (!found) found = find(integrators::sheet_integrators());
+  return found ? found : find(integrators::line_integrators());
 }
 
 void take_default(NameAndOptions& call, const char* key) {
@@ -129,6 +131,9 @@ std::string meshed_finely(const std::string& integrator, double factor) {
     divide(call, "turn", factor);
   } else if (parameter_of(call, "releases")) {
     multiply(call, "releases", factor);
+  } else if (parameter_of(call, "tolerance")) {
+    divide(call, "tolerance", factor * factor);
+    multiply(call, "particles", factor);
   }
   return text_of(call);
 }

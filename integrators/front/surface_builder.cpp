@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrators/front/surface_builder.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "integrators/paths/magnitude.h"
+#include "integrators/mesh/missing_normals.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -90,33 +88,8 @@ void SurfaceBuilder::drop_unused_vertices() {
     for (std::uint32_t& corner : triangle) corner = place[corner];
 }
 
-/// Where the surface has no normal, that of the triangles around stands in, each by its angle
-/// there: whatever way a crease's two sides are cut into triangles, both weigh the same.
-void SurfaceBuilder::fill_missing_normals() {
-  std::vector<bool> missing(normals_.size());
-  for (std::size_t i = 0; i < normals_.size(); ++i) missing[i] = normals_[i] == Vec3(0);
-  for (const auto& [a, b, c] : triangles_) {
-    if (!missing[a] && !missing[b] && !missing[c]) continue;
-    const std::array corners{a, b, c};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!missing[corners[k]]) continue;
-      const Vec3& x = positions_[corners[k]];
-      const Vec3 one = positions_[corners[(k + 1) % 3]] - x;
-      const Vec3 other = positions_[corners[(k + 2) % 3]] - x;
-      const Vec3 area = glm::cross(one, other);
-      normals_[corners[k]] +=
-          std::atan2(magnitude(area), glm::dot(one, other)) * direction_of(area);
-    }
-  }
-  for (std::size_t i = 0; i < normals_.size(); ++i) {
-    if (!missing[i]) continue;
-    const double length = glm::length(normals_[i]);
-    normals_[i] = length > 0 ? normals_[i] / length : Vec3(0, 0, 1);
-  }
-}
-
 geometry::TriangleMesh SurfaceBuilder::finish() {
-  if (with_normals_) fill_missing_normals();
+  if (with_normals_) fill_missing_normals(positions_, triangles_, normals_);
   geometry::TriangleMesh mesh;
   auto& time = mesh.scalars["time"] = t_;
   for (double& t : time) t += start_time_;

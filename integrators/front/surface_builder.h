@@ -44,7 +44,6 @@ class SurfaceBuilder {
  private:
   double s_step(std::uint32_t a, std::uint32_t b) const;
   void reserve_vertices(std::size_t count);
-  void fill_missing_normals();
 
   double start_time_;
   bool with_normals_;

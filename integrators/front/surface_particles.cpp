@@ -55,9 +55,7 @@ SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& 
 }
 
 void bound_particle_errors(SurfaceSetup& setup, double distance) {
-  constexpr double part = 0.03;
-  TrajectoryOptions& options = setup.trajectory;
-  options.error_floor = std::min(options.error_floor, part * distance / options.duration);
+  bound_errors(setup.trajectory, distance);
 }
 
 ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup& setup)

@@ -15,8 +15,9 @@ void turn_back(geometry::Vertices& vertices, const fields::VectorField& field) {
   if (!start) return;
   if (const auto t = vertices.scalars.find("t"); t != vertices.scalars.end())
     for (double& value : t->second) value = 0 - value;
-  if (const auto time = vertices.scalars.find("time"); time != vertices.scalars.end())
-    for (double& value : time->second) value = *start - (value - *start);
+  for (const char* name : {"time", "released"})
+    if (const auto time = vertices.scalars.find(name); time != vertices.scalars.end())
+      for (double& value : time->second) value = *start - (value - *start);
 }
 
 }  // namespace pellucid::integrators

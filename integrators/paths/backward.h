@@ -14,8 +14,8 @@ namespace pellucid::integrators {
 std::shared_ptr<const fields::VectorField> reversed_view(const fields::VectorField& field,
                                                          double start_time);
 
-/// Turns the scalars "t" (since the seed: now below 0) and "time" (the field's) of what particles
-/// have made in `field`, where it is a reversed one; of another field they stay.
+/// Turns the scalars "t" (since the seed: now below 0), "time" and "released" (the field's) of what
+/// particles have made in `field`, where it is a reversed one; of another field they stay.
 void turn_back(geometry::Vertices& vertices, const fields::VectorField& field);
 
 }  // namespace pellucid::integrators

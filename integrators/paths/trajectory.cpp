@@ -28,6 +28,10 @@ EndReason reason_of(fields::SampleStatus status) {
   return status == fields::SampleStatus::outside ? EndReason::left_domain : EndReason::not_finite;
 }
 
+bool is_by_jacobian(Companion companion) {
+  return companion == Companion::variation || companion == Companion::conormal;
+}
+
 bool is_ghost(Companion companion) {
   return companion == Companion::ghost_reset || companion == Companion::ghost_rescaled;
 }
@@ -48,15 +52,15 @@ double fastest(const std::array<ParticleState, 7>& k) {
 
 }  // namespace
 
-Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& tangent,
+Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& companion,
                        fields::FieldSampler& sampler)
     : options_(&options) {
   assert(options.stepper && options.duration > 0);
-  Vec3 companion = tangent;
-  if (options.companion == Companion::none) companion = Vec3(0);
+  Vec3 carried = companion;
+  if (options.companion == Companion::none) carried = Vec3(0);
   if (is_ghost(options.companion))
-    companion = seed + options.ghost_distance * direction_of(tangent);
-  y_ = joined(seed, companion);
+    carried = seed + options.ghost_distance * direction_of(companion);
+  y_ = joined(seed, carried);
   const fields::SampleStatus status = slope(0, y_, f_, sampler);
   if (status != fields::SampleStatus::ok) {
     end_ = status == fields::SampleStatus::outside ? EndReason::outside : EndReason::not_finite;
@@ -116,10 +120,11 @@ fields::SampleStatus Trajectory::slope(double t, const State& y, State& f,
   const double time = options_->start_time + (options_->path ? t : 0);
   Vec3 v, w(0);
   fields::SampleStatus status;
-  if (options_->companion == Companion::variation) {
+  if (is_by_jacobian(options_->companion)) {
     Mat3 jacobian;
     status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
-    w = jacobian * second(y);
+    const bool is_normal = options_->companion == Companion::conormal;
+    w = is_normal ? -(second(y) * jacobian) : jacobian * second(y);
   } else {
     status = sampler.velocity(first(y), time, v);
   }
@@ -205,7 +210,7 @@ double Trajectory::error_of(double h, const std::array<State, 7>& k, const State
   for (int i = 0; i <= rk.stages; ++i)
     if (rk.error[i] != 0) add(e, h * rk.error[i], k[i]);
   const double position = magnitude(first(e)) / (step_tolerance(h) + rounding_at(first(y1)));
-  if (options_->companion != Companion::variation) return position;
+  if (!is_by_jacobian(options_->companion)) return position;
   return std::max(position, magnitude(second(e)) /
                                 (companion_tolerance() * std::max(magnitude(second(y_)), 1e-300)));
 }

@@ -20,6 +20,7 @@ namespace pellucid::integrators {
 enum class Companion {
   none,
   variation,      // w = ∂x/∂s by the variational equation dw/dt = J(x) w
+  conormal,       // w across a surface that goes with the flow: dw/dt = -Jᵀ(x) w
   ghost_reset,    // a second particle, pulled back when it is farther than `ghost_distance`
   ghost_rescaled  // a second particle, put back to `ghost_distance` after every step
 };
@@ -49,15 +50,15 @@ struct TrajectoryOptions {
 struct FlowPoint {
   Vec3 x{0};  // position
   Vec3 v{0};  // velocity
-  Vec3 w{0};  // ∂x/∂s up to a positive factor; 0 without a companion
+  Vec3 w{0};  // ∂x/∂s, or a normal, up to a positive factor; 0 without a companion
 };
 
 /// One particle's way, integrated as far as it is asked for and known everywhere between by dense
 /// output. Not shared between threads while it is advanced.
 class Trajectory {
  public:
-  /// `options` must outlive it. `tangent` is dc/ds of the seed curve.
-  Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& tangent,
+  /// `options` must outlive it. `companion` is dc/ds of the seed curve, or a normal.
+  Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& companion,
              fields::FieldSampler& sampler);
 
   /// Integrates until t is covered. False when the particle ends before t.

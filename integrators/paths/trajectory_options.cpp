@@ -83,4 +83,16 @@ TrajectoryOptions trajectory_options(const fields::VectorField& field, const Jou
   return options;
 }
 
+void bound_errors(TrajectoryOptions& options, double distance) {
+  constexpr double part = 0.03;
+  options.error_floor = std::min(options.error_floor, part * distance / options.duration);
+}
+
+void make_exact(TrajectoryOptions& options, double extent, double distance) {
+  options.error_floor *= 0.01;
+  bound_errors(options, std::min(0.1 * distance, 1e-4 * extent));
+  // A thousand kinks may be as far off as that allows; one by one they would take most of the time.
+  options.tolerance = std::max(1e-13 * extent, 1e-3 * options.error_floor * options.duration);
+}
+
 }  // namespace pellucid::integrators

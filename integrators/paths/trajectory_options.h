@@ -22,6 +22,16 @@ struct Journey {
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping);
 
+/// Bounds the errors of particles on samples, so that they add up to no more than a thirtieth of
+/// `distance`, world units, over the whole duration.
+void bound_errors(TrajectoryOptions& options, double distance);
+
+/// Makes the options those of the truth that a mesh is held to, whatever made it: the tightest
+/// integration there is. In samples a particle of a mesh that lies within `distance` may err by a
+/// thirtieth of it; the truth by a hundredth of what particles err by otherwise. `extent` and
+/// `distance` are in world units.
+void make_exact(TrajectoryOptions& options, double extent, double distance);
+
 /// A number > 0 that was given as `name`, or what it is when it was not. Throws InputError.
 double positive(std::string_view name, const std::optional<double>& given, double otherwise);
 

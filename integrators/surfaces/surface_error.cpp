@@ -11,24 +11,12 @@
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
 #include "integrators/paths/magnitude.h"
-#include "integrators/surfaces/surface_tangents.h"
+#include "integrators/paths/trajectory_options.h"
+#include "integrators/surfaces/deviation.h"
+#include "integrators/surfaces/nearest_place.h"
 
 namespace pellucid::integrators {
 namespace {
-
-constexpr double degrees = 57.295779513082320877;
-
-/// Parameters of the surface.
-struct Place {
-  double s = 0, t = 0;
-};
-/// A smooth stretch of the seed curve, between neighbouring corners or ends.
-struct Stretch {
-  double begin = -std::numeric_limits<double>::infinity();
-  double end = std::numeric_limits<double>::infinity();
-
-  double inside(double s) const { return std::clamp(s, begin, end); }
-};
 
 /// A point of the mesh with its parameters on the surface, and those of its facet's corners.
 struct Sample {
@@ -37,23 +25,6 @@ struct Sample {
   Vec3 x, facet;  // facet: unit normal
 
   double middle() const { return (corners[0].s + corners[1].s + corners[2].s) / 3; }
-};
-
-/// The stretch that holds s, which may lie beyond 0 and 1 on a closed curve; without corners such a
-/// one has no end.
-Stretch stretch_around(const SeedCurve& curve, double s) {
-  const std::vector<double>& corners = curve.corners;
-  const double turn = curve.closed ? std::floor(s) : 0;
-  const auto above = std::ranges::upper_bound(corners, s - turn);
-  const bool first = above == corners.begin(), last = above == corners.end();
-  if (!curve.closed) return {first ? 0 : *std::prev(above), last ? 1 : *above};
-  if (corners.empty()) return {};
-  return {turn + (first ? corners.back() - 1 : *std::prev(above)),
-          turn + (last ? corners.front() + 1 : *above)};
-}
-
-struct Deviation {
-  double distance = 0, degrees = 0;
 };
 
 Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bool closed) {
@@ -90,18 +61,10 @@ class ExactSurface {
   std::vector<Vec3> points_at(double s);
 
  private:
-  /// A point of the surface, and whether its distance is the smallest around.
-  struct Nearest {
-    Place place;
-    FlowPoint here;
-    double distance;
-    bool settled;
-  };
+  using Nearest = NearestPlace;
 
   FlowPoint point(double s, double& t);
-  Move move_within(const Tangents& tangents, const Place& from, const Stretch& stretch,
-                   const Vec3& off) const;
-  Nearest descend(Place place, const Stretch& stretch, const Vec3& x);
+  Nearest descend(const Place& place, const Stretch& stretch, const Vec3& x);
   Vec3 normal_at(const Nearest& nearest, const Stretch& stretch);
 
   const SurfaceRequest& request_;
@@ -131,48 +94,16 @@ std::vector<Vec3> ExactSurface::points_at(double s) {
   return points;
 }
 
-/// On the surface's border, and on a crease, one parameter is fixed, and the other one alone is
-/// corrected.
-Move ExactSurface::move_within(const Tangents& tangents, const Place& from, const Stretch& stretch,
-                               const Vec3& off) const {
-  const auto inside_s = [&](double ds) { return stretch.inside(from.s + ds) - from.s; };
-  Move move = tangents.move_towards(off);
-  if (inside_s(move.ds) != move.ds) move = tangents.along_t(off, inside_s(move.ds));
-  const double t = from.t + move.dt;
-  if (t < 0 || t > request_.duration) {
-    move = tangents.along_s(off, std::clamp(t, 0.0, request_.duration) - from.t);
-    move.ds = inside_s(move.ds);
-  }
-  return move;
-}
-
-/// The place's own distance is left for smaller ones by Gauss-Newton, whose moves are halved until
-/// they come nearer: near a fold or a place of rest, where v all but vanishes, they overshoot.
-ExactSurface::Nearest ExactSurface::descend(Place place, const Stretch& stretch, const Vec3& x) {
-  constexpr int iterations = 24, halvings = 16;
-  FlowPoint here = point(place.s, place.t);
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    const Vec3 off = x - here.x;
-    const double distance = glm::length(off);
-    const Tangents tangents(here);
-    const bool regular = tangents.span_a_plane();
-    Move move = move_within(tangents, place, stretch, off);
-    // No closer than what two trajectories differ by. Near rest a long time makes a short way.
-    const bool stays = std::abs(move.ds) <= 1e-2 && std::abs(move.dt) <= 1e-2 * request_.duration;
-    if (tangents.way(move) <= std::max(1e-4 * distance, noise_) && (stays || !regular))
-      return {place, here, distance, regular};
-    Place next;
-    FlowPoint there;
-    int halving = 0;
-    for (;; ++halving, move.ds *= 0.5, move.dt *= 0.5) {
-      next = {place.s + move.ds, place.t + move.dt};
-      there = point(next.s, next.t);
-      if (glm::distance(there.x, x) < distance) break;
-      if (halving == halvings) return {place, here, distance, false};
-    }
-    place = next, here = there;
-  }
-  return {place, here, glm::distance(here.x, x), false};
+ExactSurface::Nearest ExactSurface::descend(const Place& place, const Stretch& stretch,
+                                            const Vec3& x) {
+  const SmoothPiece piece{
+      [&](double s, double& t) { return point(s, t); },
+      [&](const Tangents& tangents, const Place& from, const Vec3& off) {
+        return move_within(tangents, from, stretch, {0, request_.duration}, off);
+      },
+      {1e-2, 1e-2 * request_.duration},
+      noise_};
+  return nearest_place(piece, place, x);
 }
 
 /// Unit; 0 where there is none. On a crease it is that of the stretch's side.
@@ -194,7 +125,8 @@ Vec3 ExactSurface::normal_at(const Nearest& nearest, const Stretch& stretch) {
 /// a fan about a place of rest what is interpolated between them may be anything. The surface is
 /// that of the facet's side of a crease: beyond, its normal would be another one.
 Deviation ExactSurface::deviation(const Sample& sample) {
-  const Stretch stretch = stretch_around(request_.seed, sample.middle());
+  const Stretch stretch =
+      stretch_around(request_.seed.corners, request_.seed.closed, sample.middle());
   Nearest nearest = descend(sample.place, stretch, sample.x);
   for (const Place& corner : sample.corners) {
     if (nearest.settled || nearest.distance <= noise_) break;
@@ -203,39 +135,7 @@ Deviation ExactSurface::deviation(const Sample& sample) {
   }
   const Vec3 normal = normal_at(nearest, stretch);
   if (normal == Vec3(0) || sample.facet == Vec3(0)) return {nearest.distance, 0};
-  const double sine = glm::length(glm::cross(normal, sample.facet));
-  return {nearest.distance, degrees * std::atan2(sine, glm::dot(normal, sample.facet))};
-}
-
-std::vector<double> spread_to_vertices(const geometry::TriangleMesh& mesh,
-                                       std::span<const MeshSample> samples,
-                                       const std::vector<Deviation>& deviations) {
-  std::vector<double> values(mesh.positions.size());
-  double distance = 0;
-  for (std::size_t triangle = 0, i = 0; triangle < mesh.triangles.size(); ++triangle) {
-    if (i < samples.size() && samples[i].triangle == triangle) distance = 0;
-    for (; i < samples.size() && samples[i].triangle == triangle; ++i)
-      distance = std::max(distance, deviations[i].distance);
-    for (const std::uint32_t corner : mesh.triangles[triangle])
-      values[corner] = std::max(values[corner], distance);
-  }
-  return values;
-}
-
-SurfaceError summary(std::span<const MeshSample> samples,
-                     const std::vector<Deviation>& deviations) {
-  SurfaceError error;
-  error.samples = deviations.size();
-  for (std::size_t i = 0; i < deviations.size(); ++i) {
-    const auto& [distance, angle] = deviations[i];
-    error.mean += samples[i].weight * distance;
-    error.rms += samples[i].weight * distance * distance;
-    error.max = std::max(error.max, distance);
-    error.normal_mean_degrees += samples[i].weight * angle;
-    error.normal_max_degrees = std::max(error.normal_max_degrees, angle);
-  }
-  error.rms = std::sqrt(error.rms);
-  return error;
+  return {nearest.distance, degrees_between(normal, sample.facet)};
 }
 
 /// Points of the surface whatever the mesh is: seeds are the fractions of multiples of 1/φ, which
@@ -261,14 +161,8 @@ SurfaceSetup exact_setup(const SurfaceRequest& request, const Parameters& integr
   exact.stepping.length = made.stepping.length;
   exact.stepping.accuracy = made.stepping.accuracy;
   SurfaceSetup setup = surface_setup(request, exact);
-  // In samples a particle of the mesh may err by a tenth of theirs; the truth by a hundredth of it.
-  setup.trajectory.error_floor *= 0.01;
-  const double tolerance =
-      integrator.is_set("tolerance") ? integrator.real("tolerance") : setup.extent;
-  bound_particle_errors(setup, std::min(0.1 * tolerance, 1e-4 * setup.extent));
-  // A thousand kinks may be as far off as that allows; one by one they would take most of the time.
-  setup.trajectory.tolerance = std::max(
-      1e-13 * setup.extent, 1e-3 * setup.trajectory.error_floor * setup.trajectory.duration);
+  make_exact(setup.trajectory, setup.extent,
+             integrator.is_set("tolerance") ? integrator.real("tolerance") : setup.extent);
   return setup;
 }
 
@@ -283,9 +177,8 @@ SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequ
   parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
     deviations[i] = truth.deviation(sample_of(mesh, chosen[i], request.seed.closed));
   });
-  SurfaceError error = summary(chosen, deviations);
+  SurfaceError error = surface_error(mesh, chosen, deviations);
   error.max_from_surface = largest_distance(points_of_surface(truth), mesh);
-  error.at_vertices = spread_to_vertices(mesh, chosen, deviations);
   return error;
 }
 

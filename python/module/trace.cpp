@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "compare/results/surface_json.h"
 #include "core/error.h"
-#include "core/options/names.h"
 #include "fields/make_field.h"
 #include "fields/reversed_field.h"
+#include "integrators/integrator_kind.h"
 #include "integrators/paths/backward.h"
+#include "integrators/sheets/integrate_sheet.h"
+#include "integrators/sheets/sheet_error.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "module/module.h"
 #include "module/shapes.h"
@@ -19,18 +22,6 @@
 namespace pellucid::python {
 namespace {
 
-/// Says whether the integrator is one of lines. Throws InputError that lists those of both kinds.
-bool draws_lines(std::string_view integrator) {
-  const std::string name = parse_name_and_options(integrator).name;
-  std::vector<std::string_view> known;
-  for (const auto& row : integrators::integrators()) known.push_back(row.name);
-  const auto lines = std::ptrdiff_t(known.size());
-  for (const auto& row : integrators::line_integrators()) known.push_back(row.name);
-  const auto found = std::ranges::find(known, name);
-  if (found == known.end()) throw InputError(unknown_name("integrator", name, known));
-  return found - known.begin() >= lines;
-}
-
 struct Request {
   std::string field, integrator;
   std::vector<Vec3> seed;
@@ -39,29 +30,72 @@ struct Request {
   long long samples = 0;
 };
 
-Surface trace_surface(const Request& request,
-                      const std::shared_ptr<const fields::VectorField>& field,
+/// The mesh as it is handed over, with what is known of it.
+Surface surface_of(integrators::IntegratedSurface made, const fields::VectorField& way,
+                   std::optional<integrators::SurfaceError> error) {
+  auto quality = compare::surface_json(made, integrators::measure_quality(made.mesh));
+  if (error) {
+    compare::add_error_json(quality, *error);
+    made.mesh.scalars["error"] = std::move(error->at_vertices);
+  }
+  integrators::turn_back(made.mesh, way);
+  auto surface = shape_of<Surface>(std::move(made.mesh));
+  surface.quality = std::move(quality);
+  return surface;
+}
+
+Surface trace_surface(const Request& request, const fields::VectorField& way,
                       const Progress& progress) {
-  const auto way = request.duration < 0 ? fields::reversed(field, request.start_time) : field;
-  const integrators::SurfaceRequest wanted{way.get(),
+  const integrators::SurfaceRequest wanted{&way,
                                            integrators::polyline_seed(request.seed, request.closed),
                                            std::abs(request.duration),
                                            request.start_time,
                                            request.path,
                                            progress};
   integrators::IntegratedSurface made = integrators::integrate_surface(request.integrator, wanted);
-  auto quality = compare::surface_json(made, integrators::measure_quality(made.mesh));
-  if (request.samples > 0) {
-    integrators::SurfaceError error =
-        integrators::measure_error(made.mesh, wanted, std::uint64_t(request.samples),
-                                   integrators::integrator_parameters(request.integrator));
-    compare::add_error_json(quality, error);
-    made.mesh.scalars["error"] = std::move(error.at_vertices);
-  }
-  integrators::turn_back(made.mesh, *way);
-  auto surface = shape_of<Surface>(std::move(made.mesh));
-  surface.quality = std::move(quality);
-  return surface;
+  std::optional<integrators::SurfaceError> error;
+  if (request.samples > 0)
+    error = integrators::measure_error(made.mesh, wanted, std::uint64_t(request.samples),
+                                       integrators::integrator_parameters(request.integrator));
+  return surface_of(std::move(made), way, std::move(error));
+}
+
+/// The seed of a time surface: a parallelogram's corner and the ends of its two sides there.
+integrators::SeedSurface patch_of(const std::vector<Vec3>& points) {
+  if (points.size() != 3)
+    throw InputError(
+        fmt::format("trace: seed: {} points; accepted of a time surface: three, the corner of a "
+                    "parallelogram and the ends of its two sides there",
+                    points.size()));
+  return integrators::patch_seed(points[0], points[1] - points[0], points[2] - points[0]);
+}
+
+Surface trace_sheet(const Request& request, const fields::VectorField& way, bool of_curve,
+                    const Progress& progress) {
+  integrators::SheetRequest wanted;
+  wanted.field = &way;
+  if (of_curve)
+    wanted.curve = integrators::polyline_seed(request.seed, request.closed);
+  else
+    wanted.surface = patch_of(request.seed);
+  wanted.duration = std::abs(request.duration);
+  wanted.start_time = request.start_time;
+  wanted.progress = progress;
+  integrators::IntegratedSheet made = integrators::integrate_sheet(request.integrator, wanted);
+  std::optional<integrators::SurfaceError> error;
+  if (request.samples > 0)
+    error = integrators::measure_sheet_error(made, wanted, std::uint64_t(request.samples),
+                                             integrators::sheet_parameters(request.integrator));
+  return surface_of(std::move(made), way, std::move(error));
+}
+
+Surface trace_mesh(const Request& request, integrators::IntegratorKind kind,
+                   const Progress& progress) {
+  using integrators::IntegratorKind;
+  const std::shared_ptr<const fields::VectorField> field = fields::make_field(request.field);
+  const auto way = request.duration < 0 ? fields::reversed(field, request.start_time) : field;
+  if (!integrators::is_sheet(kind)) return trace_surface(request, *way, progress);
+  return trace_sheet(request, *way, kind == IntegratorKind::streak_sheet, progress);
 }
 
 Lines trace_lines(const Request& request, const fields::VectorField& field,
@@ -93,14 +127,13 @@ py::object trace(const py::object& field, const py::object& integrator, const py
   if (request.samples < 0 || std::uint64_t(request.samples) > integrators::most_error_samples)
     throw InputError(fmt::format("trace: samples: {}; accepted: 0 … {}", request.samples,
                                  integrators::most_error_samples));
-  if (draws_lines(request.integrator) && request.path)
-    integrators::check_runs_along("trace: path", request.integrator);
-  if (draws_lines(request.integrator))
-    return py::cast(result_unlocked([&](const Progress& progress) {
-      return trace_lines(request, *fields::make_field(request.field), progress);
-    }));
+  const integrators::IntegratorKind kind = integrators::integrator_kind(request.integrator);
+  if (kind != integrators::IntegratorKind::lines)
+    return py::cast(result_unlocked(
+        [&](const Progress& progress) { return trace_mesh(request, kind, progress); }));
+  if (request.path) integrators::check_runs_along("trace: path", request.integrator);
   return py::cast(result_unlocked([&](const Progress& progress) {
-    return trace_surface(request, fields::make_field(request.field), progress);
+    return trace_lines(request, *fields::make_field(request.field), progress);
   }));
 }
 
@@ -108,7 +141,8 @@ constexpr const char* trace_doc = R"(Integrates a surface, or lines, from a seed
 
 field: a name such as 'abc', a formula 'formula:u=-y,v=x,w=0.2', or a file (`pellucid list fields`).
 integrator: such as 'hultquist:particles=20' (`pellucid list integrators`).
-seed: (N, 3), a polyline in world units; closed joins its ends. duration: in the field's units of time;
+seed: (N, 3), a polyline in world units; closed joins its ends. Of 'time-surface' (3, 3): the corner of a
+parallelogram and the ends of its two sides there. duration: in the field's units of time;
 below 0 particles go the way back.
 path: a path surface of an unsteady field, from start_time on. samples: points at which the distance to
 the exact surface is measured, world units; it is then the scalar 'error'.

@@ -8,8 +8,11 @@
 
 #include "fields/make_field.h"
 #include "fields/reversed_field.h"
+#include "geometry/files/mesh_file.h"
+#include "integrators/integrator_kind.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/backward.h"
+#include "integrators/sheets/integrate_sheet.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "scene/files/any_number.h"
 
@@ -39,17 +42,41 @@ integrators::SeedCurve read_seed(const JsonNode& node) {
                 : integrators::polyline_seed(points, closed);
 }
 
-FlowSource read_flow(const JsonNode& node, const fs::path& folder) {
-  FlowSource source;
-  source.field =
+/// Likewise, of the particles of a time surface.
+integrators::SeedSurface read_seed_surface(const JsonNode& node, const fs::path& folder) {
+  if (node.has("mesh")) {
+    node.accept_keys({"mesh"});
+    return integrators::mesh_seed(at_place(
+        node["mesh"], [&] { return geometry::read_mesh(folder / node["mesh"].string()); }));
+  }
+  if (node.has("center")) {
+    node.accept_keys({"center", "radius"});
+    return integrators::sphere_seed(node["center"].vec3(), node["radius"].number(0, any));
+  }
+  node.accept_keys({"corner", "u", "v", "center", "radius", "mesh"});
+  return integrators::patch_seed(node["corner"].vec3(), node["u"].vec3(), node["v"].vec3());
+}
+
+/// A Flow is what particles of any kind go by.
+struct Flow {
+  std::shared_ptr<const fields::VectorField> field;
+  double duration = 0;  // > 0: a way back is one in the reversed field
+  double start_time = 0;
+};
+
+Flow read_flow(const JsonNode& node, const fs::path& folder) {
+  Flow flow;
+  flow.field =
       at_place(node["field"], [&] { return fields::make_field(node["field"].string(), folder); });
-  source.seed = at_place(node["seed"], [&] { return read_seed(node["seed"]); });
-  source.duration = node["duration"].number(-any, any);
-  if (node.has("start_time")) source.start_time = node["start_time"].number(-any, any);
-  if (node.has("path")) source.path = node["path"].boolean();
-  if (source.duration < 0) source.field = fields::reversed(source.field, source.start_time);
-  source.duration = std::abs(source.duration);
-  return source;
+  flow.duration = node["duration"].number(-any, any);
+  if (node.has("start_time")) flow.start_time = node["start_time"].number(-any, any);
+  if (flow.duration < 0) flow.field = fields::reversed(flow.field, flow.start_time);
+  flow.duration = std::abs(flow.duration);
+  return flow;
+}
+
+integrators::SeedCurve read_seed_curve(const JsonNode& node) {
+  return at_place(node["seed"], [&] { return read_seed(node["seed"]); });
 }
 
 /// What a budget has cut short is not what the scene asks for.
@@ -64,45 +91,89 @@ void refuse_unfinished(const JsonNode& node, std::string_view smaller,
                   name, budget->second, smaller, name));
 }
 
-}  // namespace
+/// What is drawn of a surface, once it is whole.
+geometry::TriangleMesh finished(const JsonNode& node, const std::string& integrator,
+                                const fields::VectorField& field,
+                                integrators::IntegratedSurface surface, std::string& how) {
+  if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
+  refuse_unfinished(node, "a shorter seed or duration, a coarser threshold or tolerance",
+                    surface.stats.ends);
+  integrators::turn_back(surface.mesh, field);
+  how = fmt::format("{}, {}, {} particles, {} triangles", field.description(), integrator,
+                    surface.stats.particles, surface.mesh.triangles.size());
+  return std::move(surface.mesh);
+}
 
-FlowSurface read_flow_surface(const JsonNode& node, const fs::path& folder,
-                              const Progress& progress, std::string& how) {
+FlowSurface read_swept_surface(const JsonNode& node, const std::string& integrator, Flow flow,
+                               const Progress& progress, std::string& how) {
   node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
-  const std::string integrator = node["integrator"].string();
-  FlowSource source = read_flow(node, folder);
+  FlowSource source;
+  source.field = std::move(flow.field);
+  source.seed = read_seed_curve(node);
+  source.duration = flow.duration;
+  source.start_time = flow.start_time;
+  if (node.has("path")) source.path = node["path"].boolean();
   const integrators::SurfaceRequest request{source.field.get(), source.seed, source.duration,
                                             source.start_time,  source.path, progress};
   integrators::IntegratedSurface surface =
       at_place(node, [&] { return integrators::integrate_surface(integrator, request); });
-  if (surface.mesh.triangles.empty()) node.fail("nothing to draw: it has no triangle");
-  refuse_unfinished(node, "a shorter seed or duration, a coarser threshold or tolerance",
-                    surface.stats.ends);
-  integrators::turn_back(surface.mesh, *source.field);
-  how = fmt::format("{}, {}, {} particles, {} triangles", source.field->description(), integrator,
-                    surface.stats.particles, surface.mesh.triangles.size());
-  return {std::move(surface.mesh), std::move(source)};
+  return {finished(node, integrator, *source.field, std::move(surface), how), std::move(source)};
+}
+
+FlowSurface read_sheet(const JsonNode& node, const std::string& integrator, const Flow& flow,
+                       bool of_curve, const fs::path& folder, const Progress& progress,
+                       std::string& how) {
+  node.accept_keys({"field", "integrator", "seed", "duration", "start_time"});
+  integrators::SheetRequest request;
+  request.field = flow.field.get();
+  if (of_curve)
+    request.curve = read_seed_curve(node);
+  else
+    request.surface =
+        at_place(node["seed"], [&] { return read_seed_surface(node["seed"], folder); });
+  request.duration = flow.duration;
+  request.start_time = flow.start_time;
+  request.progress = progress;
+  integrators::IntegratedSurface surface =
+      at_place(node, [&] { return integrators::integrate_sheet(integrator, request); });
+  return {finished(node, integrator, *flow.field, std::move(surface), how), std::nullopt};
+}
+
+}  // namespace
+
+FlowSurface read_flow_surface(const JsonNode& node, const fs::path& folder,
+                              const Progress& progress, std::string& how) {
+  using integrators::IntegratorKind;
+  node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
+  const std::string integrator = node["integrator"].string();
+  const auto kind =
+      at_place(node["integrator"], [&] { return integrators::integrator_kind(integrator); });
+  if (kind == IntegratorKind::lines)
+    node["integrator"].fail("it draws lines; accepted: an integrator of surfaces");
+  Flow flow = read_flow(node, folder);
+  if (!integrators::is_sheet(kind))
+    return read_swept_surface(node, integrator, std::move(flow), progress, how);
+  return read_sheet(node, integrator, flow, kind == IntegratorKind::streak_sheet, folder, progress,
+                    how);
 }
 
 geometry::LineSet read_flow_lines(const JsonNode& node, const fs::path& folder,
                                   const Progress& progress, std::string& how) {
   node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "both"});
   const std::string integrator = node["integrator"].string();
-  const FlowSource source = read_flow(node, folder);
+  const Flow flow = read_flow(node, folder);
+  const integrators::SeedCurve seed = read_seed_curve(node);
   integrators::IntegratedLines made = at_place(node, [&] {
     const integrators::LineRequest request{
-        source.field.get(),
-        integrators::seeds_on(source.seed, integrators::line_particles(integrator)),
-        source.duration,
-        source.start_time,
-        progress,
-        node.has("both") && node["both"].boolean()};
+        flow.field.get(), integrators::seeds_on(seed, integrators::line_particles(integrator)),
+        flow.duration,    flow.start_time,
+        progress,         node.has("both") && node["both"].boolean()};
     return integrators::integrate_lines(integrator, request);
   });
   refuse_unfinished(node, "fewer particles, a shorter duration, a longer step or turn",
                     made.stats.ends);
-  integrators::turn_back(made.lines, *source.field);
-  how = fmt::format("{}, {}, {} lines, {} points", source.field->description(), integrator,
+  integrators::turn_back(made.lines, *flow.field);
+  how = fmt::format("{}, {}, {} lines, {} points", flow.field->description(), integrator,
                     made.lines.line_count(), made.lines.positions.size());
   return std::move(made.lines);
 }

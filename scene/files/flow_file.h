@@ -3,6 +3,7 @@
 // What a scene file asks to be integrated: surfaces and lines of flows.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/files/json_node.h"
@@ -11,10 +12,11 @@
 
 namespace pellucid::scene {
 
-/// A FlowSurface is a surface and what it was integrated from, but for its appearance.
+/// A FlowSurface is a surface and what it was swept from, but for its appearance; a streak or time
+/// surface was swept from nothing.
 struct FlowSurface {
   geometry::TriangleMesh mesh;
-  FlowSource source;
+  std::optional<FlowSource> source;
 };
 
 /// Integrates the surface of an object's key "surface". `how` gets a line on it. Throws InputError

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "core/progress.h"
+#include "integrators/sheets/sheet_border.h"
+#include "integrators/sheets/sheet_facets.h"
+#include "integrators/sheets/sheet_options.h"
+
+namespace pellucid::integrators {
+
+/// A SheetRefinement halves the sides of a sheet's facets until the sheet's own points lie near
+/// them. Each side is judged once, whichever facet asks, so that the facets always fit together. A
+/// side is halved
+/// - while it is longer than the first look's distance between particles;
+/// - when the sheet is farther from it than a part of the tolerance: at its middle, where a
+///   particle is sent, or at its quarters, by the normals at both ends;
+/// - when its middle's particle does not come to lie in the middle part of it;
+/// - when a facet beside it, wider than the tolerance, turns by more than 30 degrees from the
+/// normal
+///   at a corner;
+/// - when the particles at both its ends are there and the one in its middle is not, or the other
+///   way round; and where the border of what is there is not straight enough.
+/// A side that is as short as `rip` and would still be halved is torn: facets beside it are left
+/// out. The same to the last bit for any number of threads.
+class SheetRefinement {
+ public:
+  /// All must outlive it. `tolerance` is in world units.
+  SheetRefinement(SheetParticles& particles, const SheetDomain& domain, const SheetOptions& options,
+                  double tolerance, const Progress& progress);
+
+  void run();
+
+  const std::vector<SheetVertex>& vertices() const { return vertices_; }
+  /// Those of particles that are there; where some are not, what is left up to the border.
+  std::vector<Facet> facets();
+  std::uint64_t particles_sent() const { return sent_; }
+  std::uint64_t torn() const { return torn_; }
+  /// Sides that would have been halved when the budget was used up.
+  std::uint64_t unfinished() const { return unfinished_; }
+  std::optional<EndReason> budget() const { return budget_; }
+  std::uint64_t bytes() const;
+
+ private:
+  enum class Verdict { fine, halve, tear, border };
+  struct Side {
+    std::array<std::uint32_t, 2> ends;
+    SheetVertex middle;
+    Verdict verdict = Verdict::fine;
+    std::optional<std::uint32_t> halved;  // the middle's number
+    std::optional<std::uint32_t> border;  // the border's, where one end is there and one is not
+  };
+
+  std::uint32_t side_of(std::uint32_t a, std::uint32_t b);
+  std::array<std::uint32_t, 3> sides_of(const Facet& facet);
+  bool pass();
+  void judge_new_sides();
+  Verdict judge(const Side& side) const;
+  double length_of(const Side& side) const;
+  double deviation(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
+  bool is_even(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
+  void judge_facets();
+  bool is_settled(const Facet& facet);
+  bool is_bent(const Facet& facet) const;
+  std::size_t corners_there(const Facet& facet) const;
+  BorderFacet border_facet(const Facet& facet);
+  void find_borders(const std::vector<std::size_t>& facets);
+  void halve_all(const Facet& facet);
+  bool is_within_budget();
+  void halve_sides();
+
+  SheetParticles& particles_;
+  const SheetDomain& domain_;
+  const SheetOptions& options_;
+  const Progress& progress_;
+  double tolerance_, size_;
+  std::vector<SheetVertex> vertices_;
+  std::vector<Facet> facets_;
+  std::vector<bool> settled_;  // by facet
+  std::vector<Side> sides_;
+  std::size_t judged_ = 0;                                    // sides
+  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  // of sides, by their ends
+  std::uint64_t sent_ = 0, torn_ = 0, unfinished_ = 0;
+  std::optional<EndReason> budget_;
+};
+
+}  // namespace pellucid::integrators

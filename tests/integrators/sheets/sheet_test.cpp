@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Streak and time surfaces against their closed forms: every vertex by the flow's own map, every
+// facet by the surface's equation, areas, normals, and what ends, tears or turns back.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "core/error.h"
+#include "fields/make_field.h"
+#include "integrators/mesh/mesh_quality.h"
+#include "integrators/sheets/integrate_sheet.h"
+#include "integrators/sheets/sheet_error.h"
+#include "integrators/surfaces/integrate_surface.h"
+#include "tests/integrators/closed_forms.h"
+#include "tests/integrators/test_fields.h"
+#include "tests/support/mesh_area.h"
+
+namespace pellucid::integrators {
+namespace {
+
+using testing::ClosedForm;
+
+constexpr double pi = std::numbers::pi;
+
+SheetRequest streak_of(const fields::VectorField& field, const SeedCurve& curve, double duration,
+                       double start_time = 0) {
+  SheetRequest request;
+  request.field = &field;
+  request.curve = curve;
+  request.duration = duration;
+  request.start_time = start_time;
+  return request;
+}
+
+SheetRequest time_surface_of(const fields::VectorField& field, const SeedSurface& surface,
+                             double duration, double start_time = 0) {
+  SheetRequest request;
+  request.field = &field;
+  request.surface = surface;
+  request.duration = duration;
+  request.start_time = start_time;
+  return request;
+}
+
+/// Implicit surfaces at the end of the journey.
+struct SheetForm {
+  ClosedForm form;
+  std::function<SheetRequest(const fields::VectorField&)> request;
+  std::string integrator;
+};
+
+std::ostream& operator<<(std::ostream& out, const SheetForm& form) { return out << form.form; }
+
+/// Particles that are let go at T - a from x arrive at x + (sin T - sin(T - a), cos(T - a) - cos T,
+/// 0): on the unit circle about x + (sin T, -cos T, 0). Path lines lie on one about x + (0, 1, 0).
+double streak_of_drift(const Vec3& x, double end) {
+  return std::hypot(x.x - 0.3 * x.z - std::sin(end), x.y + std::cos(end)) - 1;
+}
+
+std::vector<SheetForm> sheet_forms() {
+  constexpr double end = 1.7, stretch = 1.2;
+  std::vector<SheetForm> forms;
+  for (const ClosedForm& form : testing::closed_forms())
+    if (!form.path)
+      forms.push_back({form,
+                       [=](const fields::VectorField& field) {
+                         return streak_of(field, form.seed, form.duration);
+                       },
+                       "streak-surface"});
+  forms.push_back({{"StreakOfDrift",
+                    "drift",
+                    {},
+                    end,
+                    true,
+                    [](const Vec3& x) { return streak_of_drift(x, end); }},
+                   [](const fields::VectorField& field) {
+                     return streak_of(field, segment_seed({0, 0, 0}, {0.3, 0, 1}), end);
+                   },
+                   "streak-surface"});
+  forms.push_back({{"StreakOfPulse", "pulsing-saddle", {}, end, true, testing::wave},
+                   [](const fields::VectorField& field) {
+                     return streak_of(field, testing::wave_seed(0.2, 1, 0.2, 3), 0.8, 0.7);
+                   },
+                   "streak-surface"});
+  // x = X exp(sin T), y = Y exp(-sin T): the plane Z = X Y / 5 goes to itself, and a sphere becomes
+  // an ellipsoid.
+  const double factor = std::exp(std::sin(stretch));
+  const auto pulse_sphere = [=](const Vec3& x) {
+    return std::hypot(x.x / factor - 1, x.y * factor, x.z) - 0.5;
+  };
+  forms.push_back({{"SphereInPulse", "pulsing-saddle", {}, stretch, true, pulse_sphere},
+                   [=](const fields::VectorField& field) {
+                     return time_surface_of(field, sphere_seed({1, 0, 0}, 0.5), stretch);
+                   },
+                   "time-surface"});
+  // A plane that goes up by x² in a unit of time.
+  forms.push_back({{"PatchInShear",
+                    "formula:u=0,v=0,w=x*x",
+                    {},
+                    1,
+                    true,
+                    [](const Vec3& x) { return x.z - x.x * x.x; }},
+                   [](const fields::VectorField& field) {
+                     return time_surface_of(field, patch_seed({-1, 0, 0}, {2, 0, 0}, {0, 1, 0}), 1);
+                   },
+                   "time-surface"});
+  return forms;
+}
+
+class PropertySheets : public ::testing::TestWithParam<SheetForm> {};
+
+TEST_P(PropertySheets, LieWithinTheToleranceOfTheirClosedForm) {
+  const SheetForm& form = GetParam();
+  const auto field = fields::make_field(form.form.field);
+  const SheetRequest request = form.request(*field);
+  for (const char* tolerance : {"1e-2", "1e-3"}) {
+    const std::string call = form.integrator + ":particles=9,tolerance=" + tolerance;
+    const IntegratedSheet sheet = integrate_sheet(call, request);
+    EXPECT_LE(testing::largest_distance(form.form, sheet.mesh),
+              std::stod(tolerance) + testing::trajectory_error)
+        << call;
+    const MeshQuality quality = measure_quality(sheet.mesh);
+    EXPECT_TRUE(quality.manifold) << call;
+    EXPECT_EQ(quality.sheets, 1u) << call;
+    EXPECT_LE(testing::worst_facet(form.form, sheet.mesh), 30) << call;
+  }
+}
+
+/// The normal that goes with the flow is that of the surface's equation, to 1e-6 of the variational
+/// equation's own tolerance, some tens of steps of it.
+TEST_P(PropertySheets, NormalsAreThoseOfTheClosedForm) {
+  const SheetForm& form = GetParam();
+  const auto field = fields::make_field(form.form.field);
+  const IntegratedSheet sheet = integrate_sheet(form.integrator, form.request(*field));
+  const geometry::TriangleMesh& mesh = sheet.mesh;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3 wanted = glm::normalize(testing::gradient(form.form, mesh.positions[i]));
+    EXPECT_NEAR(std::abs(glm::dot(mesh.normals[i], wanted)), 1, 1e-6) << i;
+  }
+  // One side of the mesh is the normals' side.
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 facet =
+        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    EXPECT_GT(glm::dot(facet, mesh.normals[a]), 0);
+  }
+}
+
+TEST_P(PropertySheets, TheMeasureOfErrorAgreesWithTheClosedForm) {
+  const SheetForm& form = GetParam();
+  const auto field = fields::make_field(form.form.field);
+  const SheetRequest request = form.request(*field);
+  const std::string call = form.integrator + ":particles=9,tolerance=1e-2";
+  const IntegratedSheet sheet = integrate_sheet(call, request);
+  const SurfaceError error =
+      measure_sheet_error(sheet, request, 4 * sheet.mesh.triangles.size(), sheet_parameters(call));
+  const double truth = testing::largest_distance(form.form, sheet.mesh);
+  // The closed form goes on beyond the sheet, whose measure also counts where the mesh's border
+  // leaves the sheet's. It is looked at in quarters of facets, the measure at the middles of facets
+  // and sides and at places by lot.
+  EXPECT_GE(error.max, 0.9 * truth - testing::trajectory_error);
+  EXPECT_LE(error.max, 1e-2);
+  EXPECT_LE(error.mean, error.rms);
+  EXPECT_LE(error.rms, error.max);
+  EXPECT_LE(error.max_from_surface, 1e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(ClosedForms, PropertySheets, ::testing::ValuesIn(sheet_forms()),
+                         [](const auto& of) { return of.param.form.name; });
+
+/// In a steady flow streak surfaces are stream surfaces.
+TEST(AgreementSheets, StreakSurfacesOfSteadyFlowsAreStreamSurfaces) {
+  const auto field = fields::make_field("abc");
+  const SeedCurve seed = segment_seed({2.6, 3.1, 3.1}, {3.6, 3.1, 3.1});
+  const IntegratedSheet streak =
+      integrate_sheet("streak-surface:tolerance=1e-3", streak_of(*field, seed, 4));
+  const IntegratedSurface stream =
+      integrate_surface("hultquist:tolerance=1e-3", {field.get(), seed, 4, 0, false, {}});
+  const double area = testing::area_of(stream.mesh);
+  EXPECT_NEAR(testing::area_of(streak.mesh), area, 1e-3 * area);
+}
+
+TEST(UnitSheets, VerticesAreWhereTheFlowMapHasThem) {
+  const auto field = fields::make_field("drift");
+  constexpr double end = 2.5, start = 0.4;
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface:tolerance=1e-3",
+                      streak_of(*field, segment_seed({0, 0, 0}, {0, 0, 2}), end - start, start));
+  const auto& scalars = sheet.mesh.scalars;
+  for (std::size_t i = 0; i < sheet.mesh.positions.size(); ++i) {
+    const double released = scalars.at("released")[i];
+    const Vec3 wanted(std::sin(end) - std::sin(released), std::cos(released) - std::cos(end),
+                      2 * scalars.at("s")[i]);
+    EXPECT_LE(glm::distance(sheet.mesh.positions[i], wanted), testing::trajectory_error);
+    EXPECT_NEAR(scalars.at("t")[i], end - released, 1e-15 * end);
+    EXPECT_EQ(scalars.at("time")[i], end);
+    EXPECT_NEAR(scalars.at("speed")[i], 1, 1e-12);
+  }
+  // An arc of 2.1 around a cylinder of length 2.
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 2 * (end - start), 2e-3 * 2 * (end - start));
+}
+
+TEST(UnitSheets, AClosedSeedClosesTheSheet) {
+  const auto field = fields::make_field("formula:u=0,v=0,w=1+0*x");
+  const IntegratedSheet tube =
+      integrate_sheet("streak-surface:tolerance=1e-4",
+                      streak_of(*field, circle_seed({0, 0, 0}, {0, 0, 1}, 0.5), 2));
+  const MeshQuality quality = measure_quality(tube.mesh);
+  EXPECT_EQ(quality.sheets, 1u);
+  EXPECT_NEAR(testing::area_of(tube.mesh), 2 * pi, 1e-3);
+  // Two rims of the same number of edges, and no seam.
+  const double edges = double(quality.boundary_edges);
+  const double length = 2 * 2 * pi * 0.5 / edges;
+  EXPECT_LT(length, 0.1);
+  EXPECT_EQ(quality.non_manifold_edges, 0u);
+}
+
+/// The edges of a square tube stay sharp, and no facet spans a crease.
+TEST(UnitSheets, CornersOfASeedAreCreases) {
+  const auto field = fields::make_field("formula:u=0,v=0,w=1+0*x");
+  const Vec3 square[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const IntegratedSheet tube =
+      integrate_sheet("streak-surface", streak_of(*field, polyline_seed(square, true), 1));
+  EXPECT_NEAR(testing::area_of(tube.mesh), 4, 1e-12);
+}
+
+TEST(UnitSheets, AMeshIsASeed) {
+  const auto field = fields::make_field("pulsing-saddle");
+  geometry::TriangleMesh tent;
+  tent.positions = {{0.5, 0, 0}, {1, 0, 0.5}, {1, 1, 0.5}, {0.5, 1, 0}, {1.5, 0, 0},
+                    {1.5, 1, 0}, {1, 0, 0.5}, {1, 1, 0.5}};  // the ridge twice, as files have it
+  tent.triangles = {{0, 1, 2}, {0, 2, 3}, {6, 4, 5}, {6, 5, 7}};
+  constexpr double duration = 0.9;
+  const IntegratedSheet sheet = integrate_sheet("time-surface:tolerance=1e-3",
+                                                time_surface_of(*field, mesh_seed(tent), duration));
+  EXPECT_EQ(measure_quality(sheet.mesh).sheets, 1u);
+  // The flow is linear: each of the two flat sides becomes another flat one.
+  const double f = std::exp(std::sin(duration));
+  const double side = std::hypot(0.5 * f, 0.5) / f;
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 2 * side, 1e-9);
+  const SurfaceError error =
+      measure_sheet_error(sheet, time_surface_of(*field, mesh_seed(tent), duration), 500,
+                          sheet_parameters("time-surface:tolerance=1e-3"));
+  EXPECT_LE(error.max, 1e-8);
+  EXPECT_LE(error.max_from_surface, 1e-8);
+}
+
+/// Along x through the cube |x| <= 1 for a time of 10 the particles let go at x = -0.5 within the
+/// last 1.5 are there; obliquely placed seeds have a slanted border.
+TEST(UnitSheets, TheSheetEndsWhereItsParticlesHaveLeft) {
+  const auto field = testing::boxed([](const Vec3&) { return Vec3(1, 0, 0); }, 1);
+  for (const auto& [from, to, area] : {std::tuple(Vec3(-0.5, -0.5, 0), Vec3(-0.5, 0.5, 0), 1.5),
+                                       std::tuple(Vec3(-0.9, -0.5, 0), Vec3(0.7, 0.5, 0), 1.1)}) {
+    const IntegratedSheet sheet = integrate_sheet("streak-surface:tolerance=1e-3",
+                                                  streak_of(field, segment_seed(from, to), 10));
+    EXPECT_NEAR(testing::area_of(sheet.mesh), area, 1e-6);
+    EXPECT_EQ(measure_quality(sheet.mesh).sheets, 1u);
+    EXPECT_GT(sheet.stats.ends.at(EndReason::left_domain), 0u);
+    for (const Vec3& x : sheet.mesh.positions) EXPECT_LE(x.x, 1);
+  }
+}
+
+/// A round hole of radius 0.3 in a patch that stands still: what is left is a square without a
+/// disc.
+TEST(UnitSheets, TheBorderFollowsAHole) {
+  const testing::FunctionField field([](const Vec3& x, double, Vec3& v) {
+    v = Vec3(0, 0, 1);
+    return std::hypot(x.x, x.y) < 0.3 ? fields::SampleStatus::outside : fields::SampleStatus::ok;
+  });
+  const SeedSurface patch = patch_seed({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  for (const double tolerance : {1e-2, 1e-3}) {
+    const IntegratedSheet sheet = integrate_sheet(
+        "time-surface:tolerance=" + std::to_string(tolerance), time_surface_of(field, patch, 1));
+    // A border within the tolerance of the circle: at most its length times that.
+    EXPECT_NEAR(testing::area_of(sheet.mesh), 4 - pi * 0.09, 2 * pi * 0.3 * tolerance);
+    EXPECT_EQ(measure_quality(sheet.mesh).sheets, 1u);
+  }
+}
+
+/// Left of x = 0 the flow goes up, right of it down: two sheets, as far as `rip` tells them apart.
+TEST(UnitSheets, AJumpTearsTheSheet) {
+  const auto field =
+      testing::everywhere([](const Vec3& x) { return Vec3(0, 0, x.x < 0.1234 ? 1 : -1); });
+  const IntegratedSheet sheet =
+      integrate_sheet("time-surface:tolerance=1e-3",
+                      time_surface_of(field, patch_seed({-1, 0, 0}, {2, 0, 0}, {0, 1, 0}), 1));
+  EXPECT_EQ(measure_quality(sheet.mesh).sheets, 2u);
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 2, 2 * 2e-4);
+  EXPECT_GT(sheet.stats.ends.at(EndReason::torn), 0u);
+}
+
+/// The flow turns at t = π/2, where particles are let go at rest: the streak surface turns back
+/// there, and both its sides lie on each other. With x = X exp(1 - sin t) at the end t = π/2 + 1
+/// for seeds along z, each covers the strip from X to X exp(1 - sin(end)).
+TEST(UnitSheets, AFlowThatTurnsFoldsTheSheet) {
+  const auto field = fields::make_field("pulsing-saddle");
+  const double end = pi / 2 + 1, begin = pi / 2 - 1;
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface:tolerance=1e-3",
+                      streak_of(*field, segment_seed({1, 0, 0}, {1, 0, 1}), end - begin, begin));
+  const double width = 1 - std::exp(std::sin(end) - 1);
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 2 * width, 2e-3);
+  EXPECT_LT(sheet.mesh.triangles.size(), 100'000u);
+}
+
+TEST(UnitSheets, ParticlesAtRestStayWhereTheyAre) {
+  // At rest until t = 1, then along x.
+  const testing::FunctionField field(
+      [](const Vec3&, double t, Vec3& v) {
+        v = Vec3(t < 1 ? 0 : 1, 0, 0);
+        return fields::SampleStatus::ok;
+      },
+      false);
+  const IntegratedSheet sheet = integrate_sheet(
+      "streak-surface:tolerance=1e-3", streak_of(field, segment_seed({0, 0, 0}, {0, 1, 0}), 3));
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 2, 2e-3);
+}
+
+TEST(UnitSheets, AnUnfinishedSheetSaysSo) {
+  const auto field = fields::make_field("abc");
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface:tolerance=1e-6,max-particles=5000",
+                      streak_of(*field, segment_seed({2.6, 3.1, 3.1}, {3.6, 3.1, 3.1}), 4));
+  EXPECT_GT(sheet.stats.ends.at(EndReason::particles), 0u);
+}
+
+TEST(UnitSheets, TheSameForAnyNumberOfThreads) {
+  const auto field = fields::make_field("double-gyre");
+  const auto request = streak_of(*field, segment_seed({0.9, 0.2, 0}, {1.1, 0.2, 1}), 5);
+  const IntegratedSheet many = integrate_sheet("streak-surface:tolerance=1e-2", request);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const IntegratedSheet single = integrate_sheet("streak-surface:tolerance=1e-2", request);
+  EXPECT_EQ(many.mesh.positions, single.mesh.positions);
+  EXPECT_EQ(many.mesh.triangles, single.mesh.triangles);
+}
+
+TEST(UnitSheets, WrongRequestsAreRefused) {
+  const auto field = fields::make_field("drift");
+  const SeedCurve curve = segment_seed({0, 0, 0}, {0, 0, 1});
+  EXPECT_THROW(integrate_sheet("time-surface", streak_of(*field, curve, 1)), InputError);
+  EXPECT_THROW(integrate_sheet("streak-surface:tolerance=0", streak_of(*field, curve, 1)),
+               InputError);
+  EXPECT_THROW(integrate_sheet("streak-surfaces", streak_of(*field, curve, 1)), InputError);
+  EXPECT_THROW(integrate_sheet("streak-surface", streak_of(*field, curve, 0)), InputError);
+  EXPECT_THROW(patch_seed({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), InputError);
+  EXPECT_THROW(sphere_seed({0, 0, 0}, 0), InputError);
+  EXPECT_THROW(mesh_seed({}), InputError);
+}
+
+}  // namespace
+}  // namespace pellucid::integrators
