@@ -23,8 +23,8 @@ IntegratorKind integrator_kind(std::string_view integrator) {
   };
   for (const IntegratorRow& row : integrators()) add(row.name, IntegratorKind::surface);
   for (const SheetIntegratorRow& row : sheet_integrators())
-    add(row.name, row.seed == SheetSeed::curve ? IntegratorKind::streak_sheet
-                                               : IntegratorKind::time_sheet);
+    add(row.name,
+        row.seed == SheetSeed::curve ? IntegratorKind::streak_sheet : IntegratorKind::time_sheet);
   for (const LineIntegratorRow& row : line_integrators()) add(row.name, IntegratorKind::lines);
   const std::string name = parse_name_and_options(integrator).name;
   const auto found = std::ranges::find(names, name);

@@ -11,8 +11,9 @@
 //   the tolerance of its trajectory, and the triangulation is refined in the seeds' own parameters
 //   until the surface's points lie within a tolerance of it. Nothing has to be collapsed, since
 //   nothing was refined for an earlier moment.
-// - Where edges part for good the paper tears by their rate of stretching; here those that are as
-//   short as `rip` on the seeds and still too far from the surface.
+// - The paper tears where edges are stretched faster than a rate. Here a sheet is torn where it
+//   jumps: where two of its points stay apart however near they are on the seeds; facets are parted
+//   there. What is stretched, at whatever rate, is refined.
 // - Normals are carried along as dn/dt = -Jᵀ n, the cofactors of the flow's gradient up to a
 //   factor, rather than averaged over facets.
 #include "integrators/sheets/integrate_sheet.h"

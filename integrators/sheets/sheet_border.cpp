@@ -2,30 +2,60 @@
 #include "integrators/sheets/sheet_border.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "integrators/paths/segment_distance.h"
 
 namespace pellucid::integrators {
 namespace {
 
-/// Halvings of the way to the border: by then it is known to some 1e-10 of a side.
+/// Halvings of the way to a gap: by then it is known to some 1e-10 of a side.
 constexpr int halvings = 33;
 
-/// How far the sheet is from the straight line between two vertices, at its middle; 0 where that is
-/// not there.
+double apart(const SheetVertex& a, const SheetVertex& b) {
+  return glm::distance(a.particle.x, b.particle.x);
+}
+
+/// How far the sheet is from the straight line between two vertices, at its middle; without bound
+/// where that is not there.
 double sagitta(SheetParticles& particles, const SheetDomain& domain, const SheetVertex& a,
                const SheetVertex& b) {
   const SheetVertex middle = vertex_at(particles, domain.between(a.place, b.place, 0.5));
-  if (!middle.is_there()) return 0;
+  if (!middle.is_there()) return std::numeric_limits<double>::infinity();
   return distance_to_segment(middle.particle.x, a.particle.x, b.particle.x);
 }
 
-/// Of the corners that are there, or are not, the middle: of a single one its own place.
-Vec3 middle_of(const SheetDomain& domain, const BorderFacet& facet, bool there) {
-  std::vector<Vec3> places;
-  for (const SheetVertex* corner : facet.corners)
-    if (corner->is_there() == there) places.push_back(corner->place);
-  return places.size() == 1 ? places[0] : domain.between(places[0], places[1], 0.5);
+/// Between one that is there and one that is not.
+SheetGap border_between(SheetParticles& particles, const SheetDomain& domain,
+                        const SheetVertex& from, const SheetVertex& to) {
+  const bool forwards = from.is_there();
+  SheetVertex last = forwards ? from : to;
+  Vec3 beyond = forwards ? to.place : from.place;
+  for (int i = 0; i < halvings; ++i) {
+    SheetVertex middle = vertex_at(particles, domain.between(last.place, beyond, 0.5));
+    if (middle.is_there())
+      last = std::move(middle);
+    else
+      beyond = middle.place;
+  }
+  if (forwards) return {std::move(last), std::nullopt};
+  return {std::nullopt, std::move(last)};
+}
+
+/// Between two that are there. What is smooth gets shorter with each half of the way from some
+/// point on, and a jump does not.
+std::optional<SheetGap> jump_between(SheetParticles& particles, const SheetDomain& domain,
+                                     SheetVertex from, SheetVertex to, double tolerance) {
+  const double least = std::max(tolerance, 0.5 * apart(from, to));
+  for (int i = 0; i < halvings; ++i) {
+    SheetVertex middle = vertex_at(particles, domain.between(from.place, to.place, 0.5));
+    if (!middle.is_there()) return std::nullopt;
+    const bool first = apart(from, middle) > apart(middle, to);
+    (first ? to : from) = std::move(middle);
+    if (apart(from, to) <= least) return std::nullopt;
+  }
+  return SheetGap{std::move(from), std::move(to)};
 }
 
 }  // namespace
@@ -34,35 +64,30 @@ SheetVertex vertex_at(SheetParticles& particles, const Vec3& place) {
   return {place, particles.at(place)};
 }
 
-SheetVertex border_between(SheetParticles& particles, const SheetDomain& domain,
-                           const SheetVertex& there, const Vec3& lost) {
-  SheetVertex last = there;
-  Vec3 beyond = lost;
-  for (int i = 0; i < halvings; ++i) {
-    SheetVertex middle = vertex_at(particles, domain.between(last.place, beyond, 0.5));
-    if (middle.is_there())
-      last = std::move(middle);
-    else
-      beyond = middle.place;
-  }
-  return last;
+std::optional<SheetGap> gap_between(SheetParticles& particles, const SheetDomain& domain,
+                                    const SheetVertex& from, const SheetVertex& to,
+                                    double tolerance) {
+  if (from.is_there() != to.is_there()) return border_between(particles, domain, from, to);
+  if (!from.is_there()) return std::nullopt;
+  return jump_between(particles, domain, from, to, tolerance);
 }
 
-double border_deviation(SheetParticles& particles, const SheetDomain& domain,
-                        const BorderFacet& facet) {
-  double largest = 0;
-  for (std::size_t k = 0; k < facet.left.size(); ++k) {
-    const SheetVertex &a = *facet.left[k], &b = *facet.left[(k + 1) % facet.left.size()];
-    const bool on_border =
-        std::ranges::count(facet.border, &a) + std::ranges::count(facet.border, &b) == 2;
-    if (!on_border) largest = std::max(largest, sagitta(particles, domain, a, b));
-  }
-  const SheetVertex inner = vertex_at(particles, middle_of(domain, facet, true));
-  const SheetVertex outer = vertex_at(particles, middle_of(domain, facet, false));
-  if (!inner.is_there() || outer.is_there()) return largest;
-  const SheetVertex border = border_between(particles, domain, inner, outer.place);
-  return std::max(largest, distance_to_segment(border.particle.x, facet.border[0]->particle.x,
-                                               facet.border[1]->particle.x));
+SheetVertex middle_of(SheetParticles& particles, const SheetDomain& domain,
+                      const std::vector<const SheetVertex*>& corners) {
+  if (corners.size() == 1) return *corners[0];
+  return vertex_at(particles, domain.between(corners[0]->place, corners[1]->place, 0.5));
+}
+
+double deviation_of(SheetParticles& particles, const SheetDomain& domain, const FacetPart& part,
+                    const SheetVertex& across, double tolerance) {
+  const double off_sides = std::max(sagitta(particles, domain, *part.first, *part.corners.front()),
+                                    sagitta(particles, domain, *part.corners.back(), *part.last));
+  const SheetVertex inner = middle_of(particles, domain, part.corners);
+  if (!inner.is_there()) return std::numeric_limits<double>::infinity();
+  const auto gap = gap_between(particles, domain, inner, across, tolerance);
+  if (!gap || !(*gap)[0]) return std::numeric_limits<double>::infinity();
+  return std::max(off_sides, distance_to_segment((*gap)[0]->particle.x, part.first->particle.x,
+                                                 part.last->particle.x));
 }
 
 }  // namespace pellucid::integrators

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The border of a sheet where particles are no more: between one that is there at the end and one
-// that is not, the last place whose particle is there.
+// Where a sheet ends or is torn: on the way between two places, the last point of it on either
+// side.
 
 #include <array>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "integrators/sheets/sheet_particles.h"
@@ -22,22 +22,31 @@ struct SheetVertex {
 /// Returns the vertex of a place.
 SheetVertex vertex_at(SheetParticles& particles, const Vec3& place);
 
-/// Returns the last vertex that is there on the way from one that is there to a place whose
-/// particle is not, by halving the way.
-SheetVertex border_between(SheetParticles& particles, const SheetDomain& domain,
-                           const SheetVertex& there, const Vec3& lost);
+/// A SheetGap is where the sheet is interrupted between two places: the last vertices before and
+/// after it, in the places' order. Where particles are not there at the end there is none.
+using SheetGap = std::array<std::optional<SheetVertex>, 2>;
 
-/// A BorderFacet is a facet of which one or two corners are there, and what is left of it: those
-/// corners and the border's two points, in the facet's own order.
-struct BorderFacet {
-  std::array<const SheetVertex*, 3> corners;
-  std::vector<const SheetVertex*> left;  // three or four; `border` are two next to each other
-  std::array<const SheetVertex*, 2> border;
+/// Returns the gap between two vertices, by halving the way: between one that is there and one that
+/// is not; or between two that are there, where the sheet jumps by more than `tolerance`, world
+/// units, however near their places are to each other. Nothing where it does not.
+std::optional<SheetGap> gap_between(SheetParticles& particles, const SheetDomain& domain,
+                                    const SheetVertex& from, const SheetVertex& to,
+                                    double tolerance);
+
+/// A FacetPart is a part of a facet on one side of a gap, around it: corners that are there, one or
+/// two, between the gap's two ends on the facet's sides.
+struct FacetPart {
+  std::vector<const SheetVertex*> corners;
+  const SheetVertex *first, *last;  // before and after them
 };
 
-/// Returns how far the true border is from the straight one at its middle, and the sheet from the
-/// straight sides that end on the border, at most; world units.
-double border_deviation(SheetParticles& particles, const SheetDomain& domain,
-                        const BorderFacet& facet);
+/// Returns how far the sheet is from a part's sides, at their middles, and the gap's own edge from
+/// the straight one between both ends, at most; world units. `across` lies on the gap's other side.
+double deviation_of(SheetParticles& particles, const SheetDomain& domain, const FacetPart& part,
+                    const SheetVertex& across, double tolerance);
+
+/// Returns the vertex in the middle of one or two.
+SheetVertex middle_of(SheetParticles& particles, const SheetDomain& domain,
+                      const std::vector<const SheetVertex*>& corners);
 
 }  // namespace pellucid::integrators

@@ -18,10 +18,10 @@ const OptionTable<SheetOptions>& sheet_options() {
               .help = "along each side of the seeds, before any is added: what is smaller may be "
                       "missed"}),
       number("rip", &Options::rip,
-             {.min = 1e-9,
+             {.min = 1e-12,
               .max = 0.5,
               .unit = "1",
-              .help = "the sheet is torn where neighbours so close on the seeds still part"}),
+              .help = "sides so short on the seeds are not halved: what tears end in is left out"}),
       number(
           "max-particles", &Options::max_particles,
           {.min = 3, .max = 1e9, .unit = "particles", .help = "the sheet is not refined any more"}),

@@ -13,7 +13,7 @@ namespace pellucid::integrators {
 struct SheetOptions {
   std::optional<double> tolerance;  // world units, > 0: mesh to surface; 1e-3 of the seeds' extent
   int particles = 33;               // along the longest way across the seeds, at the first look
-  double rip = 1e-4;                // of the seeds: edges so short that still part are torn
+  double rip = 1e-6;                // of the seeds: shorter sides are not halved
   std::uint64_t max_particles = 2'000'000;
   std::uint64_t max_triangles = 4'000'000;
   SteppingOptions stepping;

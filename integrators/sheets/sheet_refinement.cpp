@@ -65,7 +65,7 @@ std::uint32_t SheetRefinement::side_of(std::uint32_t a, std::uint32_t b) {
   const auto [low, high] = std::minmax(a, b);
   const auto [found, is_new] =
       numbers_.try_emplace(std::uint64_t(low) << 32 | high, std::uint32_t(sides_.size()));
-  if (is_new) sides_.push_back({{low, high}, {}, Verdict::fine, std::nullopt, std::nullopt});
+  if (is_new) sides_.emplace_back().ends = {low, high};
   return found->second;
 }
 
@@ -81,10 +81,10 @@ void SheetRefinement::judge_new_sides() {
     const auto [a, b] = side.ends;
     side.middle =
         vertex_at(particles_, domain_.between(vertices_[a].place, vertices_[b].place, 0.5));
-    side.verdict = judge(side);
+    judge(side);
   });
   sent_ += sides_.size() - judged_;
-  for (; judged_ < sides_.size(); ++judged_) torn_ += sides_[judged_].verdict == Verdict::tear;
+  judged_ = sides_.size();
 }
 
 /// In places, of the whole domain.
@@ -93,17 +93,31 @@ double SheetRefinement::length_of(const Side& side) const {
   return glm::length(domain_.step_between(vertices_[a].place, vertices_[b].place)) / size_;
 }
 
-SheetRefinement::Verdict SheetRefinement::judge(const Side& side) const {
-  const double length = length_of(side);
-  if (length * (options_.particles - 1) > 1.5) return Verdict::halve;
+void SheetRefinement::judge(Side& side) {
   const SheetVertex &a = vertices_[side.ends[0]], &b = vertices_[side.ends[1]];
-  const bool is_short = length < options_.rip;
-  if (a.is_there() != b.is_there()) return Verdict::border;
-  if (!a.is_there()) return side.middle.is_there() && !is_short ? Verdict::halve : Verdict::fine;
-  if (!side.middle.is_there()) return is_short ? Verdict::tear : Verdict::halve;
-  const bool is_straight = deviation(a, b, side.middle) <= part_of_sides * tolerance_;
-  if (is_straight && is_even(a, b, side.middle)) return Verdict::fine;
-  return is_short ? Verdict::tear : Verdict::halve;
+  const SheetVertex& middle = side.middle;
+  if (length_of(side) * (options_.particles - 1) > 1.5)
+    side.verdict = Verdict::halve;
+  else if (a.is_there() != b.is_there())
+    part_or_halve(side);
+  else if (a.is_there() != middle.is_there())
+    halve(side);
+  else if (a.is_there() && is_uneven(a, b, middle))
+    part_or_halve(side);
+  else if (a.is_there() && deviation(a, b, middle) > part_of_sides * tolerance_)
+    halve(side);
+}
+
+void SheetRefinement::halve(Side& side) {
+  if (length_of(side) >= options_.rip) side.verdict = Verdict::halve;
+}
+
+void SheetRefinement::part_or_halve(Side& side) {
+  auto gap = gap_between(particles_, domain_, vertices_[side.ends[0]], vertices_[side.ends[1]],
+                         tolerance_);
+  if (!gap) return halve(side);
+  side.verdict = Verdict::gap;
+  side.gap = std::move(*gap);
 }
 
 /// How far the sheet is from the straight side, world units: at the middle itself, and at the
@@ -122,43 +136,38 @@ double SheetRefinement::deviation(const SheetVertex& a, const SheetVertex& b,
 
 /// Of a sheet that is smooth at this scale the side's middle comes to lie near the middle between
 /// its ends. Where it does not there may be a jump, across which a straight side passes all points
-/// that are sent by whatever its length.
-bool SheetRefinement::is_even(const SheetVertex& a, const SheetVertex& b,
-                              const SheetVertex& middle) const {
+/// that are sent by, whatever its length.
+bool SheetRefinement::is_uneven(const SheetVertex& a, const SheetVertex& b,
+                                const SheetVertex& middle) const {
   const Vec3 &from = a.particle.x, &to = b.particle.x;
   const double length = glm::distance(from, to);
-  return length <= tolerance_ || glm::distance(middle.particle.x, 0.5 * (from + to)) <= length / 4;
-}
-
-std::size_t SheetRefinement::corners_there(const Facet& facet) const {
-  return std::size_t(std::ranges::count_if(
-      facet, [&](std::uint32_t corner) { return vertices_[corner].is_there(); }));
+  return length > tolerance_ && glm::distance(middle.particle.x, 0.5 * (from + to)) > length / 4;
 }
 
 void SheetRefinement::halve_all(const Facet& facet) {
-  for (const std::uint32_t i : sides_of(facet))
-    if (length_of(sides_[i]) >= options_.rip) sides_[i].verdict = Verdict::halve;
+  for (const std::uint32_t i : sides_of(facet)) halve(sides_[i]);
 }
 
-/// Facets none of whose sides is to be halved: bent ones, and those on the border of what is there.
+/// Facets none of whose sides is to be halved: bent ones, and those across which there is a gap.
 void SheetRefinement::judge_facets() {
-  std::vector<std::size_t> on_border;
+  std::vector<std::size_t> parted;
+  std::vector<Parting> partings;
   for (std::size_t i = 0; i < facets_.size(); ++i) {
     if (settled_[i] || !is_settled(facets_[i])) continue;
     settled_[i] = true;
-    const std::size_t there = corners_there(facets_[i]);
-    if (there == 3 && is_bent(facets_[i])) halve_all(facets_[i]);
-    if (there == 1 || there == 2) on_border.push_back(i);
+    if (const auto parting = parting_of(facets_[i])) {
+      parted.push_back(i);
+      partings.push_back(*parting);
+    } else if (gaps_across(facets_[i]) > 0 || is_bent(facets_[i])) {
+      halve_all(facets_[i]);
+    }
   }
-  find_borders(on_border);
-  std::vector<double> deviations(on_border.size());
-  std::vector<BorderFacet> parts;
-  for (const std::size_t i : on_border) parts.push_back(border_facet(facets_[i]));
-  parallel_for(std::size_t(0), parts.size(), [&](std::size_t k) {
-    deviations[k] = border_deviation(particles_, domain_, parts[k]);
+  std::vector<double> deviations(parted.size());
+  parallel_for(std::size_t(0), parted.size(), [&](std::size_t k) {
+    deviations[k] = gap_deviation(facets_[parted[k]], partings[k]);
   });
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    if (deviations[k] > part_of_sides * tolerance_) halve_all(facets_[on_border[k]]);
+  for (std::size_t k = 0; k < parted.size(); ++k)
+    if (deviations[k] > part_of_sides * tolerance_) halve_all(facets_[parted[k]]);
 }
 
 bool SheetRefinement::is_settled(const Facet& facet) {
@@ -170,6 +179,7 @@ bool SheetRefinement::is_settled(const Facet& facet) {
 /// Narrower than the tolerance it is as flat as it has to be, whichever way it turns: so are facets
 /// across a fold, where the sheet turns back.
 bool SheetRefinement::is_bent(const Facet& facet) const {
+  if (!vertices_[facet[0]].is_there()) return false;  // nor are the others
   const auto x = [&](std::size_t k) { return vertices_[facet[k]].particle.x; };
   const double longest =
       std::max({glm::distance(x(0), x(1)), glm::distance(x(1), x(2)), glm::distance(x(2), x(0))});
@@ -183,36 +193,68 @@ bool SheetRefinement::is_bent(const Facet& facet) const {
   });
 }
 
-void SheetRefinement::find_borders(const std::vector<std::size_t>& facets) {
-  std::vector<std::uint32_t> sides;
-  for (const std::size_t i : facets)
-    for (const std::uint32_t side : sides_of(facets_[i]))
-      if (sides_[side].verdict == Verdict::border && !sides_[side].border) {
-        sides_[side].border = std::uint32_t(vertices_.size() + sides.size());
-        sides.push_back(side);
-      }
-  std::vector<SheetVertex> borders(sides.size());
-  parallel_for(std::size_t(0), sides.size(), [&](std::size_t k) {
-    const auto [a, b] = sides_[sides[k]].ends;
-    const bool first = vertices_[a].is_there();
-    borders[k] = border_between(particles_, domain_, vertices_[first ? a : b],
-                                vertices_[first ? b : a].place);
-  });
-  vertices_.insert(vertices_.end(), borders.begin(), borders.end());
+std::size_t SheetRefinement::gaps_across(const Facet& facet) {
+  return std::size_t(std::ranges::count_if(
+      sides_of(facet), [&](std::uint32_t i) { return sides_[i].verdict == Verdict::gap; }));
 }
 
-BorderFacet SheetRefinement::border_facet(const Facet& facet) {
-  BorderFacet part;
-  std::size_t found = 0;
+/// A gap that goes through the facet crosses two of its sides. One that ends within it crosses one,
+/// and where three sheets meet it is three.
+std::optional<SheetRefinement::Parting> SheetRefinement::parting_of(const Facet& facet) {
+  if (gaps_across(facet) != 2) return std::nullopt;
+  const auto sides = sides_of(facet);
   for (std::size_t k = 0; k < 3; ++k) {
-    const SheetVertex& corner = vertices_[facet[k]];
-    part.corners[k] = &corner;
-    if (corner.is_there()) part.left.push_back(&corner);
-    const auto [a, b] = side(facet, k);
-    if (const auto border = sides_[side_of(a, b)].border)
-      part.left.push_back(part.border[found++] = &vertices_[*border]);
+    const std::uint32_t before = sides[(k + 2) % 3], after = sides[k];
+    if (sides_[before].verdict == Verdict::gap && sides_[after].verdict == Verdict::gap)
+      return Parting{k, {before, after}};
   }
-  return part;
+  return std::nullopt;
+}
+
+/// The gap's vertex on the side of one of its ends.
+const SheetVertex* SheetRefinement::gap_vertex(std::uint32_t side, std::uint32_t beside) const {
+  const auto& gap = sides_[side].gap[sides_[side].ends[0] == beside ? 0 : 1];
+  return gap ? &*gap : nullptr;
+}
+
+std::uint32_t SheetRefinement::number_of_gap_vertex(std::uint32_t side, std::uint32_t beside) {
+  auto& number = sides_[side].numbers[sides_[side].ends[0] == beside ? 0 : 1];
+  if (!number) {
+    number = std::uint32_t(vertices_.size());
+    vertices_.push_back(*gap_vertex(side, beside));
+  }
+  return *number;
+}
+
+double SheetRefinement::gap_deviation(const Facet& facet, const Parting& parting) {
+  const auto& [apex, sides] = parting;
+  const std::uint32_t single = facet[apex], next = facet[(apex + 1) % 3],
+                      last = facet[(apex + 2) % 3];
+  const FacetPart one{
+      {&vertices_[single]}, gap_vertex(sides[0], single), gap_vertex(sides[1], single)};
+  const FacetPart other{
+      {&vertices_[next], &vertices_[last]}, gap_vertex(sides[1], next), gap_vertex(sides[0], last)};
+  const SheetVertex far = middle_of(particles_, domain_, other.corners);
+  double largest = 0;
+  if (one.first && one.last) largest = deviation_of(particles_, domain_, one, far, tolerance_);
+  if (other.first && other.last)
+    largest =
+        std::max(largest, deviation_of(particles_, domain_, other, vertices_[single], tolerance_));
+  return largest;
+}
+
+void SheetRefinement::append_sides_of_gap(const Facet& facet, const Parting& parting,
+                                          std::vector<Facet>& facets) {
+  const auto& [apex, sides] = parting;
+  const std::uint32_t single = facet[apex], next = facet[(apex + 1) % 3],
+                      last = facet[(apex + 2) % 3];
+  if (gap_vertex(sides[0], single) && gap_vertex(sides[1], single))
+    facets.push_back(
+        {single, number_of_gap_vertex(sides[1], single), number_of_gap_vertex(sides[0], single)});
+  if (!gap_vertex(sides[1], next) || !gap_vertex(sides[0], last)) return;
+  const std::uint32_t a = number_of_gap_vertex(sides[1], next);
+  const std::uint32_t b = number_of_gap_vertex(sides[0], last);
+  facets.insert(facets.end(), {{a, next, last}, {a, last, b}});
 }
 
 void SheetRefinement::halve_sides() {
@@ -245,20 +287,11 @@ void SheetRefinement::halve_sides() {
 std::vector<Facet> SheetRefinement::facets() {
   std::vector<Facet> facets;
   for (const Facet& facet : facets_) {
-    const auto sides = sides_of(facet);
-    if (std::ranges::any_of(sides,
-                            [&](std::uint32_t i) { return sides_[i].verdict == Verdict::tear; }))
-      continue;
-    if (corners_there(facet) == 3) {
-      facets.push_back(facet);
-      continue;
-    }
-    std::vector<std::uint32_t> left;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (vertices_[facet[k]].is_there()) left.push_back(facet[k]);
-      if (const auto border = sides_[sides[k]].border) left.push_back(*border);
-    }
-    for (std::size_t k = 2; k < left.size(); ++k) facets.push_back({left[0], left[k - 1], left[k]});
+    const std::size_t gaps = gaps_across(facet);
+    const auto is_there = [&](std::uint32_t corner) { return vertices_[corner].is_there(); };
+    torn_ += gaps > 0 && std::ranges::all_of(facet, is_there);
+    if (gaps == 0 && std::ranges::all_of(facet, is_there)) facets.push_back(facet);
+    if (const auto parting = parting_of(facet)) append_sides_of_gap(facet, *parting, facets);
   }
   return facets;
 }

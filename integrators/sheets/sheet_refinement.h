@@ -24,9 +24,10 @@ namespace pellucid::integrators {
 /// normal
 ///   at a corner;
 /// - when the particles at both its ends are there and the one in its middle is not, or the other
-///   way round; and where the border of what is there is not straight enough.
-/// A side that is as short as `rip` and would still be halved is torn: facets beside it are left
-/// out. The same to the last bit for any number of threads.
+///   way round.
+/// Where the sheet ends between a side's two ends, or jumps, the facet is parted at the gap, once
+/// the gap's edges are straight enough. Facets as small as `rip` that cannot be parted so, at the
+/// end of a tear, are left out. The same to the last bit for any number of threads.
 class SheetRefinement {
  public:
   /// All must outlive it. `tolerance` is in world units.
@@ -36,9 +37,10 @@ class SheetRefinement {
   void run();
 
   const std::vector<SheetVertex>& vertices() const { return vertices_; }
-  /// Those of particles that are there; where some are not, what is left up to the border.
+  /// Those of the sheet; of a facet that a gap crosses the parts on its sides.
   std::vector<Facet> facets();
   std::uint64_t particles_sent() const { return sent_; }
+  /// Facets across which the sheet is torn.
   std::uint64_t torn() const { return torn_; }
   /// Sides that would have been halved when the budget was used up.
   std::uint64_t unfinished() const { return unfinished_; }
@@ -46,29 +48,41 @@ class SheetRefinement {
   std::uint64_t bytes() const;
 
  private:
-  enum class Verdict { fine, halve, tear, border };
+  enum class Verdict { fine, halve, gap };
   struct Side {
     std::array<std::uint32_t, 2> ends;
     SheetVertex middle;
     Verdict verdict = Verdict::fine;
-    std::optional<std::uint32_t> halved;  // the middle's number
-    std::optional<std::uint32_t> border;  // the border's, where one end is there and one is not
+    std::optional<std::uint32_t> halved;                  // the middle's number
+    SheetGap gap;                                         // by end
+    std::array<std::optional<std::uint32_t>, 2> numbers;  // of the gap's vertices
+  };
+
+  /// What a gap across two sides leaves of a facet: the corner between them, and the other two.
+  struct Parting {
+    std::size_t apex;                    // the corner
+    std::array<std::uint32_t, 2> sides;  // those before and after it
   };
 
   std::uint32_t side_of(std::uint32_t a, std::uint32_t b);
   std::array<std::uint32_t, 3> sides_of(const Facet& facet);
   bool pass();
   void judge_new_sides();
-  Verdict judge(const Side& side) const;
+  void judge(Side& side);
+  void part_or_halve(Side& side);
   double length_of(const Side& side) const;
   double deviation(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
-  bool is_even(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
+  bool is_uneven(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
   void judge_facets();
   bool is_settled(const Facet& facet);
   bool is_bent(const Facet& facet) const;
-  std::size_t corners_there(const Facet& facet) const;
-  BorderFacet border_facet(const Facet& facet);
-  void find_borders(const std::vector<std::size_t>& facets);
+  std::optional<Parting> parting_of(const Facet& facet);
+  std::size_t gaps_across(const Facet& facet);
+  double gap_deviation(const Facet& facet, const Parting& parting);
+  const SheetVertex* gap_vertex(std::uint32_t side, std::uint32_t beside) const;
+  std::uint32_t number_of_gap_vertex(std::uint32_t side, std::uint32_t beside);
+  void append_sides_of_gap(const Facet& facet, const Parting& parting, std::vector<Facet>& facets);
+  void halve(Side& side);
   void halve_all(const Facet& facet);
   bool is_within_budget();
   void halve_sides();

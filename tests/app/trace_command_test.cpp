@@ -26,6 +26,35 @@ TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
               HasSubstr("--error-picture"));
 }
 
+/// Along z all sheets keep their shape: what is let go for 2 units of time is 2 long.
+TEST_F(UnitCommandLine, TracesStreakAndTimeSurfaces) {
+  write_text(folder_ / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+  const std::string up =
+      "trace --field formula:u=0,v=0,w=1 --duration 2 --samples 50 --json --quiet -o " +
+      (folder_ / "s.vtp").string() + " ";
+  const std::string streak = up + "--integrator streak-surface:particles=5 ";
+  const std::string time = up + "--integrator time-surface:particles=5 ";
+  const std::vector<std::pair<std::string, std::string>> calls{
+      {streak + "--seed 0,0,0:1,0,0", "2"},
+      {streak + "--seeds circle:center=0,0,0,radius=1,normal=0,0,1", "2"},
+      {time + "--seeds patch:corner=0,0,0,u=1,0,0,v=0,1,0", "0"},
+      {time + "--seeds sphere:center=0,0,0,radius=1", "0"},
+      {time + "--seeds " + (folder_ / "mesh.obj").string(), "0"}};
+  for (const auto& [call, tallest] : calls) {
+    const Outcome outcome = run(call);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_LE(json["distance"]["max"], 2e-3) << call;
+    EXPECT_LE(json["distance"]["max_from_surface"], 2e-3) << call;
+    EXPECT_EQ(json["sheets"], 1) << call;
+  }
+  EXPECT_THAT(refusal(time + "--seed 0,0,0:1,0,0"), HasSubstr("accepted of a time surface"));
+  EXPECT_THAT(refusal(time + "--seeds patch:corner=0,0,0,u=1,0,0,v=2,0,0"), HasSubstr("patch"));
+  EXPECT_THAT(refusal(streak + "--seeds grid:from=0,0,0,to=1,1,0,count=3,2,1"),
+              HasSubstr("no curve"));
+  EXPECT_THAT(refusal(streak + "--seed 0,0,0:1,0,0 --both"), HasSubstr("--both"));
+}
+
 /// Of lines every seed is a line; z = 0 stays so, since the flow goes along z.
 TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
   write_text(folder_ / "p.csv", "x,y,z\n0,0,0\n1,0,0\n1,1,0\n");

@@ -89,6 +89,17 @@ def test_a_uniform_flow_sweeps_a_plane():
     assert scene.render().layers.max() == 1
 
 
+def test_streak_and_time_surfaces_of_a_uniform_flow():
+    line = [[0, 0, 0], [3, 0, 0]]
+    streak = pellucid.trace("formula:u=0,v=2,w=0", "streak-surface", line, 0.5, samples=50)
+    assert streak.vertices[:, 1].max() == pytest.approx(1) and streak.quality["distance"]["max"] < 1e-9
+    assert streak.scalars["released"] == pytest.approx(0.5 - streak.scalars["t"])
+    patch = pellucid.trace("formula:u=0,v=2,w=0", "time-surface", [*line, [0, 0, 1]], 0.5)
+    assert patch.vertices[:, 1] == pytest.approx(np.full(len(patch.vertices), 1))
+    with pytest.raises(pellucid.InputError, match="time surface"):
+        pellucid.trace("formula:u=0,v=2,w=0", "time-surface", line, 0.5)
+
+
 def test_lines_of_a_rotation_stay_on_circles():
     lines = pellucid.trace("formula:u=-y,v=x,w=0", "stream-lines:particles=4", [[1, 0, 0], [2, 0, 0]], 3)
     assert isinstance(lines, pellucid.Lines) and lines.stats["lines"] == 4

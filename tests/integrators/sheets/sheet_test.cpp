@@ -279,16 +279,44 @@ TEST(UnitSheets, TheBorderFollowsAHole) {
   }
 }
 
-/// Left of x = 0 the flow goes up, right of it down: two sheets, as far as `rip` tells them apart.
+/// Left of a line the flow goes up, right of it down: two sheets, parted where the line is.
 TEST(UnitSheets, AJumpTearsTheSheet) {
-  const auto field =
-      testing::everywhere([](const Vec3& x) { return Vec3(0, 0, x.x < 0.1234 ? 1 : -1); });
+  const auto field = testing::everywhere(
+      [](const Vec3& x) { return Vec3(0, 0, x.x + 0.3 * x.y < 0.1234 ? 1 : -1); });
   const IntegratedSheet sheet =
       integrate_sheet("time-surface:tolerance=1e-3",
                       time_surface_of(field, patch_seed({-1, 0, 0}, {2, 0, 0}, {0, 1, 0}), 1));
   EXPECT_EQ(measure_quality(sheet.mesh).sheets, 2u);
-  EXPECT_NEAR(testing::area_of(sheet.mesh), 2, 2 * 2e-4);
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 2, 1e-6);
   EXPECT_GT(sheet.stats.ends.at(EndReason::torn), 0u);
+  EXPECT_LT(sheet.stats.particles, 50'000u);
+}
+
+/// The line is a circle: a disc goes up, and its rim is a polygon within the tolerance.
+TEST(UnitSheets, ATearMayBeCurved) {
+  const auto field = testing::everywhere(
+      [](const Vec3& x) { return Vec3(0, 0, std::hypot(x.x, x.y) < 0.4 ? 1 : -1); });
+  const IntegratedSheet sheet =
+      integrate_sheet("time-surface:tolerance=1e-3",
+                      time_surface_of(field, patch_seed({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), 1));
+  EXPECT_EQ(measure_quality(sheet.mesh).sheets, 2u);
+  double disc = 0;
+  for (const auto& [a, b, c] : sheet.mesh.triangles) {
+    const auto& x = sheet.mesh.positions;
+    if (x[a].z > 0) disc += 0.5 * glm::length(glm::cross(x[b] - x[a], x[c] - x[a]));
+  }
+  EXPECT_NEAR(disc, pi * 0.16, 2 * pi * 0.4 * 1e-3);
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 4, 2 * 2 * pi * 0.4 * 1e-3);
+}
+
+/// Chaos stretches the sheet to many times its width, and does not tear it.
+TEST(UnitSheets, WhatIsStretchedIsWhole) {
+  const auto field = fields::make_field("double-gyre");
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface:tolerance=2e-2,particles=9",
+                      streak_of(*field, segment_seed({1, 0.2, 0}, {1, 0.2, 0.1}), 11));
+  EXPECT_EQ(measure_quality(sheet.mesh).sheets, 1u);
+  EXPECT_FALSE(sheet.stats.ends.contains(EndReason::torn));
 }
 
 /// The flow turns at t = π/2, where particles are let go at rest: the streak surface turns back

@@ -133,6 +133,35 @@ TEST_F(UnitSceneFile, ASurfaceKeepsWhatItWasMadeFrom) {
   EXPECT_EQ(color.range.value(), Vec2(0, 2));
 }
 
+TEST_F(UnitSceneFile, SheetsAreMeshesOfTheirOwn) {
+  const auto sheet = [](const std::string& integrator, const std::string& rest) {
+    return R"({"surface": {"field": "drift", "integrator": ")" + integrator +
+           R"(:particles=3", "duration": 1, )" + rest + R"(}, "color": {"by": "released"}})";
+  };
+  const std::string line = R"("seed": {"from": [0, 0, 0], "to": [0, 0, 1]})";
+  const std::string patch = R"("seed": {"corner": [0, 0, 0], "u": [1, 0, 0], "v": [0, 0, 1]})";
+  EXPECT_FALSE(with(sheet("streak-surface", line)).objects[0].source);
+  const Scene patches = with(sheet("time-surface", patch));
+  EXPECT_TRUE(patches.objects[0].mesh().scalars.contains("u"));
+  EXPECT_FALSE(with(sheet("time-surface", R"("seed": {"center": [0, 0, 0], "radius": 1})"))
+                   .objects[0]
+                   .mesh()
+                   .triangles.empty());
+  EXPECT_FALSE(with(sheet("time-surface", R"("seed": {"mesh": "sheet.ply"})"))
+                   .objects[0]
+                   .mesh()
+                   .triangles.empty());
+  EXPECT_THAT(refusal(sheet("time-surface", line)), HasSubstr("surface.seed"));
+  EXPECT_THAT(refusal(sheet("streak-surface", patch)), HasSubstr("surface.seed"));
+  EXPECT_THAT(refusal(sheet("streak-surface", line + R"(, "path": true)")), HasSubstr("'path'"));
+  EXPECT_THAT(refusal(sheet("time-surface", R"("seed": {"mesh": "none.ply"})")),
+              HasSubstr("none.ply"));
+  EXPECT_THAT(
+      refusal(R"({"surface": {"field": "drift", "integrator": "path-lines", "duration": 1, )" +
+              line + "}}"),
+      HasSubstr("it draws lines"));
+}
+
 TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
   for (const char* seed :
        {R"({"from": [0, 0, 0], "to": [0, 1, 0], "closed": true})",
