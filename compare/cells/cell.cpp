@@ -59,6 +59,11 @@ bool is_complete(const CellFiles& files, const ResultRow& row) {
                      [&](const RowPicture& p) { return fs::exists(files.further(p.name)); });
 }
 
+const fs::path& reference_scene(const Study& study, const fs::path& scene) {
+  const auto own = study.reference_scenes.find(scene_name(scene));
+  return own == study.reference_scenes.end() ? scene : own->second;
+}
+
 bool are_unchanged(const std::map<std::string, std::string>& files, ContentHashes& hashes) {
   return std::ranges::all_of(
       files, [&](const auto& file) { return hashes.of(file.first) == file.second; });
@@ -71,7 +76,7 @@ std::vector<Cell> expand_cells(const Study& study) {
   for (const fs::path& scene : study.scenes) {
     const std::string name = scene_name(scene);
     const auto probes = study.probes.find(name);
-    Cell cell{study.reference_scene.value_or(scene), name, study.reference, true, study.measures};
+    Cell cell{reference_scene(study, scene), name, study.reference, true, study.measures};
     if (probes != study.probes.end()) cell.probes = probes->second;
     cell.opacities = study.opacities;
     cell.views = study.views;

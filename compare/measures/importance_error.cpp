@@ -6,9 +6,6 @@
 namespace pellucid::compare {
 namespace {
 
-/// Of the importance g in [0, 1]: what is less is context.
-constexpr double important = 0.5;
-
 /// A root mean square over RGB, as the metric has it.
 class MeanSquare {
  public:

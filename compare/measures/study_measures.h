@@ -39,6 +39,23 @@ const StudyMeasure& depth_error_measure();
 /// any.
 const StudyMeasure& importance_error_measure();
 
+/// Returns the measures boundary_step, of a method with `bins`: the mean step of the signed error
+/// (root mean square over RGB) between neighbouring pixels where what shows most passes from one
+/// bin of depth to the next; and boundary_step_ratio, over the same in the middles of bins. The
+/// bins are equal parts of d.
+const StudyMeasure& bin_steps_measure();
+
+/// Returns the measures context_share, of the colour of pixels where context lies in front of an
+/// important layer: the share of the context, 0 where it is transparent, 1 where it hides what lies
+/// behind; context_share_close, where the two are 0.01 of the depth range apart at most; and
+/// context_share_beside, of pixels that show context alone, 5 pixels at most from one whose ray
+/// crosses an important layer: its share before the background.
+const StudyMeasure& context_share_measure();
+
+/// Returns the measure longest_step: the place, counted from 1, of the step that took longest among
+/// those of the method, of which there are two at least.
+const StudyMeasure& longest_step_measure();
+
 /// Returns the table of these measures.
 std::span<const StudyMeasure> study_measures();
 

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "compare/budget/measure_budget.h"
-#include "compare/measures/layer_error.h"
-#include "compare/measures/layer_pictures.h"
+#include "compare/measures/layers/layer_error.h"
+#include "compare/measures/layers/layer_pictures.h"
 #include "compare/measures/study_measures.h"
 #include "compare/methods/given_method.h"
 #include "compare/pictures/error_map.h"

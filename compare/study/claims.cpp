@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "compare/results/measure_columns.h"
 
@@ -12,6 +13,14 @@ namespace pellucid::compare {
 namespace {
 
 constexpr std::string_view needs_five = "has no interval, which takes five timed pictures";
+
+/// Nothing where the stage does not apply.
+std::optional<double> share_of_stage(const ResultRow& row, std::string_view stage) {
+  if (!row.budget) return std::nullopt;
+  const auto line = std::ranges::find(row.budget->lines, stage, &BudgetLine::stage);
+  if (line == row.budget->lines.end() || !line->why_not.empty()) return std::nullopt;
+  return line->share;
+}
 
 std::optional<ClaimedValue> value_of(const ClaimedNumber& number, std::string_view scene,
                                      std::string_view call, std::span<const ResultRow> rows) {
@@ -185,6 +194,16 @@ ClaimCheck mean_of(const Claim& claim, std::span<const ClaimCheck> checks) {
   return mean;
 }
 
+/// One scene is enough: what others say counts where none agrees.
+void keep_best(std::vector<ClaimCheck>& checks) {
+  const auto agrees = [](const ClaimCheck& c) { return c.against.empty() && c.undecided.empty(); };
+  const auto is_open = [](const ClaimCheck& c) { return c.against.empty(); };
+  if (std::ranges::any_of(checks, agrees))
+    std::erase_if(checks, std::not_fn(agrees));
+  else if (std::ranges::any_of(checks, is_open))
+    std::erase_if(checks, std::not_fn(is_open));
+}
+
 std::vector<ClaimCheck> check_scene_order(const Claim& claim, std::span<const ResultRow> rows) {
   std::vector<ClaimCheck> checks;
   for (const std::string& call : claim.order.front()) {
@@ -204,6 +223,7 @@ std::vector<ClaimCheck> check_scene_order(const Claim& claim, std::span<const Re
 }  // namespace
 
 std::optional<double> ClaimedNumber::of(const ResultRow& row) const {
+  if (!stage.empty()) return share_of_stage(row, stage);
   return column ? column->value(row) : measure_of(row, measure);
 }
 
@@ -217,7 +237,10 @@ std::string ClaimedNumber::text(double value) const {
   return column ? number_for_people(column->style, value) : fmt::format("{:.3g}", value);
 }
 
-std::string ClaimedNumber::heading() const { return column ? compare::heading(*column) : measure; }
+std::string ClaimedNumber::heading() const {
+  if (!stage.empty()) return fmt::format("share of '{}'", stage);
+  return column ? compare::heading(*column) : measure;
+}
 
 std::string verdict(const ClaimCheck& check) {
   if (!check.against.empty())
@@ -234,7 +257,10 @@ std::vector<ClaimCheck> check_claim(const Claim& claim, std::span<const std::str
   std::vector<ClaimCheck> checks;
   for (const std::string& scene : scenes)
     if (auto check = check_scene(claim, scene, rows)) checks.push_back(std::move(*check));
-  if (checks.size() > 1) checks.push_back(mean_of(claim, checks));
+  if (claim.somewhere)
+    keep_best(checks);
+  else if (checks.size() > 1)
+    checks.push_back(mean_of(claim, checks));
   return checks;
 }
 

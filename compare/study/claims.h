@@ -11,11 +11,13 @@
 
 namespace pellucid::compare {
 
-/// A ClaimedNumber is what a claim is about: a column, or a measure that only some methods have.
+/// A ClaimedNumber is what a claim is about: a column, a measure that only some methods have, or a
+/// stage's share of the error.
 struct ClaimedNumber {
-  const Column* column = nullptr;  // null: the measure
+  const Column* column = nullptr;  // null: the measure, or the stage
   std::string measure;             // by its name: "outside_hull"
   Better better = Better::lower;
+  std::string stage = {};  // of the error's budget: "samples"; empty: the column or the measure
 
   /// Returns the row's number; nothing where it has none.
   std::optional<double> of(const ResultRow& row) const;
@@ -24,7 +26,7 @@ struct ClaimedNumber {
   std::optional<Interval> interval_of(const ResultRow& row) const;
   /// Returns the number in few digits, in the unit for people.
   std::string text(double value) const;
-  /// Returns "Time [ms]"; of a measure its name.
+  /// Returns "Time [ms]"; of a measure its name; "share of 'samples'".
   std::string heading() const;
 };
 
@@ -48,6 +50,8 @@ struct Claim {
   std::vector<std::string> scenes = {};
   /// The claim is an order of the scenes, the best first, by each call of its own.
   bool orders_scenes = false;
+  /// The claim is that it holds on one of its scenes at least: "up to ten times faster".
+  bool somewhere = false;
 };
 
 /// A ClaimedValue is the number of a call, or of a scene, and where it lies.
@@ -71,8 +75,9 @@ std::string verdict(const ClaimCheck& check);
 
 /// Returns a check for each scene of which all the claim's rows are there, in the order of
 /// `scenes`, and after them, for more than one scene, that of the mean over those scenes. Of a
-/// claim that orders scenes, it returns a check for each call that has all of them. Empty where no
-/// row says anything.
+/// claim that orders scenes, it returns a check for each call that has all of them; of one that
+/// holds somewhere, those of the scenes that agree, where there are any, else those that are
+/// undecided, else all. Empty where no row says anything.
 ///
 /// A claim holds where it does for all numbers of the intervals, and is refuted where it does for
 /// none; else it is undecided. For the mean over scenes the intervals' ends are averaged, which

@@ -48,7 +48,8 @@ std::optional<BudgetOptions> read_budget(const JsonNode& node, const Study& stud
         fmt::format("the reference, {}, is not exact; accepted: beside one that is, such as "
                     "raytrace",
                     study.reference.text()));
-  if (study.reference_scene) node.fail("beside a 'reference_scene'; accepted: one of the two");
+  if (!study.reference_scenes.empty())
+    node.fail("beside a 'reference_scene'; accepted: one of the two");
   BudgetOptions options;
   if (!node.is_object()) return node.boolean() ? std::optional(options) : std::nullopt;
   node.accept_keys({"field", "samples", "factor"});

@@ -66,9 +66,12 @@ std::vector<std::string_view> columns_with_better() {
 }
 
 ClaimedNumber read_number(const JsonNode& node) {
-  refuse_beside(node, "by", {"measure", "better"});
-  if (node.has("measure")) {
-    ClaimedNumber number{nullptr, node["measure"].string()};
+  refuse_beside(node, "by", {"measure", "stage", "better"});
+  refuse_beside(node, "measure", {"stage"});
+  if (node.has("measure") || node.has("stage")) {
+    ClaimedNumber number;
+    if (node.has("measure")) number.measure = node["measure"].string();
+    if (node.has("stage")) number.stage = node["stage"].string();
     if (node.has("better"))
       number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
     return number;
@@ -106,6 +109,15 @@ void read_scene_order(const JsonNode& node, const Study& study, Claim& claim) {
   claim.scenes = read_claimed_scenes(node, study);
   claim.orders_scenes = true;
   if (claim.scenes.size() < 2) node.fail("accepted: at least two scenes, the best first");
+}
+
+/// The calls of a group, or with "*" all but the reference.
+std::vector<std::string> read_bounded(const JsonNode& node, const Study& study) {
+  if (!node.is_string() || node.string() != "*") return read_group(node, study);
+  std::vector<std::string> calls;
+  for (const MethodCall& call : study.methods) calls.push_back(call.text());
+  if (calls.empty()) node.fail("\"*\", and no methods; accepted: a call of the study");
+  return calls;
 }
 
 /// The calls of a group, or of the method that it names.
@@ -177,13 +189,13 @@ void read_bound(const JsonNode& node, Claim& claim) {
 }  // namespace
 
 Claim read_claim(const JsonNode& node, const Study& study) {
-  node.accept_keys({"claim", "by", "measure", "better", "order", "factor", "of", "at_most",
+  node.accept_keys({"claim", "by", "measure", "stage", "better", "order", "factor", "of", "at_most",
                     "at_least", "same", "within", "improves_with", "worsens_with", "scenes",
-                    "scene_order"});
+                    "scene_order", "somewhere"});
   refuse_beside(node, "order", {"of", "at_most", "at_least", "same", "within", "scene_order"});
   refuse_beside(node, "of", {"factor", "same", "within"});
   refuse_beside(node, "same", {"factor", "at_most", "at_least", "scene_order"});
-  refuse_beside(node, "scene_order", {"at_most", "at_least", "scenes"});
+  refuse_beside(node, "scene_order", {"at_most", "at_least", "scenes", "somewhere"});
   for (const std::string_view key : {"improves_with", "worsens_with"})
     refuse_beside(node, key, {"order", "same", "at_most", "at_least", "scene_order"});
   refuse_beside(node, "improves_with", {"worsens_with"});
@@ -197,18 +209,19 @@ Claim read_claim(const JsonNode& node, const Study& study) {
   } else if (node.has("worsens_with")) {
     read_monotony(node, "worsens_with", study, claim);
   } else {
-    claim.order = {read_group(node["of"], study)};
+    claim.order = {read_bounded(node["of"], study)};
     if (node.has("scene_order"))
       read_scene_order(node["scene_order"], study, claim);
     else
       read_bound(node, claim);
   }
   if (node.has("scenes")) claim.scenes = read_claimed_scenes(node["scenes"], study);
+  if (node.has("somewhere")) claim.somewhere = node["somewhere"].boolean();
   return claim;
 }
 
 Ladder read_ladder(const JsonNode& node, const Study& study) {
-  node.accept_keys({"title", "by", "measure", "better", "bound", "scenes"});
+  node.accept_keys({"title", "by", "measure", "stage", "better", "bound", "scenes"});
   constexpr double most = 1e300;
   Ladder ladder{node["title"].string(), read_number(node), node["bound"].number(-most, most),
                 read_claimed_scenes(node["scenes"], study)};

@@ -128,6 +128,19 @@ auto read_by_scene(const JsonNode& node, const std::vector<std::string>& names, 
   return by_scene;
 }
 
+/// A path, of each scene, or {SCENE: path, …}.
+std::map<std::string, fs::path> read_reference_scenes(const JsonNode& node, const Study& study) {
+  const auto read = [&](const JsonNode& path) {
+    return read_scene_path(path, study.file.parent_path());
+  };
+  const std::vector<std::string> names = scene_names(study);
+  if (node.is_object()) return read_by_scene(node, names, read);
+  const fs::path path = read(node);
+  std::map<std::string, fs::path> by_scene;
+  for (const std::string& name : names) by_scene.emplace(name, path);
+  return by_scene;
+}
+
 std::vector<std::string> read_measures(const JsonNode& node) {
   std::vector<std::string> names;
   for (const JsonNode& element : node.elements())
@@ -139,7 +152,8 @@ std::vector<std::string> read_measures(const JsonNode& node) {
 
 /// A surface that stands behind lines has other elements than they.
 MethodCall read_opacities(const JsonNode& node, const Catalogue& methods, const Study& study) {
-  if (study.reference_scene) node.fail("beside a 'reference_scene'; accepted: one of the two");
+  if (!study.reference_scenes.empty())
+    node.fail("beside a 'reference_scene'; accepted: one of the two");
   return at_place(node, [&] { return checked_opacities(read_call(node, methods)); });
 }
 
@@ -189,7 +203,7 @@ constexpr StudyKey keys[] = {
      true},
     {"reference_scene",
      [](const JsonNode& value, Reading& to) {
-       to.study.reference_scene = read_scene_path(value, to.folder());
+       to.study.reference_scenes = read_reference_scenes(value, to.study);
      }},
     {"reference",
      [](const JsonNode& value, Reading& to) { to.study.reference = read_call(value, to.methods); },

@@ -61,9 +61,9 @@ struct Study {
   /// All calls composite the opacities of least energy that this one finds; see
   /// optimize_opacities().
   std::optional<MethodCall> opacities;
-  /// The reference draws this in place of each scene: of lines that stand for a surface, the
-  /// surface.
-  std::optional<std::filesystem::path> reference_scene;
+  /// The reference draws these in place of the scenes of these names: of lines that stand for a
+  /// surface, the surface.
+  std::map<std::string, std::filesystem::path> reference_scenes;
   std::vector<MethodCall> methods;  // sweeps expanded; without the reference; integrators first
   int repeats = 3;
   std::optional<TimingRule> timing;  // in place of the repeats; cells of a scene are interleaved

@@ -180,5 +180,25 @@ TEST(UnitRunStudy, AReferenceMayDrawASceneOfItsOwn) {
   EXPECT_EQ(run_study(study(), options).computed, 4u);
 }
 
+TEST(UnitRunStudy, AReferenceMayDrawAnotherSceneForEach) {
+  const StudyFolder folder;
+  write_scene(folder / "truth.json", 13, 40);  // of the size of two.json
+  const std::string own = R"("repeats": 1, "reference_scene": {"two": "truth.json"})";
+  const auto study = [&] {
+    return load_study(folder.study(R"(["shifted"])", own), fake_methods());
+  };
+  const std::vector<Cell> cells = expand_cells(study());
+  ASSERT_EQ(cells.size(), 4u);
+  EXPECT_EQ(cells[0].scene_file.filename(), "one.json");
+  EXPECT_EQ(cells[2].scene_file.filename(), "truth.json");
+  EXPECT_EQ(cells[3].scene_file.filename(), "two.json");
+  StudyOptions options;
+  options.folder = folder / "results";
+  for (const ResultRow& row : run_study(study(), options).rows) EXPECT_EQ(row.error, "");
+  options.resume = true;
+  write_scene(folder / "truth.json", 13, 41);  // the other scene's cells do not depend on it
+  EXPECT_EQ(run_study(study(), options).computed, 2u);
+}
+
 }  // namespace
 }  // namespace pellucid::compare

@@ -91,6 +91,19 @@ TEST(UnitClaims, AClaimMayBeAboutSomeScenes) {
   EXPECT_EQ(checks[0].of, "two");
 }
 
+// a before b on scene one alone, c before a nowhere.
+TEST(UnitClaims, AClaimMayHoldSomewhere) {
+  Claim one = claim("rmse", {{"a"}, {"b"}});
+  one.somewhere = true;
+  const auto agreeing = check_claim(one, scenes, rows);
+  ASSERT_EQ(agreeing.size(), 1u);
+  EXPECT_EQ(agreeing[0].of, "one");
+  EXPECT_EQ(verdict(agreeing[0]), "the same here");
+  Claim none = claim("rmse", {{"c"}, {"a"}});
+  none.somewhere = true;
+  EXPECT_EQ(check_claim(none, scenes, rows).size(), 2u);
+}
+
 TEST(UnitClaims, ScenesMayBeInOrderForEachCall) {
   Claim order = claim("rmse", {{"a", "b"}});
   order.scenes = {"two", "one"};
@@ -192,6 +205,18 @@ TEST(UnitClaims, WithAWidthTheWholeIntervalOfTheRatioHasToLieWithin) {
   EXPECT_THAT(verdict_of(errors, rows), HasSubstr("otherwise here"));
 }
 
+// On scene one it is open, on scene two otherwise: what is otherwise says nothing of the other.
+TEST(UnitClaims, WhereNoneAgreesAnUndecidedSceneIsSaid) {
+  std::vector<ResultRow> four{timed("a", 1, 3), timed("b", 2, 4), timed("a", 2, 4),
+                              timed("b", 1, 1.5)};
+  four[2].scene = four[3].scene = "two";
+  Claim order = claim("seconds", {{"a"}, {"b"}});
+  order.somewhere = true;
+  const auto checks = check_claim(order, scenes, four);
+  ASSERT_EQ(checks.size(), 1u);
+  EXPECT_EQ(checks[0].of, "one");
+}
+
 // The means of the ends are 1.5 to 3 and 3.1 to 4.
 TEST(UnitClaims, TheMeanOverScenesHasTheMeanOfTheEnds) {
   std::vector<ResultRow> four{timed("a", 1, 2), timed("b", 3, 4), timed("a", 2, 4),
@@ -215,6 +240,21 @@ TEST(UnitClaims, AMeasureIsClaimedByItsName) {
   EXPECT_THAT(checks[0].against, ElementsAre("3, not 2"));
 }
 
+TEST(UnitClaims, AStagesShareIsClaimedByItsName) {
+  std::vector<ResultRow> measured = rows;
+  measured[0].budget.emplace();
+  measured[0].budget->lines = {{.stage = "mesh", .refinement = "", .why_not = "", .share = 0.75},
+                               {.stage = "field", .refinement = "", .why_not = "none"}};
+  Claim share = claim("rmse", {{"a"}});
+  share.by = {nullptr, "", Better::lower, "mesh"};
+  share.bound = 0.5;
+  ASSERT_EQ(check_claim(share, scenes, measured).size(), 1u);
+  EXPECT_THAT(check_claim(share, scenes, measured)[0].against, ElementsAre("0.75, not 0.5"));
+  EXPECT_EQ(share.by.heading(), "share of 'mesh'");
+  share.by.stage = "field";  // does not apply
+  EXPECT_TRUE(check_claim(share, scenes, measured).empty());
+}
+
 TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
   std::vector<ResultRow> fewer = rows;
   fewer[1].error = "failed";
@@ -231,6 +271,34 @@ Claim read_first(const std::string& methods, const std::string& claim) {
   const StudyFolder folder;
   return load_study(folder.study(methods, R"("claims": [)" + claim + "]"), fake_methods())
       .claims.front();
+}
+
+TEST(UnitClaims, ABoundMayBeOfAllCalls) {
+  EXPECT_THAT(read_first(R"(["shifted:by=0.5", "broken"])",
+                         R"({"claim": "x", "by": "rmse", "of": "*", "at_most": 1})")
+                  .order,
+              ElementsAre(ElementsAre("shifted:by=0.5", "broken")));
+  EXPECT_THAT(
+      study_error("[]", R"("claims": [{"claim": "x", "by": "rmse", "of": "*", "at_most": 1}])"),
+      HasSubstr("claims[0].of: \"*\", and no methods"));
+}
+
+TEST(UnitClaims, AStudyNamesAStage) {
+  const Claim read = read_first(R"(["broken"])", R"({"claim": "x", "stage": "mesh", "of": "broken",
+                                                     "better": "higher", "at_least": 0.5})");
+  EXPECT_EQ(read.by.stage, "mesh");
+  EXPECT_EQ(read.by.better, Better::higher);
+  EXPECT_THAT(claims_error(R"({"claim": "x", "stage": "mesh", "measure": "m", "of": "broken",
+                               "at_most": 1})"),
+              HasSubstr("claims[0].stage: beside 'measure'"));
+}
+
+TEST(UnitClaims, AStudySaysThatOneHoldsSomewhere) {
+  const std::string start = R"({"claim": "x", "by": "rmse", "of": "broken", )";
+  EXPECT_FALSE(read_first(R"(["broken"])", start + R"("at_most": 1})").somewhere);
+  EXPECT_TRUE(read_first(R"(["broken"])", start + R"("at_most": 1, "somewhere": true})").somewhere);
+  EXPECT_THAT(claims_error(start + R"("scene_order": ["one", "two"], "somewhere": true})"),
+              HasSubstr("claims[0].somewhere"));
 }
 
 TEST(UnitClaims, MonotonyIsAnOrderByAParameter) {

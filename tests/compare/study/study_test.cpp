@@ -124,6 +124,10 @@ TEST(UnitStudy, WrongFilesNameFileKeyAndWhatIsAccepted) {
   EXPECT_THAT(methods_error(R"([])", R"("repeats": 0)"),
               HasSubstr("repeats: 0; accepted: an integer"));
   EXPECT_THAT(methods_error(R"([])", R"("crops": {"won": [0, 0, 1, 1]})"), HasSubstr("known: one"));
+  EXPECT_THAT(methods_error(R"([])", R"("reference_scene": {"won": "two.json"})"),
+              HasSubstr("known: one"));
+  EXPECT_THAT(methods_error(R"([])", R"("reference_scene": {"one": "none.json"})"),
+              HasSubstr("reference_scene.one"));
   EXPECT_THAT(methods_error(R"([])", R"("crops": {"one": [0, 0, 0, 1]})"),
               HasSubstr("crops.one[2]"));
 }

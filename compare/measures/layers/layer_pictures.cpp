@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/measures/layer_pictures.h"
+#include "compare/measures/layers/layer_pictures.h"
 
 #include <algorithm>
 #include <cassert>

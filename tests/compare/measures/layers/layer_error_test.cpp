@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/measures/layer_error.h"
+#include "compare/measures/layers/layer_error.h"
 
 #include <gtest/gtest.h>
 
