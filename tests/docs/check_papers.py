@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails when docs/papers.md leaves out a number of the papers or names what is not there: check_papers.py ROOT.
+"""Fails when docs/papers.md leaves out a number of the papers or names what is not there, and for a study without
+claims: check_papers.py ROOT.
 
 A row is | what | study | source file | verdict | why |. It is an item of a paper, `F Eq. 15, what it is`, with one of
 VERDICTS; or, below a row of that item, a sentence of the paper about it, `F Fig. 7: “sentence”`: as a `claim`, with the
@@ -157,6 +158,8 @@ def errors(root):
     for name, study in studies.items():
         if CITED.search(study.get("source", "")) and name not in named:
             yield f"docs/papers.md: no row names the study {name}, which cites a paper"
+        if not claims_of(study):
+            yield f"studies/{name}.json: claims nothing, so that its results are held to nothing"
 
 
 def main():

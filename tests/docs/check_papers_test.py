@@ -66,7 +66,11 @@ class WrongRows(unittest.TestCase):
         self.finds("Papers", "Papers", "no row names the study bins", {"blending": STUDY, "bins": STUDY})
 
     def test_study_of_no_paper_needs_no_row(self):
-        self.assertEqual(found(PAGE, {"blending": STUDY, "quickstart": {}}), [])
+        self.assertEqual(found(PAGE, {"blending": STUDY, "quickstart": {"claims": STUDY["claims"]}}), [])
+
+    def test_study_without_claims(self):
+        self.finds("Papers", "Papers", "studies/quickstart.json: claims nothing",
+                   {"blending": STUDY, "quickstart": {"claims": []}})
 
     def test_number_without_a_row(self):
         self.finds("| F Eq. 2, opacity | — | — | missing | a definition |\n", "", "F Eq. 2 has 0 rows")
