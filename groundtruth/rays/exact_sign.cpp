@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/rays/exact_sign.h"
 
-#include <CGAL/Gmpzf.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "groundtruth/rays/exact_number.h"
+
 namespace pellucid::groundtruth {
 namespace {
-
-/// A binary floating-point number of unbounded mantissa: sums and products of doubles without
-/// rounding, and without the common divisors that rationals have to look for.
-using Exact = CGAL::Gmpzf;
 
 template <class Number>
 struct Plane2 {
@@ -43,9 +39,6 @@ double rounding_bound(const PictureRay& ray, double largest) {
   const double m = perspective ? largest * (1 + offset) : largest + offset;
   return std::max(16 * 0x1p-53 * m * m, 1e-290);
 }
-
-int sign_of(double x) { return (x > 0) - (x < 0); }
-int sign_of(const Exact& x) { return static_cast<int>(CGAL::sign(x)); }
 
 /// The exact sign of a b - c d.
 int minor_sign(double a, double b, double c, double d) {

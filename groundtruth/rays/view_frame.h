@@ -28,6 +28,7 @@ class ViewFrame {
   /// Maps a difference of positions in the world.
   Vec3 vector_from_world(const Vec3& d) const;
   double units_per_length() const { return scale_; }
+  const scene::CameraFrame& camera() const { return camera_; }
 
   /// Returns the ray through a point of the picture: px runs right, py down, in pixels from the
   /// picture's top left corner.

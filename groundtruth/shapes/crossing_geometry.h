@@ -12,6 +12,7 @@
 #include "groundtruth/levels/level_march.h"
 #include "groundtruth/rays/crossing.h"
 #include "groundtruth/rays/packet_predicate.h"
+#include "groundtruth/rays/plane_depth.h"
 #include "groundtruth/rays/view_frame.h"
 #include "scene/parts/scene_part.h"
 #include "scene/scene.h"
@@ -24,6 +25,7 @@ struct SceneRay {
   RayPredicate predicate;  // decides crossings with flat triangles
   Vec3 start;              // the eye, or the picture's point at depth 0
   Vec3 direction;          // unit length; its z turns lengths along the ray into depths
+  DepthDoubt doubt;        // depths this near to each other, or to 0, are compared as exact_depth()
 };
 
 /// A RayPacket holds up to `width` neighbouring rays that walk the hierarchy together.
@@ -49,6 +51,15 @@ class CrossingGeometry {
   /// Appends to their lists every crossing of the packet's rays whose bit in `lanes` is set with
   /// what box `k` holds, in any order, those behind the eye (depth ≤ 0) included or not.
   virtual void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const = 0;
+
+  /// Returns the depth of one of the ray's crossings, in units, free of any rounding that depends
+  /// on how a shape is stored: of flat shapes the exact depth, rounded once. The depth that cross()
+  /// gave is at most depth_error() away from it.
+  virtual double exact_depth(const Crossing& crossing, const PictureRay&) const {
+    return crossing.depth;
+  }
+  /// Returns a bound on the error of a crossing's depth, at most half the ray's doubt.
+  virtual double depth_error(const Crossing&, const SceneRay&) const { return 0; }
 
   /// Returns true when several boxes may hold the same primitive, and bring the same crossing each.
   virtual bool repeats() const { return false; }

@@ -27,4 +27,8 @@ void DiscGeometry::cross(std::uint32_t point, const SceneRay& ray,
   crossings.push_back({c.z, 0, facing, object_index(), point});
 }
 
+double DiscGeometry::exact_depth(const Crossing& crossing, const PictureRay&) const {
+  return point_depth(frame(), world_center(crossing.primitive));
+}
+
 }  // namespace pellucid::groundtruth

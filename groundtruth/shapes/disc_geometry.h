@@ -16,6 +16,10 @@ class DiscGeometry final : public PointGeometry {
   Box3 box(std::uint32_t point) const override;
   void cross(std::uint32_t point, const SceneRay& ray,
              std::vector<Crossing>& crossings) const override;
+  double exact_depth(const Crossing& crossing, const PictureRay& ray) const override;
+  double depth_error(const Crossing&, const SceneRay& ray) const override {
+    return ray.doubt.rounding;
+  }
   double largest_coordinate() const override { return largest_; }
 
  private:

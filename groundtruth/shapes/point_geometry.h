@@ -19,7 +19,9 @@ class PointGeometry : public RayByRayGeometry {
   PointGeometry(const scene::PointObject& points, std::uint32_t index,
                 const GeometryContext& context);
 
-  Vec3 center(std::uint32_t point) const { return frame_.from_world(set_.positions[point]); }
+  Vec3 center(std::uint32_t point) const { return frame_.from_world(world_center(point)); }
+  const Vec3& world_center(std::uint32_t point) const { return set_.positions[point]; }
+  const ViewFrame& frame() const { return frame_; }
   double radius() const { return radius_; }              // view units
   std::uint32_t object_index() const { return index_; }  // in Scene::objects
 

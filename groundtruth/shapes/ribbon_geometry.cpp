@@ -79,6 +79,21 @@ void RibbonGeometry::cross(std::uint32_t segment, const SceneRay& ray,
   }
 }
 
+std::array<Vec3, 3> RibbonGeometry::triangle_of(const Crossing& crossing) const {
+  const std::array<Vec3, 4> corner = corners(crossing.primitive / 2);
+  const auto [a, b, c] = scene::ribbon_triangles(0)[crossing.primitive % 2];
+  return {corner[a], corner[b], corner[c]};
+}
+
+double RibbonGeometry::exact_depth(const Crossing& crossing, const PictureRay& ray) const {
+  return view_plane_depth(ray, triangle_of(crossing));
+}
+
+double RibbonGeometry::depth_error(const Crossing& crossing, const SceneRay& ray) const {
+  return groundtruth::depth_error(ray.picture, ray.doubt, ray.predicate.bound(),
+                                  triangle_of(crossing));
+}
+
 Fragment RibbonGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {
   const std::uint32_t segment = crossing.primitive / 2;
   const auto [along, across] = ribbon_point(crossing);

@@ -19,6 +19,8 @@ class RibbonGeometry final : public RayByRayGeometry {
   Box3 box(std::uint32_t segment) const override;
   void cross(std::uint32_t segment, const SceneRay& ray,
              std::vector<Crossing>& crossings) const override;
+  double exact_depth(const Crossing& crossing, const PictureRay& ray) const override;
+  double depth_error(const Crossing& crossing, const SceneRay& ray) const override;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing& crossing) const override;
   double largest_coordinate() const override { return largest_; }
@@ -26,6 +28,7 @@ class RibbonGeometry final : public RayByRayGeometry {
 
  private:
   std::array<Vec3, 4> corners(std::uint32_t segment) const;
+  std::array<Vec3, 3> triangle_of(const Crossing& crossing) const;
 
   const geometry::LineSet& set_;
   std::uint32_t index_;

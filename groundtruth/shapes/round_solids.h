@@ -3,8 +3,11 @@
 // Rays against balls and round cylinders, in double and close to the solid, whatever the distance
 // of the eye.
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "groundtruth/rays/eye_side.h"
 #include "groundtruth/shapes/crossing_geometry.h"
 
 namespace pellucid::groundtruth {
@@ -26,6 +29,16 @@ struct LocalRay {
 struct Chord {
   double begin, end;
 };
+
+/// Returns the depths of the chord's ends. Where rounding leaves in doubt on which side of the eye
+/// one lies, `side()` is asked for eye_side().
+template <class Side>
+SolidDepths solid_depths(const SceneRay& ray, const LocalRay& local, const Chord& chord,
+                         const Side& side) {
+  const SolidDepths depths{local.depth(chord.begin), local.depth(chord.end)};
+  if (std::min(std::abs(depths.enters), std::abs(depths.leaves)) >= ray.doubt.most) return depths;
+  return with_signs_of(side(), depths);
+}
 
 /// Returns the ray's chord in a ball, if it meets it; `center` is relative to the ray's origin.
 std::optional<Chord> ball_chord(const LocalRay& ray, const Vec3& center, double radius);

@@ -17,8 +17,12 @@ void SphereGeometry::cross(std::uint32_t point, const SceneRay& ray,
   if (!chord) return;
   // At the ends of the chord n · v is half its length over the radius.
   const double cosine = 0.5 * (chord->end - chord->begin) / radius();
-  crossings.push_back({local.depth(chord->begin), 0, -cosine, object_index(), point});
-  crossings.push_back({local.depth(chord->end), 0, cosine, object_index(), point});
+  const SolidDepths depths = solid_depths(ray, local, *chord, [&] {
+    const Vec3& center = world_center(point);
+    return eye_side(frame(), ray.picture, center, center, radius());
+  });
+  crossings.push_back({depths.enters, 0, -cosine, object_index(), point});
+  crossings.push_back({depths.leaves, 0, cosine, object_index(), point});
 }
 
 }  // namespace pellucid::groundtruth

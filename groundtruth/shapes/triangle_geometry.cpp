@@ -77,7 +77,7 @@ double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), s
 
 TriangleGeometry::TriangleGeometry(const geometry::TriangleMesh& mesh, std::uint32_t index,
                                    const GeometryContext& context, const TriangleGeometry* before)
-    : mesh_(mesh), index_(index), lighting_(context.lighting) {
+    : mesh_(mesh), index_(index), frame_(context.frame), lighting_(context.lighting) {
   check_count(mesh.triangles.size(), "triangles");
   positions_.reserve(mesh.positions.size());
   for (const Vec3& x : mesh.positions) {
@@ -179,6 +179,19 @@ void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
       packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
     }
   }
+}
+
+double TriangleGeometry::exact_depth(const Crossing& crossing, const PictureRay& ray) const {
+  const auto& [a, b, c] = mesh_.triangles[crossing.primitive];
+  return plane_depth(frame_, ray,
+                     {{mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]},
+                      {positions_[a], positions_[b], positions_[c]}});
+}
+
+double TriangleGeometry::depth_error(const Crossing& crossing, const SceneRay& ray) const {
+  const auto& [a, b, c] = mesh_.triangles[crossing.primitive];
+  return groundtruth::depth_error(ray.picture, ray.doubt, ray.predicate.bound(),
+                                  {positions_[a], positions_[b], positions_[c]});
 }
 
 Fragment TriangleGeometry::shade(const Crossing& crossing, const Vec3& world_direction) const {

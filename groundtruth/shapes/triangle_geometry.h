@@ -27,6 +27,8 @@ class TriangleGeometry final : public CrossingGeometry {
   std::uint32_t box_count() const override;
   Box3 box(std::uint32_t k) const override;
   void cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const override;
+  double exact_depth(const Crossing& crossing, const PictureRay& ray) const override;
+  double depth_error(const Crossing& crossing, const SceneRay& ray) const override;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;
   double importance(const Crossing& crossing) const override;
   bool repeats() const override { return any_slabs_; }
@@ -55,6 +57,7 @@ class TriangleGeometry final : public CrossingGeometry {
 
   const geometry::TriangleMesh& mesh_;
   std::uint32_t index_;
+  const ViewFrame& frame_;
   scene::Lighting lighting_;
   double largest_ = 0;
   std::vector<Vec3> positions_;

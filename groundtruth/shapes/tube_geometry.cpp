@@ -38,20 +38,27 @@ Box3 TubeGeometry::box(std::uint32_t segment) const {
 
 void TubeGeometry::cross(std::uint32_t segment, const SceneRay& ray,
                          std::vector<Crossing>& crossings) const {
-  const auto [a, b] = ends(segment);
+  // From the same end whichever is stored first, so that depths are the same to the last bit.
+  auto [a, b] = ends(segment);
+  const bool backwards = in_coordinate_order(b, a);
+  if (backwards) std::swap(a, b);
   const Vec3 half = 0.5 * (b - a);
   const LocalRay local(ray, a + half);
   const auto chord = capsule_chord(local, half, radius_);
   if (!chord) return;
-  const auto add = [&](double t, double side) {
+  const SolidDepths depths = solid_depths(ray, local, *chord, [&] {
+    const std::uint32_t i = segments_.first_point(segment);
+    return eye_side(frame_, ray.picture, set_.positions[i], set_.positions[i + 1], radius_);
+  });
+  const auto add = [&](double t, double depth, double side) {
     const Vec3 x = local.at(t);
     const double axis = nearest_on_axis(x, half);
     const double cosine = glm::dot(x - axis * half, local.direction) / radius_;
-    crossings.push_back(
-        {local.depth(t), 0.5 + 0.5 * axis, std::copysign(cosine, side), index_, segment});
+    crossings.push_back({depth, 0.5 + 0.5 * (backwards ? -axis : axis), std::copysign(cosine, side),
+                         index_, segment});
   };
-  add(chord->begin, -1);
-  add(chord->end, 1);
+  add(chord->begin, depths.enters, -1);
+  add(chord->end, depths.leaves, 1);
 }
 
 Fragment TubeGeometry::shade(const Crossing& crossing, const Vec3&) const {

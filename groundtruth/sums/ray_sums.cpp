@@ -44,6 +44,7 @@ RaySums RayProbe::at(double x, double y) const {
   const PictureRay ray = finder_.frame().ray(x, y);
   std::vector<Crossing> crossings;
   finder_.find(ray, crossings);
+  finder_.round_depths(ray, crossings);
   return sums(ray, crossings);
 }
 
@@ -58,7 +59,10 @@ std::vector<RaySums> RayProbe::at(std::span<const Vec2> places) const {
          places.subspan(first, std::min(RayPacket::width, places.size() - first)))
       rays.push_back(finder_.frame().ray(place.x, place.y));
     finder_.find(rays, std::span(crossings).first(rays.size()));
-    for (std::size_t k = 0; k < rays.size(); ++k) found[first + k] = sums(rays[k], crossings[k]);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      finder_.round_depths(rays[k], crossings[k]);
+      found[first + k] = sums(rays[k], crossings[k]);
+    }
   });
   return found;
 }

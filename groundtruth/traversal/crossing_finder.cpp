@@ -46,13 +46,13 @@ void decide(const RTCOccludedFunctionNArguments* args) {
 }
 
 /// Closes a traversal behind the nearest of these crossings, all with an opaque object: nothing
-/// behind it counts. Boxes are widened by what the ray's rounding moves it; twice that also covers
-/// the rounding of the traversal's end.
+/// behind it counts but what may turn out to be in front. Boxes are widened by what the ray's
+/// rounding moves it; twice that also covers the rounding of the traversal's end.
 void close(float& far, const SceneRay& ray, double begin, std::span<const Crossing> crossings) {
   for (const Crossing& crossing : crossings)
-    if (crossing.depth > 0)
-      far =
-          std::min(far, float(crossing.depth / ray.direction.z - begin) + 2 * BoxHierarchy::margin);
+    if (crossing.depth > ray.doubt.most)
+      far = std::min(far, float((crossing.depth + ray.doubt.most) / ray.direction.z - begin) +
+                              2 * BoxHierarchy::margin);
 }
 
 /// As decide(); but a ray that an opaque object stops is not asked about boxes that lie behind.
@@ -198,7 +198,11 @@ struct CrossingFinder::State {
 
   void prepare(const PictureRay& ray, std::vector<Crossing>& crossings, std::size_t lane,
                PacketContext& context, RTCRayHit8& traversal) const;
-  void finish(std::vector<Crossing>& crossings) const;
+  double exact_depth(const Crossing& crossing, const PictureRay& ray) const {
+    return hierarchy().objects()[crossing.object].geometry->exact_depth(crossing, ray);
+  }
+  bool in_front(const Crossing& crossing, const SceneRay& ray) const;
+  void finish(const SceneRay& ray, std::vector<Crossing>& crossings) const;
   void unite(std::vector<Crossing>& crossings) const;
 };
 
@@ -248,7 +252,8 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   const double nearest = -glm::dot(start, direction);
   const double begin = std::max(nearest - reach, -behind_eye), end = nearest + reach;
   const Vec3 origin = start + begin * direction;
-  context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction});
+  const DepthDoubt doubt = precision == Precision::exact ? depth_doubt(ray, largest) : DepthDoubt();
+  context.rays.rays.push_back({ray, {ray, largest, precision}, eye_point, direction, doubt});
   context.rays.predicate.set(lane, context.rays.rays.back().predicate);
   context.rays.crossings[lane] = &crossings;
   context.begins[lane] = begin;
@@ -267,10 +272,16 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   traversal.id[lane] = unsigned(lane);
 }
 
+/// What lies at the eye's own depth is not in front of it, however the view is turned.
+bool CrossingFinder::State::in_front(const Crossing& crossing, const SceneRay& ray) const {
+  if (!(std::abs(crossing.depth) < ray.doubt.most)) return crossing.depth > 0;
+  return exact_depth(crossing, ray.picture) > 0;
+}
+
 /// Orders the crossings of a traversal and drops those that are not the ray's.
-void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
+void CrossingFinder::State::finish(const SceneRay& ray, std::vector<Crossing>& crossings) const {
   if (any_union) unite(crossings);
-  std::erase_if(crossings, [](const Crossing& c) { return !(c.depth > 0); });
+  std::erase_if(crossings, [&](const Crossing& c) { return !in_front(c, ray); });
   order_crossings(crossings);
   // To the last bit: each box's test is the same.
   const auto repeated = [this](const Crossing& p, const Crossing& q) {
@@ -278,6 +289,13 @@ void CrossingFinder::State::finish(std::vector<Crossing>& crossings) const {
   };
   if (any_repeats)
     crossings.erase(std::unique(crossings.begin(), crossings.end(), repeated), crossings.end());
+  if (precision == Precision::exact)
+    settle_order(
+        crossings, ray.doubt.most,
+        [&](const Crossing& c) {
+          return hierarchy().objects()[c.object].geometry->depth_error(c, ray);
+        },
+        [&](const Crossing& c) { return exact_depth(c, ray.picture); });
   if (!any_opaque) return;
   const auto opaque = [this](const Crossing& c) { return hierarchy().objects()[c.object].opaque; };
   const auto end_of_ray = std::find_if(crossings.begin(), crossings.end(), opaque);
@@ -306,7 +324,12 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
     traverse_intersect(valid, scene, context.embree, traversal);
   else
     traverse_occluded(valid, scene, context.embree, traversal.ray);
-  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(crossings[i]);
+  for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(context.rays.rays[i], crossings[i]);
+}
+
+void CrossingFinder::round_depths(const PictureRay& ray, std::span<Crossing> crossings) const {
+  if (state_->precision != Precision::exact) return;
+  for (Crossing& crossing : crossings) crossing.depth = state_->exact_depth(crossing, ray);
 }
 
 Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {

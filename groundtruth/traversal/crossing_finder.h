@@ -42,11 +42,18 @@ class CrossingFinder {
   const ViewFrame& frame() const;
 
   /// Finds all crossings of the ray, front to back, up to and with the first opaque one.
-  /// `crossings` is overwritten; its capacity is reused.
+  /// `crossings` is overwritten; its capacity is reused. With exact precision those of equal depth
+  /// are ordered by object, then by primitive, however their shapes are stored, while depths
+  /// themselves may carry some rounding (see round_depths).
   void find(const PictureRay& ray, std::vector<Crossing>& crossings) const;
   /// Finds the crossings of up to RayPacket::width rays at once: faster where they are neighbours.
   /// `crossings` has as many elements as `rays`.
   void find(std::span<const PictureRay> rays, std::span<std::vector<Crossing>> crossings) const;
+
+  /// Gives crossings that find() returned for the ray the depths that decide their order: with
+  /// exact precision those of flat shapes are the exact ones, rounded once (see plane_depth.h), so
+  /// that the order of several lists' crossings is that of one. Their order does not change.
+  void round_depths(const PictureRay& ray, std::span<Crossing> crossings) const;
 
   /// Returns the colour and opacity of a crossing that find() returned; `world_direction` is its
   /// ray's, of any length.

@@ -97,6 +97,29 @@ TEST(PropertyScenePart, PartsOfAFarSceneMakeUpTheWhole) {
   expect_parts_make_up(scene, 5);
 }
 
+// Equal depths come from different parts: each has to give them the same bits.
+TEST(PropertyScenePart, PartsOfSheetsInOnePlaneMakeUpTheWhole) {
+  using Cut = std::array<std::array<std::uint32_t, 3>, 2>;
+  geometry::TriangleMesh sheet;
+  for (const Vec2& p : {Vec2(-2, -2), Vec2(2, -2), Vec2(2, 2), Vec2(-2, 2)})
+    sheet.positions.push_back({p.x, p.y, p.x / 2 + p.y / 4});
+  sheet.colors.assign(4, Rgba(0.5));
+  sheet.normals.assign(4, Vec3(0, 0, 1));
+  scene::Scene scene;
+  scene.width = scene.height = 24;
+  scene.camera = {.eye = {1, 2, 5}, .fov = 20};
+  for (const bool opaque : {false, true}) {
+    scene.objects.clear();
+    for (const Cut& cut :
+         {Cut{{{0, 1, 2}, {0, 2, 3}}}, {{{1, 3, 0}, {3, 1, 2}}}, {{{2, 0, 1}, {2, 3, 0}}}}) {
+      sheet.triangles.assign(cut.begin(), cut.end());
+      scene.objects.push_back({"", sheet});
+      scene.objects.back().opaque = opaque;
+    }
+    for (const int parts : {2, 5}) expect_parts_make_up(scene, parts);
+  }
+}
+
 TEST(UnitScenePart, ASceneBehindTheCameraIsRefused) {
   scene::Scene scene = testing::scene_of_kind(kinds_of_parts[0], 0);
   scene.camera = {.eye = Vec3(0, 0, 5), .target = Vec3(0, 0, 6)};

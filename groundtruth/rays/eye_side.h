@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Does a ray begin within a round solid, on it or outside?
+
+#include "groundtruth/rays/view_frame.h"
+
+namespace pellucid::groundtruth {
+
+/// Returns -1 where the ray's point at depth 0, the eye of a perspective camera, lies less than
+/// `radius` from the segment between `a` and `b`, 0 where it lies exactly that far, else 1: of the
+/// world's coordinates, without rounding. `radius` is in units of the frame; a ball is a segment
+/// of equal ends.
+int eye_side(const ViewFrame& frame, const PictureRay& ray, const Vec3& a, const Vec3& b,
+             double radius);
+
+/// The depths at which a ray enters and leaves a convex solid.
+struct SolidDepths {
+  double enters, leaves;
+};
+
+/// Returns the depths with the signs that the side of the eye demands, where rounding has left them
+/// in doubt: an end that lies at the eye is 0 exactly.
+SolidDepths with_signs_of(int eye_side, SolidDepths depths);
+
+}  // namespace pellucid::groundtruth
