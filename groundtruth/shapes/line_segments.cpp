@@ -35,14 +35,20 @@ std::uint32_t LineSegments::line(std::uint32_t segment) const {
   return static_cast<std::uint32_t>(next - set_.offsets.begin() - 1);
 }
 
+/// Directions depend on the segment's ends and the nearest points of the line that lie elsewhere.
 Vec3 LineSegments::direction(std::uint32_t segment, double along) const {
+  const auto& points = set_.positions;
+  const auto joined = [this](std::uint32_t s) {
+    return s + 1 < count() && first_points_[s + 1] == first_points_[s] + 1;
+  };
   const std::uint32_t i = first_points_[segment];
-  const bool before = segment > 0 && first_points_[segment - 1] + 1 == i;
-  const bool after = segment + 1 < count() && first_points_[segment + 1] == i + 1;
-  // Directions depend on the next points alone.
-  const std::span<const Vec3> points(&set_.positions[i - before], 2u + before + after);
-  return (1 - along) * unit(scene::line_direction(points, before)) +
-         along * unit(scene::line_direction(points, before + 1u));
+  std::uint32_t first = segment, last = segment;
+  while (first > 0 && joined(first - 1) && points[first_points_[first]] == points[i]) --first;
+  while (joined(last) && points[first_points_[last] + 1] == points[i + 1]) ++last;
+  const std::uint32_t begin = first_points_[first], end = first_points_[last] + 2;
+  const std::span<const Vec3> around(&points[begin], end - begin);
+  return (1 - along) * unit(scene::line_direction(around, i - begin)) +
+         along * unit(scene::line_direction(around, i + 1 - begin));
 }
 
 }  // namespace pellucid::groundtruth

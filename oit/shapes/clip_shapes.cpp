@@ -62,6 +62,7 @@ class ShapeClipper {
 
   void add(const scene::LineObject& lines, std::size_t first, Line line) {
     scene::ribbon_half_widths(line, lines.radius, view_.frame(), view_.projection(), half_widths_);
+    scene::line_directions(line, directions_);
     held_.clear();
     for (std::uint32_t i = 0; i < 2 * line.size(); ++i)
       held_.push_back(clipper_.holds(ribbon_corner(line, i)));
@@ -69,9 +70,8 @@ class ShapeClipper {
       for (const IndexTriangle& triangle : scene::ribbon_triangles(i))
         add(triangle, [&](std::uint32_t j) {
           Corner corner = corner_of(lines.set, first + j / 2);
-          const Vec3 t = scene::line_direction(line, j / 2);
           corner.world = ribbon_corner(line, j);
-          corner.direction = scene::normalized_or_zero(t);
+          corner.direction = scene::normalized_or_zero(directions_[j / 2]);
           corner.across = j % 2 == 0 ? -1 : 1;
           corner.vertex = first_vertex_ + j;
           return corner;
@@ -97,7 +97,7 @@ class ShapeClipper {
   const std::string* object_ = nullptr;  // whose turn it is
   std::uint32_t triangle_ = 0, first_vertex_ = 0;
   std::vector<bool> held_;  // of one object's, or line's, vertices: within the guard band
-  std::vector<Vec3> half_widths_;
+  std::vector<Vec3> half_widths_, directions_;
 };
 
 ClippedTriangles clip_all(const scene::Scene& scene, const ViewSpace& view, ShapeKind kind) {

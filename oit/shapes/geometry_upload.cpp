@@ -101,11 +101,12 @@ void upload_ribbon_directions(const Gl& gl, const scene::Scene& scene, const Vie
   const std::uint64_t n =
       2 * count(scene, ShapeKind::ribbon).vertices + ribbons.clipped.vertices.size();
   ribbons.directions = Buffer::filled<glm::vec4>(gl, n, [&](glm::vec4* out) {
+    std::vector<Vec3> directions;
     for_each_line(scene, [&](const scene::LineObject&, std::uint64_t, Line line) {
-      for (std::size_t i = 0; i < line.size(); ++i)
+      scene::line_directions(line, directions);
+      for (const Vec3& direction : directions)
         for (const float across : {-1.f, 1.f})
-          *out++ = {view.direction(scene::normalized_or_zero(scene::line_direction(line, i))),
-                    across};
+          *out++ = {view.direction(scene::normalized_or_zero(direction)), across};
     });
     for (const ClippedVertex& vertex : ribbons.clipped.vertices)
       *out++ = {view.direction(vertex.direction), vertex.across};

@@ -47,6 +47,36 @@ TEST(UnitRibbon, StraightRibbonIsARectangleLitAsATube) {
     }
 }
 
+TEST(UnitRibbon, PointsThatAreThereTwiceNeitherCoverNorShadeAnythingElse) {
+  const auto ribbon = scene::LineObject::Profile::ribbon;
+  const std::vector<Vec3> plain{{-0.7, 0.1, 0}, {0, 0, 0.3}, {0.1, 0.8, 0}};
+  scene::Scene once = orthographic_scene(40, 40);
+  once.lighting = scene::Lighting::headlight;
+  once.objects = {{"", line(plain, 0.2, ribbon)}};
+  once.objects[0].vertices().colors.assign(3, Rgba(1, 1, 1, 0.5));
+  const CrossingFinder expected(once, Precision::exact);
+  for (std::size_t again = 0; again < 3; ++again) {
+    std::vector<Vec3> points = plain;
+    points.insert(points.begin() + std::ptrdiff_t(again), 2, plain[again]);
+    scene::Scene scene = once;
+    scene.objects = {{"", line(points, 0.2, ribbon)}};
+    scene.objects[0].vertices().colors.assign(5, Rgba(1, 1, 1, 0.5));
+    const CrossingFinder finder(scene, Precision::exact);
+    std::vector<Crossing> found, wanted;
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x) {
+        const PictureRay ray = finder.frame().ray(x + 0.5, y + 0.5);
+        const Vec3 direction = finder.frame().world_direction(ray);
+        finder.find(ray, found);
+        expected.find(ray, wanted);
+        ASSERT_EQ(found.size(), wanted.size()) << again << ": " << x << ' ' << y;
+        for (std::size_t i = 0; i < found.size(); ++i)
+          EXPECT_EQ(finder.shade(found[i], direction).color,
+                    expected.shade(wanted[i], direction).color);
+      }
+  }
+}
+
 TEST(UnitRibbon, ALineTowardsTheEyeIsDarkerByTheSineOfItsAngle) {
   // The line rises towards the eye at 60°: of |m · v| half remains at its middle.
   scene::Scene scene = orthographic_scene(2, 2);

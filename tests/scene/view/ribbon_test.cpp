@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/scene.h"
@@ -48,6 +49,38 @@ TEST(UnitRibbon, DoesNotCrossItselfWhereTheLineTurnsAwayFromTheEye) {
   const Camera camera{.projection = Projection::orthographic};
   const auto w = half_widths({{0, 0, 0}, {1, 0, 1}, {1, 0, 2}, {0, 0, 3}}, camera);
   for (std::size_t i = 1; i < w.size(); ++i) EXPECT_GT(glm::dot(w[i], w[i - 1]), 0) << i;
+}
+
+TEST(UnitRibbon, APointThatIsThereTwiceChangesNothing) {
+  const Camera camera{.eye = {0.3, -0.2, 4}};
+  const std::vector<Vec3> plain{{-1, 0, 0}, {0, 0, 0.5}, {0, 1, 0}, {0.5, 1, 0}, {0, 1, 0}};
+  const auto expected = half_widths(plain, camera);
+  for (const std::size_t times : {2, 3})
+    for (std::size_t again = 0; again < plain.size(); ++again) {
+      std::vector<Vec3> points = plain;
+      points.insert(points.begin() + std::ptrdiff_t(again), times - 1, plain[again]);
+      const auto w = half_widths(points, camera);
+      ASSERT_EQ(w.size(), points.size());
+      for (std::size_t i = 0; i < w.size(); ++i)
+        EXPECT_EQ(w[i], expected[i < again + times ? std::min(i, again) : i - (times - 1)])
+            << "point " << again << ", " << times << " times: " << i;
+    }
+}
+
+TEST(UnitRibbon, DirectionsOfAllPointsAreThoseOfEach) {
+  for (const std::vector<Vec3>& points :
+       {std::vector<Vec3>{},
+        {{1, 2, 3}},
+        {{1, 2, 3}, {1, 2, 3}},
+        {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 0, 0}, {1, 0, 0}}}) {
+    std::vector<Vec3> all{Vec3(7)};
+    line_directions(points, all);
+    ASSERT_EQ(all.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(all[i], line_direction(points, i));
+  }
+  // Straight back at (1, 2, 0): the way onwards.
+  const std::vector<Vec3> back{{1, 0, 0}, {1, 2, 0}, {1, 2, 0}, {1, 0, 0}};
+  EXPECT_EQ(line_direction(back, 1), Vec3(0, -2, 0));
 }
 
 TEST(UnitRibbon, StandsStillAndRunsAlongTheViewWithoutLosingItsWidth) {
