@@ -1,42 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "groundtruth/queries/free_ray.h"
 
-#include <CGAL/Gmpzf.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+
+#include "groundtruth/rays/exact_number.h"
 
 namespace pellucid::groundtruth {
 namespace {
-
-using Exact = CGAL::Gmpzf;  // unbounded mantissa: sums and products without rounding
-
-template <class Number>
-using Triple = std::array<Number, 3>;
-
-template <class Number>
-Triple<Number> difference(const Vec3& p, const Vec3& q) {
-  return {Number(p.x) - Number(q.x), Number(p.y) - Number(q.y), Number(p.z) - Number(q.z)};
-}
-
-template <class Number>
-Triple<Number> cross_product(const Triple<Number>& p, const Triple<Number>& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-template <class Number>
-Number dot_product(const Triple<Number>& p, const Triple<Number>& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-template <class Number>
-Triple<Number> triple(const Vec3& p) {
-  return {Number(p.x), Number(p.y), Number(p.z)};
-}
-
-int sign_of(double x) { return (x > 0) - (x < 0); }
-int sign_of(const Exact& x) { return static_cast<int>(CGAL::sign(x)); }
 
 double size_of(const Triple<double>& p) {
   return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
@@ -59,16 +31,23 @@ struct Decided {
 /// Rounding error of det(x, y, z) in double, h = 2^-53, each vector rounded once and with
 /// components within m_x, m_y, m_z: six products of three numbers, each off by at most 3 h for its
 /// factors and 2 h for its two products, then up to 3 sums of at most 6 m_x m_y m_z: 6 · 5 h + 3 ·
-/// 6 h = 48 h. Twice that leaves room for terms in h². The floor keeps it from underflowing.
+/// 6 h = 48 h. Twice that leaves room for terms in h². The floor keeps it from underflowing; what
+/// may overflow is in doubt, whatever its value.
 double rounding_bound(double x, double y, double z) {
-  return std::max(96 * 0x1p-53 * x * y * z, 1e-280);
+  const double size = x * y * z;
+  if (!(size < 1e300)) return std::numeric_limits<double>::infinity();
+  return std::max(96 * 0x1p-53 * size, 1e-280);
 }
 
 /// Where a determinant that is divided by is this many bounds large, the quotient errs by 2^-20 at
 /// most; less is computed without rounding.
 constexpr double sharp_from = 0x1p20;
 
-bool is_sharp(const Decided& x) { return std::abs(x.value) >= sharp_from * x.bound; }
+/// Nor may it have left the numbers of full precision, or nearly.
+bool is_sharp(const Decided& x) {
+  const double size = std::abs(x.value);
+  return size >= std::max(sharp_from * x.bound, 1e-280) && size < 1e300;
+}
 
 Exact exact_pass(const FreeRay& ray, const Vec3& p, const Vec3& q) {
   return dot_product(triple<Exact>(ray.direction), cross_product(difference<Exact>(p, ray.origin),
@@ -119,17 +98,16 @@ Decided height(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c) 
 }
 
 /// A quotient that is 0 without a sign: a ray may begin on the triangle.
-double quotient(double a, double b) { return a == 0 ? 0 : a / b; }
+double ratio(double a, double b) { return a == 0 ? 0 : a / b; }
 
-/// The same crossing without rounding but of the quotients.
+/// The same crossing without rounding but of the quotients, whatever the sizes of what is divided.
 TriangleHit sharp_hit(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c, int side) {
   const Exact bc = exact_pass(ray, b, c), ca = exact_pass(ray, c, a), ab = exact_pass(ray, a, b);
-  const double sum = CGAL::to_double(bc + ca + ab);
+  const Exact sum = bc + ca + ab;
   // The ray runs in the triangle's plane and begins on the triangle, since the moved one crosses
   // it.
-  if (sum == 0) return {0, 1.0 / 3, 1.0 / 3, side};
-  return {quotient(CGAL::to_double(exact_height(ray, a, b, c)), sum),
-          quotient(CGAL::to_double(ca), sum), quotient(CGAL::to_double(ab), sum), side};
+  if (sign_of(sum) == 0) return {0, 1.0 / 3, 1.0 / 3, side};
+  return {quotient(exact_height(ray, a, b, c), sum), quotient(ca, sum), quotient(ab, sum), side};
 }
 
 }  // namespace
@@ -146,8 +124,12 @@ std::optional<TriangleHit> cross(const FreeRay& ray, const Vec3& a, const Vec3& 
   const Decided sum{bc.value + ca.value + ab.value, bc.sign,
                     std::max({bc.bound, ca.bound, ab.bound})};
   if (sum.bound == 0 || !is_sharp(sum) || !is_sharp(above)) return sharp_hit(ray, a, b, c, bc.sign);
-  return TriangleHit{quotient(above.value, sum.value), quotient(ca.value, sum.value),
-                     quotient(ab.value, sum.value), bc.sign};
+  return TriangleHit{above.value / sum.value, ratio(ca.value, sum.value),
+                     ratio(ab.value, sum.value), bc.sign};
+}
+
+double exact_t(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
+  return sharp_hit(ray, a, b, c, 0).t;
 }
 
 }  // namespace pellucid::groundtruth

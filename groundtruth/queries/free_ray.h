@@ -33,4 +33,8 @@ struct TriangleHit {
 /// where the triangle is not seen edge-on.
 std::optional<TriangleHit> cross(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Returns the t of a crossing that cross() has found, rounded once: the same however the
+/// triangle's corners are numbered, and for all triangles of one plane.
+double exact_t(const FreeRay& ray, const Vec3& a, const Vec3& b, const Vec3& c);
+
 }  // namespace pellucid::groundtruth

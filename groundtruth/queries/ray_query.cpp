@@ -122,8 +122,21 @@ void RayQuery::visit(const FreeRay& ray, const double& farthest, const Visit& hi
     for (std::uint32_t i = node.right; i < node.right + node.count; ++i) {
       const auto& [a, b, c] = mesh_.triangles[order_[i]];
       const auto found = cross(ray, mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
-      if (found) hit(RayHit{*found, order_[i]});
+      if (!found) continue;
+      if (!std::isfinite(found->t))
+        throw InputError(
+            "ray: crosses at more than 1.8e308 of its direction; accepted: a longer direction");
+      hit(RayHit{*found, order_[i]});
     }
+  }
+}
+
+/// Hits nearer to each other than their errors get the t that decides which comes first.
+void RayQuery::settle(const FreeRay& ray, RayHit& p, RayHit& q) const {
+  if (no_further_than(std::min(p.t, q.t)) < std::max(p.t, q.t)) return;
+  for (RayHit* hit : {&p, &q}) {
+    const auto& [a, b, c] = mesh_.triangles[hit->triangle];
+    hit->t = exact_t(ray, mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
   }
 }
 
@@ -131,13 +144,16 @@ std::vector<RayHit> RayQuery::all(const FreeRay& ray) const {
   std::vector<RayHit> hits;
   visit(ray, infinity, [&](const RayHit& hit) { hits.push_back(hit); });
   std::sort(hits.begin(), hits.end());
+  for (std::size_t i = 0; i + 1 < hits.size(); ++i) settle(ray, hits[i], hits[i + 1]);
+  std::sort(hits.begin(), hits.end());
   return hits;
 }
 
 std::optional<RayHit> RayQuery::first(const FreeRay& ray) const {
   std::optional<RayHit> nearest;
   double farthest = infinity;
-  visit(ray, farthest, [&](const RayHit& hit) {
+  visit(ray, farthest, [&](RayHit hit) {
+    if (nearest) settle(ray, *nearest, hit);
     if (nearest && !(hit < *nearest)) return;
     nearest = hit;
     farthest = no_further_than(hit.t);

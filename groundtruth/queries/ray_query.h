@@ -14,7 +14,8 @@ namespace pellucid::groundtruth {
 struct RayHit : TriangleHit {
   std::uint32_t triangle;  // of the mesh
 
-  /// Orders hits along the ray, those of equal t by triangle.
+  /// Orders hits along the ray, those of equal t by triangle. A RayQuery gives hits whose exact t
+  /// are equal the same t, to the last bit.
   friend bool operator<(const RayHit& p, const RayHit& q) {
     return p.t != q.t ? p.t < q.t : p.triangle < q.triangle;
   }
@@ -53,6 +54,7 @@ class RayQuery {
   std::uint32_t build(std::uint32_t begin, std::uint32_t end, const std::vector<Vec3>& centers);
   template <class Visit>
   void visit(const FreeRay& ray, const double& farthest, const Visit& hit) const;
+  void settle(const FreeRay& ray, RayHit& p, RayHit& q) const;
 
   geometry::TriangleMesh mesh_;
   std::vector<std::uint32_t> order_;

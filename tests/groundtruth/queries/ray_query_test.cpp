@@ -62,6 +62,64 @@ TEST(UnitRayQuery, ARayThatBeginsOnATriangleCrossesItInOneDirection) {
   }
 }
 
+/// Powers of two change no digit, but products leave the range of doubles from 2^±342 on.
+TEST(PropertyRayQuery, AMeshOfAnySizeIsCrossedInTheSamePlaces) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const FreeRay ray{Vec3(-1, 0.2, 0.3), Vec3(1, 0.01, -0.02)};
+  const std::vector<RayHit> expected = RayQuery(mesh).all(ray);
+  ASSERT_EQ(expected.size(), 2u);
+  for (const int exponent : {-1000, -700, -660, -345, -340, -250, 250, 338, 345, 660, 990})
+    for (const bool unit_direction : {false, true}) {
+      const double scale = std::ldexp(1.0, exponent);
+      TriangleMesh scaled = mesh;
+      for (Vec3& x : scaled.positions) x *= scale;
+      const double length = unit_direction ? 1 : scale;
+      const auto hits = RayQuery(scaled).all({scale * ray.origin, length * ray.direction});
+      ASSERT_EQ(hits.size(), 2u) << exponent;
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(hits[i].triangle, expected[i].triangle);
+        // Exact or by the filter: some ulps between them. Coordinates are all normal numbers.
+        const double t = hits[i].t * (unit_direction ? 1 / scale : 1);
+        EXPECT_NEAR(t, expected[i].t, 1e-14) << exponent;
+        EXPECT_NEAR(hits[i].u, expected[i].u, 1e-14) << exponent;
+        EXPECT_NEAR(hits[i].v, expected[i].v, 1e-14) << exponent;
+      }
+    }
+}
+
+TEST(PropertyRayQuery, TrianglesOfOnePlaneAreMetAtOneTInTheirOrder) {
+  // z = x / 2 + y / 4, cut in two ways, and each triangle again with its corners numbered
+  // otherwise.
+  TriangleMesh mesh;
+  for (const auto& [x, y] : {std::pair(-2., -2.), {2., -2.}, {2., 2.}, {-2., 2.}})
+    mesh.positions.push_back({x, y, x / 2 + y / 4});
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 3, 0}, {3, 1, 2}, {2, 0, 1}, {3, 2, 0}, {0, 3, 1}};
+  const RayQuery query(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 target(uniform(random), uniform(random), 0), origin(uniform(random), 2, 5);
+    const FreeRay ray{origin, target - origin};
+    const std::vector<RayHit> hits = query.all(ray);
+    ASSERT_GE(hits.size(), 3u);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      EXPECT_EQ(hits[k].t, hits[0].t);
+      EXPECT_TRUE(k == 0 || hits[k - 1].triangle < hits[k].triangle);
+    }
+    EXPECT_EQ(query.first(ray)->triangle, hits[0].triangle);
+  }
+}
+
+TEST(UnitRayQuery, ACrossingFurtherThanNumbersReachIsRefused) {
+  TriangleMesh mesh;
+  mesh.positions = {Vec3(-1e299, -1e299, 1e200), Vec3(1e299, 0, 1e200), Vec3(0, 1e299, 1e200)};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_EQ(RayQuery(mesh).all({Vec3(0), Vec3(0, 0, 1)}).at(0).t, 1e200);
+  EXPECT_THROW(RayQuery(mesh).all({Vec3(0), Vec3(0, 0, 1e-200)}), InputError);
+}
+
 /// Rays through lattice points run through vertices, along edges and within faces.
 TEST(PropertyRayQuery, RaysThroughEdgesAndVerticesOfACubeCrossItTwice) {
   const RayQuery query(cube(3));
