@@ -23,6 +23,9 @@ struct Interval {
 /// jump of the reconstruction.
 constexpr double rounding = 1e-10;
 
+/// Below the value, by nothing else.
+constexpr double outside = -std::numeric_limits<double>::min();
+
 class CellRay {
  public:
   /// `scratch` saves an allocation per cell.
@@ -119,16 +122,35 @@ class CellRay {
     fields::LevelField::Cells cells;
     const std::size_t count = field_.cells_at(x, cells);
     if (count == 0) return std::nullopt;
-    return field_.sum<double>(std::span(cells).first(count), {x.x, x.y, x.z}, value_).sum;
+    const double sum =
+        field_.sum<double>(std::span(cells).first(count), {x.x, x.y, x.z}, value_).sum;
+    // 0 is inside, but where the surface is only touched on a face nothing is crossed.
+    return sum == 0 && is_outside(t, -1) && is_outside(t, 1) ? outside : sum;
+  }
+
+  /// Whether the field is below the value on the short part of the ray next to t: from both of a
+  /// face's cells the same part.
+  bool is_outside(double t, int towards) const {
+    const double width = field_.levels().front().width / glm::length(ray_.direction);
+    const double beside = t + towards * 0x1p-10 * width;
+    fields::LevelField::Cells cells;
+    const std::size_t count = field_.cells_at(ray_.at(0.5 * (t + beside)), cells);
+    if (count == 0) return false;
+    const RayPolynomial p = numerator(std::span(cells).first(count), t, beside).sum;
+    return p.first_beyond(rounding * p.largest_coefficient()) < 0;
+  }
+
+  fields::LevelSum<RayPolynomial> numerator(std::span<const fields::LatticeCell> cells, double from,
+                                            double to) const {
+    const Vec3 a = ray_.at(from), b = ray_.at(to);
+    return field_.sum<RayPolynomial>(cells, {{{a.x, b.x}, {a.y, b.y}, {a.z, b.z}}}, value_);
   }
 
   void solve(const Interval& part) {
     fields::LevelField::Cells cells;
     const std::size_t count = field_.cells_at(ray_.at(0.5 * (part.begin + part.end)), cells);
     if (count == 0) return;  // a part of rounding's length beyond the outermost face
-    const Vec3 a = ray_.at(part.begin), b = ray_.at(part.end);
-    auto [p, weight] = field_.sum<RayPolynomial>(std::span(cells).first(count),
-                                                 {{{a.x, b.x}, {a.y, b.y}, {a.z, b.z}}}, value_);
+    auto [p, weight] = numerator(std::span(cells).first(count), part.begin, part.end);
     // Where no hat reaches there is no value. At an end of that the numerator is 0 as well, and the
     // value's sign is that next to it.
     const double least_weight = rounding * weight.largest_coefficient();

@@ -107,6 +107,25 @@ TEST_P(PropertyIsosurface, APlateauAtTheValueIsBoundedAndNotFilled) {
   EXPECT_EQ(exact_crossings(field, 0, {Vec3(-1, 3.3, 3.7), Vec3(1, 0, 0)}), std::vector<double>{5});
 }
 
+/// The highest value is that of one layer of samples, on the faces between cells.
+TEST_P(PropertyIsosurface, ASurfaceThatIsTouchedOnAFaceIsNotCrossed) {
+  const auto ridge = [](const Vec3& x) { return -std::abs(x.x - 4); };
+  const auto edge = [](const Vec3& x) { return -std::abs(x.x - 4) - std::abs(x.y - 4); };
+  const fields::LevelField on_face({sampled(Vec3(0), 1, 9, ridge)}, GetParam());
+  const fields::LevelField on_line({sampled(Vec3(0), 1, 9, edge)}, GetParam());
+  const fields::LevelField other_side(
+      {sampled(Vec3(0), 1, 9, [&](const Vec3& x) { return -ridge(x); })}, GetParam());
+  const Vec3 through(4, 4, 3.7);
+  for (const Vec3& direction :
+       {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(1, 0.5, 0), Vec3(1, -1, 0.25)}) {
+    const WorldRay ray{through - 6.0 * direction, direction};
+    EXPECT_TRUE(exact_crossings(on_face, 0, ray).empty());
+    EXPECT_TRUE(exact_crossings(on_line, 0, ray).empty());
+    EXPECT_TRUE(exact_crossings(other_side, 0, ray).empty());
+    EXPECT_EQ(exact_crossings(on_face, -0.25, ray).size(), 2u);
+  }
+}
+
 TEST_P(PropertyIsosurface, ValuesOutOfRangeHaveNoSurface) {
   const fields::LevelField field = nested([](const Vec3& x) { return x.x; }, GetParam());
   EXPECT_TRUE(surface_cells(field, 100).empty());
