@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,7 @@
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
+#include "core/options/split.h"
 #include "scene/files/camera_file.h"
 #include "scene/files/scene_file.h"
 
@@ -52,6 +54,19 @@ void print_summary(const RenderOptions& options, const scene::Scene& scene,
   for (const scene::SceneObject& object : scene.objects)
     for (const std::string& remark : object.vertices().remarks)
       std::cout << fmt::format("note: {}: {}\n", object.name, remark);
+}
+
+/// Appends x and y of "X,Y".
+void add_pixel(const std::string& text, std::vector<int>& numbers) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  for (const std::string_view part : parts) {
+    const char* const end = part.data() + part.size();
+    int number = 0;
+    const auto [stop, error] = std::from_chars(part.data(), end, number);
+    if (parts.size() != 2 || error != std::errc() || stop != end)
+      throw InputError(fmt::format("--probe {}; accepted: a pixel X,Y, two whole numbers", text));
+    numbers.push_back(number);
+  }
 }
 
 /// What is asked for beside the picture: it is exact, whatever the method.
@@ -181,9 +196,13 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   CLI::Option* layers =
       command->add_option("--layers", options->layers, "Write the number of crossings per pixel")
           ->check(ending_among({".exr", ".png"}));
-  CLI::Option* probe = command->add_option(
-      "--probe", options->probe, "Pixel X,Y whose crossings are wanted; may be given again");
-  probe->delimiter(',')->type_size(2);
+  CLI::Option* probe = command->add_option_function<std::vector<std::string>>(
+      "--probe",
+      [options](const std::vector<std::string>& pixels) {
+        for (const std::string& pixel : pixels) add_pixel(pixel, options->probe);
+      },
+      "Pixel X,Y whose crossings are wanted; may be given again");
+  probe->allow_extra_args(false)->type_name("X,Y");
   CLI::Option* probe_output =
       command->add_option("--probe-out", options->probe_output,
                           "Write the exact crossings and sums along the probes' rays as JSON");

@@ -30,6 +30,9 @@ TEST_F(UnitCommandLine, ProbesPixels) {
                           HasSubstr("\"layers\": []")));
   EXPECT_THAT(refusal(render("raytrace") + " --probe 96,0 --probe-out " + file + "2"),
               HasSubstr("95,95"));
+  for (const char* pixel : {"1,2,3", "1", "1,", ",", "1,2.5", "1,2,3,4", "1;2"})
+    EXPECT_THAT(refusal(render("raytrace") + " --probe '" + pixel + "' --probe-out " + file + "2"),
+                AllOf(HasSubstr(pixel), HasSubstr("X,Y")));
 }
 
 TEST_F(UnitCommandLine, WritesExactSumsAndDeepPictures) {
