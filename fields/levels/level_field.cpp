@@ -58,9 +58,11 @@ const ReconstructionRow& find_reconstruction(std::string_view name) {
   return find_row("reconstruction", name, reconstructions);
 }
 
-LevelField::LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction)
+LevelField::LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction,
+                       ValueGaps gaps)
     : levels_(prepared(std::move(levels), reconstruction.kind)),
       row_(&reconstruction),
+      gaps_(std::move(gaps)),
       regions_(regions_of(levels_, row_->kind)),
       tree_(regions_) {
   const std::size_t most =

@@ -11,6 +11,7 @@
 
 #include "fields/levels/level.h"
 #include "fields/levels/region_tree.h"
+#include "fields/levels/value_gaps.h"
 
 namespace pellucid::fields {
 
@@ -69,10 +70,12 @@ class LevelField {
 
   /// Throws InputError without a level, for a level that check_level() refuses, and when more than
   /// eight levels (blend: five) meet at one place.
-  LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction);
+  LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction,
+             ValueGaps gaps = {});
 
   std::span<const ScalarLevel> levels() const { return levels_; }  // the finest first
   const ReconstructionRow& reconstruction() const { return *row_; }
+  const ValueGaps& gaps() const { return gaps_; }  // values of which the field has no right surface
   /// Returns the box in which values of the level count: its cells for the hat basis, else from its
   /// first to its last sample; in world units. The field is defined in the union of all of them.
   Box3 domain(std::size_t level) const { return levels_[level].box(hat() ? 0.5 : 0); }
@@ -113,6 +116,7 @@ class LevelField {
 
   std::vector<ScalarLevel> levels_;
   const ReconstructionRow* row_;
+  ValueGaps gaps_;
   std::vector<LevelRegion> regions_;
   RegionTree tree_;
 };

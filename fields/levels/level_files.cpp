@@ -161,6 +161,7 @@ FileLevels read_vdb_file(const fs::path& path, std::string_view scalar, const st
   FileLevels file;
   file.levels = levels_of(grids, path, scalar, velocity);
   file.range = value_range(grids, scalar, file.levels);
+  file.gaps = value_gaps(grids, scalar);
   return file;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fields/levels/level.h"
+#include "fields/levels/value_gaps.h"
 
 class vtkDataSet;
 
@@ -16,6 +17,7 @@ namespace pellucid::fields {
 struct FileLevels {
   std::vector<ScalarLevel> levels;
   Vec2 range{0};       // the least and the largest value: value_range() of a .vdb, else a sample's
+  ValueGaps gaps;      // of a level set: value_gaps()
   std::string remark;  // which of several times was read unasked; empty without such
 };
 

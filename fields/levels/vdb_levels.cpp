@@ -15,6 +15,7 @@
 #include "fields/files/grid_choice.h"
 #include "fields/files/vdb_box.h"
 #include "fields/levels/derived_scalar.h"
+#include "fields/levels/narrow_band.h"
 #include "readers/vdb/vdb_file.h"
 
 namespace pellucid::fields {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr double affine_rounding = 1e-9;  // of a voxel, in the transform of cubes along the axes
 
-constexpr double most_samples = 0x1p30;  // of a level
+constexpr double most_voxels = 0x1p30;  // of a level
 
 glm::vec3 sample_of(const openvdb::Vec3s& v) { return {v[0], v[1], v[2]}; }
 glm::vec3 sample_of(const openvdb::Vec3d& v) { return glm::vec3(Vec3(v[0], v[1], v[2])); }
@@ -67,7 +68,7 @@ auto level_of(const Grid& grid, const std::string& name) {
                     "level set, a fog "
                     "volume",
                     name));
-  if (const openvdb::Vec3d size = box.dim().asVec3d(); size.product() > most_samples)
+  if (const openvdb::Vec3d size = box.dim().asVec3d(); size.product() > most_voxels)
     throw InputError(
         fmt::format("{}: its box has {} voxels; accepted: at most 2^30", name, size.product()));
   place(grid, box.min(), name, level);
@@ -244,6 +245,13 @@ Vec2 value_range(std::span<const readers::VdbGrid> grids, std::string_view scala
       ++bands;
     }
   return bands == levels.size() ? range : joined(range, sample_range(levels));
+}
+
+ValueGaps value_gaps(std::span<const readers::VdbGrid> grids, std::string_view scalar) {
+  ValueGaps gaps;
+  for (const readers::VdbGrid& grid : grids)
+    if (grid.name == scalar) add_gaps_beyond_band(grid.grid, gaps);
+  return gaps;
 }
 
 std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids, const fs::path& path,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fields/levels/level.h"
+#include "fields/levels/value_gaps.h"
 
 namespace pellucid::readers {
 struct VdbGrid;
@@ -36,6 +37,10 @@ Vec2 sample_range(std::span<const ScalarLevel> levels);
 /// active voxels, since beyond its narrow band a level set has the band's width; else a sample's.
 Vec2 value_range(std::span<const readers::VdbGrid> grids, std::string_view scalar,
                  std::span<const ScalarLevel> levels);
+
+/// Returns the values of which no such level of a scalar has a right surface: those that it would
+/// pass beyond the narrow band of a level set (add_gaps_beyond_band()); none of other grids.
+ValueGaps value_gaps(std::span<const readers::VdbGrid> grids, std::string_view scalar);
 
 /// Writes each level as a grid of that name whose active voxels are its samples, in one file, which
 /// appears whole or not at all: read again, every bit is as it was. Throws InputError for another

@@ -29,6 +29,7 @@ using Levels = std::vector<fields::ScalarLevel>;
 struct LevelData {
   std::vector<Levels> levels;  // of each of the scalars, the surface's own first
   Vec2 range{0};               // of the surface's own values
+  fields::ValueGaps gaps;      // among these
   std::string origin;          // the names of the data, for messages
   std::vector<std::string> remarks;
 };
@@ -61,6 +62,7 @@ void read_file(const std::filesystem::path& path, const JsonNode& node,
     std::ranges::move(read.levels, std::back_inserter(data.levels[i]));
     if (i > 0) continue;
     data.range = {std::min(data.range.x, read.range.x), std::max(data.range.y, read.range.y)};
+    data.gaps.add(read.gaps);
     if (!read.remark.empty()) data.remarks.push_back(std::move(read.remark));
   }
 }
@@ -157,9 +159,9 @@ class IsosurfaceReader {
     Isosurface surface;
     surface.value = node_["value"].number(-any, any);
     LevelData data = read_levels();
-    refuse_empty(surface.value, data);
+    refuse_value(surface.value, data);
     std::vector<Levels>& levels = data.levels;
-    surface.field = field_on(std::move(levels.front()));
+    surface.field = field_on(std::move(levels.front()), std::move(data.gaps));
     surface.corners = corners_of(surface.field->bounds());
     surface.corners.remarks = std::move(data.remarks);
     if (color_)
@@ -194,12 +196,14 @@ class IsosurfaceReader {
     return node_.has("dataset") ? generate(node_, scalars) : read_files(node_, folder_, scalars);
   }
 
-  /// What no value reaches would be an empty picture.
-  void refuse_empty(double value, const LevelData& data) const {
-    if (!(value >= data.range.x && value <= data.range.y))
-      node_["value"].fail(fmt::format("{}; accepted: from {} to {}, the range of {} of {}", value,
-                                      float(data.range.x), float(data.range.y),  // as samples are
-                                      node_["scalar"].string(), data.origin));
+  /// What no value reaches would be an empty picture, and what leaves a narrow band a false one.
+  void refuse_value(double value, const LevelData& data) const {
+    const bool reached = value >= data.range.x && value <= data.range.y;
+    if (reached && !data.gaps.contains(value)) return;
+    node_["value"].fail(fmt::format(
+        "{}; accepted: {}, {} of {} of {}", value, data.gaps.accepted(data.range),
+        data.gaps.empty() ? "the range" : "where the surface stays in the narrow band",
+        node_["scalar"].string(), data.origin));
   }
 
   /// None when the map is one of the scene's own.
@@ -208,9 +212,11 @@ class IsosurfaceReader {
     return &at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); });
   }
 
-  std::shared_ptr<const fields::LevelField> field_on(Levels levels) const {
+  std::shared_ptr<const fields::LevelField> field_on(Levels levels,
+                                                     fields::ValueGaps gaps = {}) const {
     return at_place(node_, [&] {
-      return std::make_shared<const fields::LevelField>(std::move(levels), *reconstruction_);
+      return std::make_shared<const fields::LevelField>(std::move(levels), *reconstruction_,
+                                                        std::move(gaps));
     });
   }
 
@@ -253,6 +259,9 @@ std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
 
 void restyle_isosurface(const Appearance& appearance, const JsonNode& node, Isosurface& surface) {
   surface.value = node["value"].number(-any, any);
+  if (surface.field->gaps().contains(surface.value))
+    node["value"].fail(fmt::format("{}; accepted: {}, where the surface stays in the narrow band", surface.value,
+                                   surface.field->gaps().accepted({-any, any})));
   const auto* color = std::get_if<ScalarColor>(&appearance.color);
   if (color && surface.coloring) {
     surface.coloring->map = color->custom ? nullptr : &find_colormap(color->map);

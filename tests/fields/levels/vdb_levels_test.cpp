@@ -10,6 +10,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "fields/levels/surface_cells.h"
 #include "fields/levels/vdb_levels.h"
 #include "readers/vdb/grid_blocks.h"
 #include "tests/fields/readers/grid_files.h"
@@ -272,6 +273,44 @@ TEST(UnitVdbLevels, TheRangeOfALevelSetIsThatOfItsBand) {
   EXPECT_EQ(sample_range(levels), Vec2(float(-0.3), float(0.3)));
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);  // of which 0.3 is the value all around
   EXPECT_EQ(value_range(grids, "ball", levels), sample_range(levels));
+}
+
+/// Whether every corner of the cells that the surface passes has the ball's distance.
+bool has_distances_around(const LevelField& field, double value) {
+  const ScalarLevel& level = field.levels().front();
+  for (const LatticeCell& cell : surface_cells(field, value))
+    for (int corner = 0; corner < 8; ++corner) {
+      const int i = cell.low[0] + (corner & 1), j = cell.low[1] + (corner >> 1 & 1),
+                k = cell.low[2] + (corner >> 2);
+      const double distance = glm::length(level.world(Vec3(i, j, k))) - 1;
+      if (std::abs(level.at(i, j, k) - distance) > 1e-6) return false;
+    }
+  return true;
+}
+
+/// Of 601 values all told: the band's own samples reach beyond the values whose cells they fill.
+TEST(UnitVdbLevels, ASurfaceOfALevelSetPassesActiveVoxelsAlone) {
+  const auto grid = ball();
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  const std::vector<readers::VdbGrid> grids{{.name = "ball", .value_type = "float", .grid = grid}};
+  const auto levels = levels_of(grids, "ball.vdb", "ball");
+  const LevelField field(levels, find_reconstruction("trilinear"));
+  const ValueGaps gaps = value_gaps(grids, "ball");
+  const Vec2 range = value_range(grids, "ball", levels);
+  int accepted = 0, refused = 0;
+  for (int i = -300; i <= 300; ++i) {
+    const double value = i * 1e-3 + 3e-5;  // at no sample
+    if (value < range.x || value > range.y) continue;
+    EXPECT_EQ(has_distances_around(field, value), !gaps.contains(value)) << value;
+    ++(gaps.contains(value) ? refused : accepted);
+  }
+  // A cell's diagonal is 0.17 long: within 0.3 - 0.17 on either side no cell leaves the band.
+  EXPECT_GT(accepted, 2 * 130 - 1);
+  EXPECT_GT(refused, 100);
+  EXPECT_FALSE(gaps.contains(0));
+  EXPECT_THAT(gaps.accepted(range), ::testing::MatchesRegex("above -0\\.1[0-9]+ to 0\\.1[0-9]+"));
+  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+  EXPECT_TRUE(value_gaps(grids, "ball").empty());
 }
 
 }  // namespace
