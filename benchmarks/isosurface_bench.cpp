@@ -28,6 +28,7 @@
 #include "core/parallel.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/level_field.h"
+#include "fields/levels/level_files.h"
 #include "fields/levels/vdb_levels.h"
 #include "fields/make_field.h"
 #include "groundtruth/methods/march.h"
@@ -148,7 +149,7 @@ auto bare_sampler(const Grid& grid) {
 
 void sample_levels(benchmark::State& state, const std::filesystem::path& file,
                    std::string_view reconstruction, bool finest_alone) {
-  std::vector<fields::ScalarLevel> levels = fields::read_vdb_levels(file, "q");
+  std::vector<fields::ScalarLevel> levels = std::get<0>(fields::read_levels(file, "q").levels);
   if (finest_alone) {
     std::ranges::sort(levels, {}, &fields::ScalarLevel::width);
     levels.resize(1);

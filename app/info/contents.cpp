@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <iostream>
+
+#include "core/range_text.h"
 
 namespace pellucid::app {
 namespace {
@@ -26,7 +29,15 @@ nlohmann::ordered_json to_json(const ArrayContents& array) {
           {"not_finite", array.not_finite}};
 }
 
-std::string text_of(const Vec3& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
+/// "(x, y, z) … (x, y, z)".
+std::string text_of(const Box3& box) {
+  std::array<std::array<std::string, 3>, 2> corners;
+  for (int a = 0; a < 3; ++a) {
+    const auto ends = range_ends(box.min[a], box.max[a]);
+    for (const std::size_t end : {0, 1}) corners[end][std::size_t(a)] = ends[end];
+  }
+  return fmt::format("({}) … ({})", fmt::join(corners[0], ", "), fmt::join(corners[1], ", "));
+}
 
 std::string text_of(const ArrayContents& array) {
   std::string text = fmt::format("  {} array '{}': {} × {}", array.at, array.name,
@@ -34,7 +45,7 @@ std::string text_of(const ArrayContents& array) {
   for (std::size_t c = 0; c < array.ranges.size(); ++c) {
     const Vec2& range = array.ranges[c];
     text += c == 0 ? ", " : "; ";
-    text += range.x <= range.y ? fmt::format("{:g} … {:g}", range.x, range.y) : "no finite value";
+    text += range.x <= range.y ? range_text(range.x, range.y) : "no finite value";
   }
   if (array.not_finite > 0) text += fmt::format(", {} not finite", array.not_finite);
   return text;
@@ -74,8 +85,7 @@ nlohmann::ordered_json to_json(const FileContents& contents) {
 void print(const FileContents& contents) {
   std::cout << fmt::format("{} ({})\n", contents.kind, contents.title);
   if (contents.bounds && !contents.bounds->empty())
-    std::cout << fmt::format("  bounds: {} … {}\n", text_of(contents.bounds->min),
-                             text_of(contents.bounds->max));
+    std::cout << fmt::format("  bounds: {}\n", text_of(*contents.bounds));
   if (!contents.counts.empty()) std::cout << fmt::format("  counts: {}\n", counts_of(contents));
   for (const auto& [key, value] : contents.more.items()) {
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
@@ -86,9 +96,11 @@ void print(const FileContents& contents) {
       std::cout << fmt::format("  {}[{}]: {}\n", key, i, text_of(value[i]));
   }
   for (const ArrayContents& array : contents.arrays) std::cout << text_of(array) << '\n';
-  if (!contents.times.empty())
-    std::cout << fmt::format("  times: {} from {:g} to {:g}\n", contents.times.size(),
-                             contents.times.front(), contents.times.back());
+  if (!contents.times.empty()) {
+    const auto ends = range_ends(contents.times.front(), contents.times.back());
+    std::cout << fmt::format("  times: {} from {} to {}\n", contents.times.size(), ends[0],
+                             ends[1]);
+  }
 }
 
 }  // namespace pellucid::app

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/files/mesh_formats.h"
+#include "geometry/unused_vertices.h"
 
 namespace pellucid::app {
 namespace {
@@ -28,7 +29,8 @@ void add_numbers(const std::string& name, const char* at, const char* type,
   contents.arrays.push_back(ranges.contents(name, at, type, numbers.size()));
 }
 
-FileContents contents_of(const geometry::TriangleMesh& mesh) {
+FileContents contents_of(geometry::TriangleMesh mesh) {
+  geometry::drop_unused_vertices(mesh);
   FileContents contents;
   contents.kind = "triangles";
   contents.counts = {{"points", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
@@ -36,7 +38,8 @@ FileContents contents_of(const geometry::TriangleMesh& mesh) {
   return contents;
 }
 
-FileContents contents_of(const geometry::LineSet& lines) {
+FileContents contents_of(geometry::LineSet lines) {
+  geometry::drop_unused_vertices(lines);
   FileContents contents;
   contents.kind = "lines";
   contents.counts = {{"points", lines.positions.size()},

@@ -5,9 +5,11 @@
 #include <vtkDataSet.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
 
+#include <cmath>
 #include <map>
 
 #include "app/info/inspect.h"
@@ -84,6 +86,18 @@ void add_lattice(vtkDataSet& data, FileContents& contents) {
   if (size[0] > 0) contents.more["dimensions"] = {size[0], size[1], size[2]};
 }
 
+/// Points of unstructured data may be anywhere; bounds are of those that have a place.
+void count_lost_points(vtkDataSet& data, FileContents& contents) {
+  if (!vtkPointSet::SafeDownCast(&data)) return;
+  std::uint64_t lost = 0;
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    double x[3];
+    data.GetPoint(i, x);
+    lost += std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]) ? 0 : 1;
+  }
+  if (lost > 0) contents.more["points not finite"] = lost;
+}
+
 std::string title_of(const std::filesystem::path& path) {
   if (const auto* row = geometry::mesh_format(path)) return std::string(row->title);
   if (const auto* row = fields::file_format(path.string())) return std::string(row->title);
@@ -102,6 +116,7 @@ FileContents inspect_vtk(const std::filesystem::path& path) {
   data->GetBounds(box);
   contents.bounds = Box3{{box[0], box[2], box[4]}, {box[1], box[3], box[5]}};
   count_cells(*data, contents);
+  count_lost_points(*data, contents);
   add_lattice(*data, contents);
   add_arrays(*data->GetPointData(), "point", contents);
   add_arrays(*data->GetCellData(), "cell", contents);

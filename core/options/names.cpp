@@ -46,6 +46,7 @@ std::vector<std::string_view> nearest_first(std::string_view name,
 
 std::string unknown_name(std::string_view kind, std::string_view name,
                          std::span<const std::string_view> known) {
+  if (known.empty()) return fmt::format("unknown {} '{}'; known: none", kind, name);
   return fmt::format("unknown {} '{}'; known: {}", kind, name,
                      fmt::join(nearest_first(name, known), ", "));
 }

@@ -12,6 +12,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/range_text.h"
+
 namespace pellucid::fields {
 namespace {
 
@@ -31,7 +33,7 @@ std::string range_of(vtkDataArray& array) {
     if (!std::isfinite(size)) continue;
     low = std::min(low, size), high = std::max(high, size);
   }
-  return low <= high ? fmt::format("{:.6g} … {:.6g}", low, high) : "no finite value";
+  return low <= high ? range_text(low, high) : "no finite value";
 }
 
 std::string describe(vtkDataArray& array, const char* name, std::string_view kind) {

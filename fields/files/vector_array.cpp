@@ -101,16 +101,14 @@ class Finder {
   std::optional<int> flat_;
 };
 
-/// "U", or "U,V,W".
+/// "U", or "U,V,W", of which several may be one array.
 std::string name_of(const Parts& parts) {
   std::string names;
-  const vtkDataArray* before = nullptr;
   for (const Part& part : parts) {
-    if (!part.array || part.array == before) continue;
+    if (!part.array || part.component > 0) continue;
     const char* name = const_cast<vtkDataArray*>(part.array)->GetName();
     if (!names.empty()) names += ',';
     names += name ? name : "vectors";
-    before = part.array;
   }
   return names;
 }
@@ -123,7 +121,11 @@ std::string own_name(const Parts& parts) {
 }
 
 bool is_one_array(const Parts& parts) {
-  return parts[0].array == parts[1].array && parts[0].array == parts[2].array;
+  for (int axis = 0; axis < 3; ++axis)
+    if (const auto& [array, component] = parts[std::size_t(axis)];
+        array != parts[0].array || component != axis)
+      return false;
+  return true;
 }
 
 vtkSmartPointer<vtkDataArray> joined(const Parts& parts, vtkIdType count) {

@@ -15,10 +15,14 @@ struct DerivedScalarRow {
   std::string_view title;
   std::string_view citation;
   ScalarLevel (*compute)(const VectorLevel&);
+  DoubleLevel (*compute_exactly)(const DoubleVectorLevel&);
 };
 
 /// Returns the table of derived scalars.
 std::span<const DerivedScalarRow> derived_scalars();
+
+/// Says whether the table has a row of that name.
+bool is_derived(std::string_view scalar);
 
 /// Returns the row of that name. Throws InputError with the nearest names when there is none.
 const DerivedScalarRow& find_derived_scalar(std::string_view name);
@@ -26,6 +30,10 @@ const DerivedScalarRow& find_derived_scalar(std::string_view name);
 /// Computes the scalar of that name on every level, once blocks of one lattice are joined (see
 /// joined_blocks()), so that differences go across their faces. Throws InputError for an unknown
 /// name and for a level that check_level() refuses.
+///@{
 std::vector<ScalarLevel> scalars_of(std::span<const VectorLevel> levels, std::string_view name);
+std::vector<DoubleLevel> scalars_of(std::span<const DoubleVectorLevel> levels,
+                                    std::string_view name);
+///@}
 
 }  // namespace pellucid::fields

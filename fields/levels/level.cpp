@@ -11,8 +11,11 @@
 namespace pellucid::fields {
 namespace {
 
-bool finite_sample(float sample) { return std::isfinite(sample); }
-bool finite_sample(const glm::vec3& sample) { return is_finite(Vec3(sample)); }
+bool finite_sample(double sample) { return std::isfinite(sample); }
+template <class T>
+bool finite_sample(const glm::vec<3, T>& sample) {
+  return is_finite(Vec3(sample));
+}
 
 template <class T>
 void check(const std::string& name, const Level<T>& level) {
@@ -40,5 +43,7 @@ void check(const std::string& name, const Level<T>& level) {
 
 void check_level(const std::string& name, const ScalarLevel& level) { check(name, level); }
 void check_level(const std::string& name, const VectorLevel& level) { check(name, level); }
+void check_level(const std::string& name, const DoubleLevel& level) { check(name, level); }
+void check_level(const std::string& name, const DoubleVectorLevel& level) { check(name, level); }
 
 }  // namespace pellucid::fields

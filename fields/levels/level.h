@@ -38,6 +38,11 @@ struct Level {
 using ScalarLevel = Level<float>;
 /// A VectorLevel has one velocity a sample, in world units per unit of time.
 using VectorLevel = Level<glm::vec3>;
+/// The same of numbers that are not all floats.
+///@{
+using DoubleLevel = Level<double>;
+using DoubleVectorLevel = Level<Vec3>;
+///@}
 
 /// A level has at least so many samples along each axis: one-sided differences of second order need
 /// them.
@@ -49,6 +54,8 @@ constexpr int fewest_samples = 3;
 ///@{
 void check_level(const std::string& name, const ScalarLevel& level);
 void check_level(const std::string& name, const VectorLevel& level);
+void check_level(const std::string& name, const DoubleLevel& level);
+void check_level(const std::string& name, const DoubleVectorLevel& level);
 ///@}
 
 }  // namespace pellucid::fields

@@ -210,6 +210,9 @@ std::vector<ScalarLevel> joined_blocks(std::vector<ScalarLevel> levels) {
 std::vector<VectorLevel> joined_blocks(std::vector<VectorLevel> levels) {
   return join_all(std::move(levels));
 }
+std::vector<DoubleVectorLevel> joined_blocks(std::vector<DoubleVectorLevel> levels) {
+  return join_all(std::move(levels));
+}
 
 // Every block looks at the cells around it, also at those that a block before it has taken: they
 // are part of a level by then.

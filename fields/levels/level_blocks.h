@@ -15,6 +15,7 @@ namespace pellucid::fields {
 ///@{
 std::vector<ScalarLevel> joined_blocks(std::vector<ScalarLevel> levels);
 std::vector<VectorLevel> joined_blocks(std::vector<VectorLevel> levels);
+std::vector<DoubleVectorLevel> joined_blocks(std::vector<DoubleVectorLevel> levels);
 ///@}
 
 /// Returns levels that hold the cells between blocks which joined_blocks() cannot join: all their

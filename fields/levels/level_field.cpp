@@ -59,10 +59,11 @@ const ReconstructionRow& find_reconstruction(std::string_view name) {
 }
 
 LevelField::LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction,
-                       ValueGaps gaps)
+                       ValueGaps gaps, const SampleScale& scale)
     : levels_(prepared(std::move(levels), reconstruction.kind)),
       row_(&reconstruction),
       gaps_(std::move(gaps)),
+      scale_(scale),
       regions_(regions_of(levels_, row_->kind)),
       tree_(regions_) {
   const std::size_t most =
@@ -114,13 +115,20 @@ bool LevelField::covered(std::uint32_t level, const std::array<int, 3>& sample) 
   return false;
 }
 
-std::optional<double> LevelField::value(const Vec3& x) const {
+std::optional<double> LevelField::height(const Vec3& x, double value) const {
   Cells cells;
   const std::size_t count = cells_at(x, cells);
   if (count == 0) return std::nullopt;
-  const auto [sum, weight] = this->sum<double>(std::span(cells).first(count), {x.x, x.y, x.z}, 0);
+  const auto [sum, weight] =
+      this->sum<double>(std::span(cells).first(count), {x.x, x.y, x.z}, value);
   if (weight == 0) return std::nullopt;  // no hat reaches here
   return sum / weight;
+}
+
+std::optional<double> LevelField::value(const Vec3& x) const {
+  const double offset = scale_.value(0);
+  const std::optional<double> above = height(x, offset);
+  return above ? std::optional(scale_.value(*above)) : std::nullopt;
 }
 
 std::optional<Vec3> LevelField::gradient(const Vec3& x) const {

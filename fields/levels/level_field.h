@@ -11,6 +11,7 @@
 
 #include "fields/levels/level.h"
 #include "fields/levels/region_tree.h"
+#include "fields/levels/sample_scale.h"
 #include "fields/levels/value_gaps.h"
 
 namespace pellucid::fields {
@@ -49,9 +50,9 @@ struct LatticeCell {
 };
 
 /// A LevelSum holds how levels take part at a point: Σ w (f - value) and Σ w, polynomials of degree
-/// 3 (blend: 3 n where n levels meet) while the point stays in the same lattice cells. The
-/// reconstruction is their quotient plus `value`. Weights are never negative, so it lies in the
-/// hull of the samples.
+/// 3 (blend: 3 n where n levels meet) while the point stays in the same lattice cells. f and value
+/// are as samples are kept (SampleScale). The reconstruction is their quotient plus `value`.
+/// Weights are never negative, so it lies in the hull of the samples.
 template <class T>
 struct LevelSum {
   T sum{0.0};
@@ -71,10 +72,11 @@ class LevelField {
   /// Throws InputError without a level, for a level that check_level() refuses, and when more than
   /// eight levels (blend: five) meet at one place.
   LevelField(std::vector<ScalarLevel> levels, const ReconstructionRow& reconstruction,
-             ValueGaps gaps = {});
+             ValueGaps gaps = {}, const SampleScale& scale = {});
 
   std::span<const ScalarLevel> levels() const { return levels_; }  // the finest first
   const ReconstructionRow& reconstruction() const { return *row_; }
+  const SampleScale& scale() const { return scale_; }  // of the levels' samples
   const ValueGaps& gaps() const { return gaps_; }  // values of which the field has no right surface
   /// Returns the box in which values of the level count: its cells for the hat basis, else from its
   /// first to its last sample; in world units. The field is defined in the union of all of them.
@@ -90,15 +92,16 @@ class LevelField {
   LatticeCell cell_at(std::uint32_t level, const Vec3& x) const;
 
   /// Sums over `cells` at the world position x, which may be of any arithmetic: double, Dual, a
-  /// polynomial along a ray.
+  /// polynomial along a ray. `value` is one of the field's.
   template <class T>
   LevelSum<T> sum(std::span<const LatticeCell> cells, const std::array<T, 3>& x,
                   double value) const;
 
-  /// Returns the reconstruction, or its gradient per world unit, at x; nothing outside of every
-  /// domain.
+  /// Returns the reconstruction at x, how much it lies above `value`, or its gradient per world
+  /// unit; the last two as samples are kept. Nothing outside of every domain.
   ///@{
   std::optional<double> value(const Vec3& x) const;
+  std::optional<double> height(const Vec3& x, double value) const;
   std::optional<Vec3> gradient(const Vec3& x) const;
   ///@}
 
@@ -109,14 +112,15 @@ class LevelField {
   /// Says whether cells of a finer level lie over the sample.
   bool covered(std::uint32_t level, const std::array<int, 3>& sample) const;
   template <class T>
-  void add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double value,
+  void add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double kept,
                 LevelSum<T>& out) const;
   template <class T>
-  T trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double value) const;
+  T trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double kept) const;
 
   std::vector<ScalarLevel> levels_;
   const ReconstructionRow* row_;
   ValueGaps gaps_;
+  SampleScale scale_;
   std::vector<LevelRegion> regions_;
   RegionTree tree_;
 };

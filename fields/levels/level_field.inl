@@ -4,13 +4,13 @@
 namespace pellucid::fields {
 
 template <class T>
-T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double value) const {
+T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double kept) const {
   const ScalarLevel& level = levels_[cell.level];
   const int i = cell.low[0], j = cell.low[1], k = cell.low[2];
   const std::array<T, 3> r{1.0 - s[0], 1.0 - s[1], 1.0 - s[2]};
   const auto line = [&](int b, int c) -> T {
-    const double first = double(level.at(i, j + b, k + c)) - value;
-    const double second = double(level.at(i + 1, j + b, k + c)) - value;
+    const double first = double(level.at(i, j + b, k + c)) - kept;
+    const double second = double(level.at(i + 1, j + b, k + c)) - kept;
     return r[0] * T(first) + s[0] * T(second);
   };
   return r[2] * (r[1] * line(0, 0) + s[1] * line(1, 0)) +
@@ -20,7 +20,7 @@ T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, doub
 /// Eqs. 2 and 3: at the place s in [0, 1] of a lattice cell, the hat of the corner at 0 is 1 - s
 /// and that of the corner at 1 is s.
 template <class T>
-void LevelField::add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double value,
+void LevelField::add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double kept,
                           LevelSum<T>& out) const {
   const ScalarLevel& level = levels_[cell.level];
   for (int corner = 0; corner < 8; ++corner) {
@@ -34,13 +34,14 @@ void LevelField::add_hats(const LatticeCell& cell, const std::array<T, 3>& s, do
     const auto hat = [&](int axis) -> T { return corner >> axis & 1 ? s[axis] : 1.0 - s[axis]; };
     const T weight = hat(0) * hat(1) * hat(2);
     out.weight = out.weight + weight;
-    out.sum = out.sum + weight * T(double(level.at(at[0], at[1], at[2])) - value);
+    out.sum = out.sum + weight * T(double(level.at(at[0], at[1], at[2])) - kept);
   }
 }
 
 template <class T>
 LevelSum<T> LevelField::sum(std::span<const LatticeCell> cells, const std::array<T, 3>& x,
                             double value) const {
+  const double kept = scale_.kept(value);
   LevelSum<T> out;
   T rest = 1.0;  // of the weight, left to coarser levels
   for (const LatticeCell& cell : cells) {
@@ -49,10 +50,10 @@ LevelSum<T> LevelField::sum(std::span<const LatticeCell> cells, const std::array
     for (int axis = 0; axis < 3; ++axis)
       s[axis] = (x[axis] - level.origin[axis]) / level.width - double(cell.low[axis]);
     if (hat()) {
-      add_hats(cell, s, value, out);
+      add_hats(cell, s, kept, out);
       continue;
     }
-    const T f = trilinear(cell, s, value);
+    const T f = trilinear(cell, s, kept);
     T fade = 1.0;  // 0 on the level's faces, 1 from the next layer of samples on
     const bool coarsest = &cell == &cells.back();  // nothing is left to fade into
     for (int axis = 0; axis < 3 && !coarsest; ++axis) {

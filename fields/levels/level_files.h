@@ -6,33 +6,28 @@
 #include <string_view>
 #include <vector>
 
-#include "fields/levels/level.h"
+#include "fields/levels/exact_levels.h"
 #include "fields/levels/value_gaps.h"
-
-class vtkDataSet;
 
 namespace pellucid::fields {
 
-/// FileLevels are the levels of a scalar in a file.
+/// FileLevels are the levels of a scalar in a file, or in several.
 struct FileLevels {
-  std::vector<ScalarLevel> levels;
-  Vec2 range{0};       // the least and the largest value: value_range() of a .vdb, else a sample's
-  ValueGaps gaps;      // of a level set: value_gaps()
-  std::string remark;  // which of several times was read unasked; empty without such
+  ExactLevels levels;
+  Vec2 range{0};   // the least and the largest value: value_range() of a .vdb, else a sample's
+  ValueGaps gaps;  // of a level set: value_gaps()
+  std::vector<std::string> remarks;  // what was chosen unasked: of several times or arrays
 };
 
-/// Reads the levels of a scalar from a file: the grids of a .vdb (read_vdb_levels()), or the one
-/// grid of a file that VTK reads, at the time that readers::chosen_time() finds, the first if it is
-/// empty: an image or a rectilinear grid of cubes along
-/// the world's axes. A scalar of points, or of cells, whose centres are the samples then; or, where
-/// none has the name and it is a derived one, that of the `velocity` (pick_vectors()). Throws
-/// InputError, naming the file, for what is no such grid, with a way to make one, and for samples
-/// that check_level() refuses; when there is no such array it lists those that there are.
+/// Appends the levels of a further file.
+void append(FileLevels more, FileLevels& files);
+
+/// Reads the levels of a scalar from a file: the grids of a .vdb (levels_of()), the one grid of a
+/// file that VTK reads (level_of()), or those of the files that a .pvd or a .series lists at one
+/// time. The time is the one that readers::chosen_time() finds, the first if `time` is empty.
+/// Throws InputError, naming the file, for one of another ending, with those that are accepted, and
+/// for what its reader refuses.
 FileLevels read_levels(const std::filesystem::path& path, std::string_view scalar,
                        const std::string& velocity = {}, const std::string& time = {});
-
-/// Returns the level of a data set in the same way; `path` names its file in messages.
-ScalarLevel level_of(vtkDataSet& data, const std::filesystem::path& path, std::string_view scalar,
-                     const std::string& velocity = {});
 
 }  // namespace pellucid::fields

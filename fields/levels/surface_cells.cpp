@@ -37,7 +37,8 @@ struct Range {
 
 class CellPicker {
  public:
-  CellPicker(const LevelField& field, double value) : field_(field), value_(value) {}
+  CellPicker(const LevelField& field, double value)
+      : field_(field), value_(field.scale().kept(value)) {}
 
   bool picks(const LatticeCell& cell) const {
     const Box3 box = cell_box(field_, cell);
@@ -56,7 +57,7 @@ class CellPicker {
 
  private:
   const LevelField& field_;
-  double value_;
+  double value_;  // as samples are kept
 };
 
 }  // namespace

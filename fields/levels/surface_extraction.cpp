@@ -22,7 +22,7 @@ namespace {
 
 constexpr double most_samples = 0x1p28;
 
-/// Samples of a field minus a value; NaN where it has none.
+/// Heights of a field above a value; NaN where it has none.
 struct Lattice {
   Vec3 origin;
   double width;
@@ -58,8 +58,8 @@ void sample(const LevelField& field, double value, Lattice& lattice) {
         for (int axis = 0; axis < 3; ++axis)
           if (std::abs(x[axis] - bounds.max[axis]) < 1e-6 * lattice.width)
             x[axis] = bounds.max[axis];
-        const auto f = field.value(x);
-        *row++ = f ? float(*f - value) : std::numeric_limits<float>::quiet_NaN();
+        const auto height = field.height(x, value);
+        *row++ = height ? float(*height) : std::numeric_limits<float>::quiet_NaN();
       }
   });
 }
@@ -67,16 +67,16 @@ void sample(const LevelField& field, double value, Lattice& lattice) {
 /// Newton's method along the gradient; x where it does not come closer.
 Vec3 onto_surface(const LevelField& field, double value, const Vec3& x, double width) {
   Vec3 best = x, y = x;
-  double least = std::abs(field.value(x).value_or(value) - value);
+  double least = std::abs(field.height(x, value).value_or(0));
   for (int i = 0; i < 4 && least > 0; ++i) {
-    const auto f = field.value(y);
+    const auto height = field.height(y, value);
     const auto g = field.gradient(y);
-    if (!f || !g || !(glm::dot(*g, *g) > 0)) break;
-    y -= (*f - value) / glm::dot(*g, *g) * *g;
+    if (!height || !g || !(glm::dot(*g, *g) > 0)) break;
+    y -= *height / glm::dot(*g, *g) * *g;
     if (glm::length(y - x) > width) break;
-    const auto next = field.value(y);
-    if (!next || !(std::abs(*next - value) < least)) break;
-    least = std::abs(*next - value);
+    const auto next = field.height(y, value);
+    if (!next || !(std::abs(*next) < least)) break;
+    least = std::abs(*next);
     best = y;
   }
   return best;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "core/files/bad_file.h"
 #include "core/files/output_file.h"
 #include "fields/files/grid_choice.h"
+#include "fields/files/staggered_grid.h"
 #include "fields/files/vdb_box.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/narrow_band.h"
@@ -28,9 +28,9 @@ constexpr double affine_rounding = 1e-9;  // of a voxel, in the transform of cub
 constexpr double most_voxels = 0x1p30;  // of a level
 
 glm::vec3 sample_of(const openvdb::Vec3s& v) { return {v[0], v[1], v[2]}; }
-glm::vec3 sample_of(const openvdb::Vec3d& v) { return glm::vec3(Vec3(v[0], v[1], v[2])); }
+Vec3 sample_of(const openvdb::Vec3d& v) { return {v[0], v[1], v[2]}; }
 float sample_of(float v) { return v; }
-float sample_of(double v) { return float(v); }
+double sample_of(double v) { return v; }
 
 /// Sets origin and width of the level whose first sample has the index `first`.
 template <class T>
@@ -84,30 +84,28 @@ auto level_of(const Grid& grid, const std::string& name) {
   return level;
 }
 
-bool is_derived(std::string_view scalar) {
-  return std::ranges::any_of(derived_scalars(),
-                             [&](const auto& row) { return row.name == scalar; });
+/// The levels of the grids of this kind of values.
+template <class Grid>
+auto levels_of_kind(std::span<const openvdb::GridBase::Ptr> grids, const std::string& name) {
+  std::vector<decltype(level_of(std::declval<Grid>(), name))> levels;
+  for (const openvdb::GridBase::Ptr& grid : grids)
+    if (const auto typed = openvdb::gridPtrCast<Grid>(grid))
+      levels.push_back(level_of(*typed, name));
+  return levels;
 }
 
-/// The level that a grid gives, or that it gives where it is of this kind of values.
-///@{
-template <class Grid>
-auto level_if(const openvdb::GridBase::Ptr& grid, const std::string& name)
-    -> std::optional<decltype(level_of(std::declval<Grid>(), name))> {
-  if (const auto typed = openvdb::gridPtrCast<Grid>(grid)) return level_of(*typed, name);
-  return std::nullopt;
+ExactLevels scalar_levels(std::span<const openvdb::GridBase::Ptr> grids, const std::string& name) {
+  ExactLevels levels = levels_of_kind<openvdb::FloatGrid>(grids, name);
+  append(exact(levels_of_kind<openvdb::DoubleGrid>(grids, name)), levels);
+  return levels;
 }
-std::optional<VectorLevel> vector_level_of(const openvdb::GridBase::Ptr& grid,
-                                           const std::string& name) {
-  if (auto level = level_if<openvdb::Vec3SGrid>(grid, name)) return level;
-  return level_if<openvdb::Vec3DGrid>(grid, name);
+
+ExactLevels derived_levels(std::span<const openvdb::GridBase::Ptr> grids, const std::string& name,
+                           std::string_view scalar) {
+  ExactLevels levels = scalars_of(levels_of_kind<openvdb::Vec3SGrid>(grids, name), scalar);
+  append(exact(scalars_of(levels_of_kind<openvdb::Vec3DGrid>(grids, name), scalar)), levels);
+  return levels;
 }
-std::optional<ScalarLevel> scalar_level_of(const openvdb::GridBase::Ptr& grid,
-                                           const std::string& name) {
-  if (auto level = level_if<openvdb::FloatGrid>(grid, name)) return level;
-  return level_if<openvdb::DoubleGrid>(grid, name);
-}
-///@}
 
 std::vector<GridEntry> entries_of(std::span<const readers::VdbGrid> grids) {
   std::vector<GridEntry> entries;
@@ -116,27 +114,20 @@ std::vector<GridEntry> entries_of(std::span<const readers::VdbGrid> grids) {
   return entries;
 }
 
-/// The levels of the grids of a name that `level` makes of them.
-template <class T, class LevelOf>
-void append_levels(std::span<const readers::VdbGrid> grids, std::string_view wanted,
-                   const std::string& place, const LevelOf& level_of_grid,
-                   std::vector<Level<T>>& levels) {
-  for (const readers::VdbGrid& grid : grids) {
-    if (grid.name != wanted || !grid.grid) continue;
-    if (auto level = level_of_grid(grid.grid, fmt::format("{}: grid {}", place, grid.name)))
-      levels.push_back(std::move(*level));
-  }
+std::vector<openvdb::GridBase::Ptr> grids_called(std::span<const readers::VdbGrid> grids,
+                                                 std::string_view name) {
+  std::vector<openvdb::GridBase::Ptr> found;
+  for (const readers::VdbGrid& grid : grids)
+    if (grid.name == name && grid.grid) found.push_back(grid.grid);
+  return found;
 }
-
-constexpr Vec2 no_range(std::numeric_limits<double>::infinity(),
-                        -std::numeric_limits<double>::infinity());
 
 Vec2 joined(const Vec2& a, const Vec2& b) { return {std::min(a.x, b.x), std::max(a.y, b.y)}; }
 
 /// Of the active voxels, tiles among them.
 template <class Grid>
 Vec2 active_range(const Grid& grid) {
-  Vec2 range = no_range;
+  Vec2 range = sample_range({});
   for (auto value = grid.cbeginValueOn(); value; ++value)
     range = joined(range, Vec2(sample_of(*value)));
   return range;
@@ -221,30 +212,17 @@ void write_vdb_levels(const fs::path& path, const std::string& name,
   write(path, name, levels);
 }
 
-std::vector<ScalarLevel> read_vdb_levels(const fs::path& path, std::string_view scalar,
-                                         std::string_view velocity) {
-  return levels_of(readers::read_vdb_grids(path), path, scalar, velocity);
-}
-
-Vec2 sample_range(std::span<const ScalarLevel> levels) {
-  Vec2 range = no_range;
-  for (const ScalarLevel& level : levels)
-    if (const auto [low, high] = std::ranges::minmax_element(level.samples);
-        low != level.samples.end())
-      range = joined(range, Vec2(*low, *high));
-  return range;
-}
-
 Vec2 value_range(std::span<const readers::VdbGrid> grids, std::string_view scalar,
-                 std::span<const ScalarLevel> levels) {
-  Vec2 range = no_range;
+                 const ExactLevels& levels) {
+  Vec2 range = sample_range({});
   std::size_t bands = 0;
   for (const readers::VdbGrid& grid : grids)
     if (const auto band = grid.name == scalar ? band_range(grid.grid) : std::nullopt) {
       range = joined(range, *band);
       ++bands;
     }
-  return bands == levels.size() ? range : joined(range, sample_range(levels));
+  const std::size_t count = std::visit([](const auto& all) { return all.size(); }, levels);
+  return bands == count ? range : joined(range, sample_range(levels));
 }
 
 ValueGaps value_gaps(std::span<const readers::VdbGrid> grids, std::string_view scalar) {
@@ -254,20 +232,24 @@ ValueGaps value_gaps(std::span<const readers::VdbGrid> grids, std::string_view s
   return gaps;
 }
 
-std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids, const fs::path& path,
-                                   std::string_view scalar, std::string_view velocity) {
+ExactLevels levels_of(std::span<const readers::VdbGrid> grids, const fs::path& path,
+                      std::string_view scalar, std::string_view velocity) {
   const std::vector<GridEntry> entries = entries_of(grids);
   const std::string place = path.string();
-  std::vector<ScalarLevel> levels;
-  append_levels(grids, scalar, place, scalar_level_of, levels);
-  if (!levels.empty()) return levels;  // stored under that name, it need not be derived
+  const auto name_in_file = [&](std::string_view name) {
+    return fmt::format("{}: grid {}", place, name);
+  };
+  // Stored under that name, it need not be derived.
+  if (ExactLevels levels = scalar_levels(grids_called(grids, scalar), name_in_file(scalar));
+      !is_empty(levels))
+    return levels;
   if (!is_derived(scalar) || std::ranges::none_of(entries, &GridEntry::vector))
     bad_file(path, fmt::format("no grid has the scalar '{}'; grids: {}", scalar,
                                describe_grids(entries)));
-  std::vector<VectorLevel> velocities;
-  append_levels(grids, choose_velocity(entries, velocity, place), place, vector_level_of,
-                velocities);
-  return scalars_of(velocities, scalar);
+  const std::string chosen = choose_velocity(entries, velocity, place);
+  std::vector<openvdb::GridBase::Ptr> velocities = grids_called(grids, chosen);
+  for (openvdb::GridBase::Ptr& grid : velocities) grid = at_centres(grid, name_in_file(chosen));
+  return derived_levels(velocities, name_in_file(chosen), scalar);
 }
 
 }  // namespace pellucid::fields

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fields/levels/level.h"
+#include "fields/levels/exact_levels.h"
 #include "fields/levels/value_gaps.h"
 
 namespace pellucid::readers {
@@ -15,28 +15,19 @@ struct VdbGrid;
 
 namespace pellucid::fields {
 
-/// Reads every grid of an OpenVDB file that has the scalar, as a level: scalar grids of that name
-/// (float or double), or else, for a derived scalar, the grids of the `velocity`, which
-/// choose_velocity() finds when it is empty. Of a level set or a fog volume the level is the box
-/// around its active voxels. Throws InputError for a file that is missing, damaged or without such
-/// a grid, and for a grid of another class whose active voxels do not fill a box, whose voxels are
-/// not cubes along the world's axes, or that check_level() refuses.
-std::vector<ScalarLevel> read_vdb_levels(const std::filesystem::path& path, std::string_view scalar,
-                                         std::string_view velocity = {});
-
-/// Returns such levels of grids that have been read; `path` names their file in messages. Throws as
-/// read_vdb_levels() does of them.
-std::vector<ScalarLevel> levels_of(std::span<const readers::VdbGrid> grids,
-                                   const std::filesystem::path& path, std::string_view scalar,
-                                   std::string_view velocity = {});
-
-/// Returns the least and the largest sample; (inf, -inf) of none.
-Vec2 sample_range(std::span<const ScalarLevel> levels);
+/// Makes a level of every grid that has the scalar: scalar grids of that name (float or double), or
+/// else, for a derived scalar, the grids of the `velocity`, which choose_velocity() finds when it
+/// is empty, at_centres() when they are staggered. Of a level set or a fog volume the level is the
+/// box around its active voxels. `path` names the grids' file in messages. Throws InputError where
+/// there is no such grid, and for a grid of another class whose active voxels do not fill a box,
+/// whose voxels are not cubes along the world's axes, or that check_level() refuses.
+ExactLevels levels_of(std::span<const readers::VdbGrid> grids, const std::filesystem::path& path,
+                      std::string_view scalar, std::string_view velocity = {});
 
 /// Returns the least and the largest value of such levels of a scalar: of level sets that of their
 /// active voxels, since beyond its narrow band a level set has the band's width; else a sample's.
 Vec2 value_range(std::span<const readers::VdbGrid> grids, std::string_view scalar,
-                 std::span<const ScalarLevel> levels);
+                 const ExactLevels& levels);
 
 /// Returns the values of which no such level of a scalar has a right surface: those that it would
 /// pass beyond the narrow band of a level set (add_gaps_beyond_band()); none of other grids.

@@ -11,6 +11,7 @@
 #include "core/files/bad_file.h"
 #include "core/options/parameters.h"
 #include "fields/readers/file_field.h"
+#include "fields/readers/pvd_collection.h"
 #include "fields/readers/series_field.h"
 #include "fields/readers/vtk_field.h"
 #include "readers/vtk/blocks_of.h"
@@ -21,13 +22,6 @@ namespace pellucid::fields {
 namespace {
 
 using Path = std::filesystem::path;
-
-/// One file of the collection.
-struct Entry {
-  std::string name;  // for block=…: its name, group or part
-  Path file;
-};
-using Collection = std::map<double, std::vector<Entry>>;
 
 std::string attribute(const readers::XmlTag& tag, std::string_view name) {
   const auto found = tag.attributes.find(name);
@@ -42,7 +36,7 @@ double time_of(const readers::XmlTag& tag, const Path& path) {
   return time;
 }
 
-Entry entry_of(const readers::XmlTag& tag, const Path& path) {
+CollectedFile entry_of(const readers::XmlTag& tag, const Path& path) {
   const std::string file = attribute(tag, "file");
   if (file.empty()) bad_file(path, "a DataSet names no file");
   std::string name = attribute(tag, "name");
@@ -51,7 +45,9 @@ Entry entry_of(const readers::XmlTag& tag, const Path& path) {
   return {name, path.parent_path() / file};
 }
 
-Collection collection_of(const Path& path) {
+}  // namespace
+
+Collection pvd_collection(const Path& path) {
   Collection collection;
   for (const readers::XmlTag& tag : readers::xml_tags(path))
     if (tag.name == "DataSet") collection[time_of(tag, path)].push_back(entry_of(tag, path));
@@ -61,10 +57,12 @@ Collection collection_of(const Path& path) {
   return collection;
 }
 
-std::unique_ptr<VectorField> read_frame(const std::vector<Entry>& entries,
+namespace {
+
+std::unique_ptr<VectorField> read_frame(const std::vector<CollectedFile>& entries,
                                         const FileOptions& options, const Path& path) {
   std::vector<readers::NamedBlock> blocks;
-  for (const Entry& entry : entries) {
+  for (const CollectedFile& entry : entries) {
     try {
       blocks.push_back({entry.name, readers::read_vtk_data_set(entry.file)});
     } catch (const InputError& error) {
@@ -79,7 +77,7 @@ std::unique_ptr<VectorField> read_frame(const std::vector<Entry>& entries,
 
 std::unique_ptr<VectorField> read_pvd_field(const Path& path, const FileOptions& asked) {
   const FileOptions options = in_common(asked);
-  const Collection collection = collection_of(path);
+  const Collection collection = pvd_collection(path);
   std::vector<double> times;
   for (const auto& [time, entries] : collection) times.push_back(time);
   return field_over_times(times, options.time, path, [&](std::size_t number) {

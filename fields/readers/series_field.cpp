@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <vector>
 
 #include "core/error.h"
@@ -188,47 +187,46 @@ double time_of(const nlohmann::json& entry, std::size_t number, const Path& path
   return entry["time"];
 }
 
-std::unique_ptr<VectorField> read_frame(const nlohmann::json& entry, std::size_t number,
-                                        const Path& path, FileOptions options) {
-  const std::string name = entry["name"];
-  const FileFormatRow* format = file_format(name);
+std::unique_ptr<VectorField> read_frame(const SeriesEntry& entry, const Path& path,
+                                        FileOptions options) {
+  const FileFormatRow* format = file_format(entry.file.string());
   if (!format || format->ending == series_ending)
     bad_file(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
-                               number, name, file_endings()));
+                               entry.number, entry.file.filename().string(), file_endings()));
   options.time.clear();  // of the series, not of its files
   try {
-    return read_file(path.parent_path() / name, *format, options);
+    return read_file(entry.file, *format, options);
   } catch (const InputError& error) {
-    bad_file(path, fmt::format("files[{}]: {}", number, error.what()));
+    bad_file(path, fmt::format("files[{}]: {}", entry.number, error.what()));
   }
-}
-
-/// The files by their times, which are no two the same.
-std::vector<std::size_t> in_order(const std::vector<double>& times) {
-  std::vector<std::size_t> order(times.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return times[i]; });
-  return order;
 }
 
 std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& asked) {
   const FileOptions options = in_common(asked);
+  const std::vector<SeriesEntry> entries = series_entries(path);
+  std::vector<double> times;
+  for (const SeriesEntry& entry : entries) times.push_back(entry.time);
+  require_ascending(times, path);
+  return field_over_times(times, options.time, path,
+                          [&](std::size_t i) { return read_frame(entries[i], path, options); });
+}
+
+}  // namespace
+
+std::vector<SeriesEntry> series_entries(const Path& path) {
   const nlohmann::json description = read_json(path);
   if (!description.is_object() || !description.contains("files") ||
       !description["files"].is_array() || description["files"].size() < 2)
     bad_file(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");
-  std::vector<double> times;
-  for (const nlohmann::json& entry : description["files"])
-    times.push_back(time_of(entry, times.size(), path));
-  const std::vector<std::size_t> order = in_order(times);
-  std::ranges::sort(times);
-  require_ascending(times, path);
-  return field_over_times(times, options.time, path, [&](std::size_t i) {
-    return read_frame(description["files"][order[i]], order[i], path, options);
-  });
+  std::vector<SeriesEntry> entries;
+  for (const nlohmann::json& entry : description["files"]) {
+    const double time = time_of(entry, entries.size(), path);
+    entries.push_back(
+        {time, path.parent_path() / entry["name"].get<std::string>(), entries.size()});
+  }
+  std::ranges::stable_sort(entries, {}, &SeriesEntry::time);
+  return entries;
 }
-
-}  // namespace
 
 std::unique_ptr<VectorField> make_series_field(std::vector<Frame> frames, const Path& path) {
   if (frames.size() == 1) return std::move(frames.front().field);

@@ -17,6 +17,17 @@ struct Frame {
   std::unique_ptr<VectorField> field;
 };
 
+/// A SeriesEntry is one file of a .series.
+struct SeriesEntry {
+  double time = 0;
+  std::filesystem::path file;
+  std::size_t number = 0;  // its place in the list
+};
+
+/// Reads ParaView's list of the files of a time series, two or more, and puts them in the order of
+/// their times. Throws InputError, naming `path`, for what is none.
+std::vector<SeriesEntry> series_entries(const std::filesystem::path& path);
+
 /// Makes a field that is linear in time between two frames or more, and `outside` before the first
 /// and after the last; a field of one frame is that frame's. Throws InputError, naming `path`,
 /// where times do not ascend.

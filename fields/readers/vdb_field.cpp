@@ -11,6 +11,7 @@
 
 #include "core/files/bad_file.h"
 #include "fields/files/grid_choice.h"
+#include "fields/files/staggered_grid.h"
 #include "fields/files/vdb_box.h"
 #include "fields/finite.h"
 #include "fields/lazy.h"
@@ -115,9 +116,6 @@ bool is_dense(const Grid& grid, const openvdb::CoordBBox& box) {
 template <class Grid>
 std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
                                             const FileOptions& options, const Path& path) {
-  if (grid->getGridClass() == openvdb::GRID_STAGGERED)
-    bad_file(path, fmt::format("grid '{}' is staggered; resample it to one position per voxel",
-                               grid->getName()));
   const GridFrame frame = frame_of(*grid, path);
   const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
   if (box.empty()) bad_file(path, fmt::format("grid '{}' has no active voxels", grid->getName()));
@@ -146,7 +144,7 @@ openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
   if (!chosen.grid)
     bad_file(path, fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3",
                                chosen.name));
-  return chosen.grid;
+  return at_centres(chosen.grid, fmt::format("{}: grid '{}'", path.string(), chosen.name));
 }
 
 }  // namespace
@@ -170,6 +168,10 @@ std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions&
 
 }  // namespace
 
-std::vector<FileFormatRow> vdb_formats() { return {{".vdb", "OpenVDB", read_vdb_field}}; }
+std::vector<FileFormatRow> vdb_formats() {
+  return {
+      {".vdb", "OpenVDB", read_vdb_field,
+       "of a staggered grid the means of both faces, in the middle of each voxel that has both"}};
+}
 
 }  // namespace pellucid::fields

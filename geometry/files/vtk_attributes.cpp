@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSet.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
@@ -104,7 +105,7 @@ VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points) {
   return attributes;
 }
 
-VertexAttributes vtk_cell_scalars(vtkPolyData& data, const PointIds& cells) {
+VertexAttributes vtk_cell_scalars(vtkDataSet& data, const PointIds& cells) {
   VertexAttributes scalars;
   vtkCellData& arrays = *data.GetCellData();
   const vtkDataArray* const colors = find_colors(arrays);
@@ -116,7 +117,7 @@ VertexAttributes vtk_cell_scalars(vtkPolyData& data, const PointIds& cells) {
   return scalars;
 }
 
-vtkDataArray* vtk_cell_colors(vtkPolyData& data, const VertexAttributes& of_points) {
+vtkDataArray* vtk_cell_colors(vtkDataSet& data, const VertexAttributes& of_points) {
   vtkDataArray* colors = find_colors(*data.GetCellData());
   const bool usable = colors && colors->GetNumberOfTuples() == data.GetNumberOfCells();
   return usable && !of_points.contains("red") ? colors : nullptr;

@@ -9,7 +9,6 @@
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkPolyData;
 
 namespace pellucid::geometry {
 
@@ -24,11 +23,11 @@ VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points);
 
 /// Returns the cells' numbers in the same way, in the order of `cells`: none of an array that has
 /// not one tuple of each cell, nor colours and VTK's own flags.
-VertexAttributes vtk_cell_scalars(vtkPolyData& data, const PointIds& cells);
+VertexAttributes vtk_cell_scalars(vtkDataSet& data, const PointIds& cells);
 
 /// Returns the colours of cells, unless the points have some or the file has not one of each cell:
 /// then nullptr.
-vtkDataArray* vtk_cell_colors(vtkPolyData& data, const VertexAttributes& of_points);
+vtkDataArray* vtk_cell_colors(vtkDataSet& data, const VertexAttributes& of_points);
 
 /// Sets the columns red, green, blue and, of four components, alpha to the array's tuples.
 void take_vtk_colors(vtkDataArray& array, const PointIds& tuples, VertexAttributes& attributes);

@@ -6,8 +6,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkGeometryFilter.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -165,12 +168,42 @@ FileLines lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   return lines;
 }
 
+namespace {
+
+/// The vertex cell of each point, the first of several; none where a point has none.
+PointIds vertex_cells(vtkDataSet& data, const PointIds& points) {
+  PointIds of_point(std::size_t(data.GetNumberOfPoints()), -1), cells;
+  const vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = data.GetNumberOfCells() - 1; cell >= 0; --cell) {
+    const int type = data.GetCellType(cell);
+    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX) continue;
+    data.GetCellPoints(cell, ids);
+    for (const vtkIdType point : *ids) of_point[std::size_t(point)] = cell;
+  }
+  for (const vtkIdType point : points) cells.push_back(of_point[std::size_t(point)]);
+  return std::ranges::find(cells, -1) == cells.end() ? cells : PointIds();
+}
+
+/// What the vertex cells of points carry, where every point is one.
+void add_of_vertex_cells(vtkDataSet& data, const PointIds& points, VertexAttributes& attributes) {
+  if (data.GetCellData()->GetNumberOfArrays() == 0) return;
+  const PointIds cells = vertex_cells(data, points);
+  if (cells.empty()) return;
+  if (vtkDataArray* colors = vtk_cell_colors(data, attributes))
+    take_vtk_colors(*colors, cells, attributes);
+  attributes.merge(vtk_cell_scalars(data, cells));
+}
+
+}  // namespace
+
 PointSet points_of(const vtkSmartPointer<vtkDataSet>& data) {
   const PointIds points = shown_points(*data);
   PointSet set;
   set.positions.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) data->GetPoint(points[i], &set.positions[i].x);
-  take_attributes(vtk_attributes(*data, points), set);
+  VertexAttributes attributes = vtk_attributes(*data, points);
+  add_of_vertex_cells(*data, points, attributes);
+  take_attributes(std::move(attributes), set);
   return set;
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pellucid::readers {
 namespace {
@@ -46,7 +47,21 @@ void reverse_values(vtkDataSet& data, const int* dimensions, int axis) {
   reverse(*data.GetCellData(), cells, axis);
 }
 
+/// Says by steps below 0 what the directions say of axes that run against the world's.
+void flip_axes(vtkImageData& image) {
+  double spacing[3];
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      if (std::abs(image.GetDirectionMatrix()->GetElement(row, column)) != (row == column ? 1 : 0))
+        return;
+    spacing[row] = image.GetSpacing()[row] * image.GetDirectionMatrix()->GetElement(row, row);
+  }
+  image.SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 1);
+  image.SetSpacing(spacing);
+}
+
 void make_axes_ascend(vtkImageData& image) {
+  flip_axes(image);
   if (!image.GetDirectionMatrix()->IsIdentity()) return;
   double origin[3], spacing[3];
   image.GetOrigin(origin), image.GetSpacing(spacing);

@@ -61,7 +61,10 @@ std::variant<std::monostate, Vec3, ScalarColor> read_color(const JsonNode& node,
   color.scalar = node["by"].string();
   read_range(node, color);
   if (node.has("nan_color")) color.nan = read_rgb(node["nan_color"]);
+  const Scale own = color.scale;
   if (node.has("map")) read_colormap(node["map"], folder, color);
+  if (node.has("scale") && color.scale != own)
+    node["scale"].fail("its map is by UseLogScale; accepted: logarithmic");
   return color;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colour maps of a scene file. ParaView's preset is a list of maps, of which the first counts:
-//   [{"ColorSpace": "RGB", "Name": "…", "RGBPoints": [x, r, g, b, x, r, g, b, …], "NanColor": …}]
+//   [{"ColorSpace": "RGB", "Name": "…", "RGBPoints": [x, r, g, b, x, r, g, b, …], "NanColor": …,
+//     "UseLogScale": 0}]
 
 #include "scene/files/colormap_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/options/names.h"
@@ -54,13 +56,37 @@ const ColorSpace& color_space_of(const JsonNode& map) {
   });
 }
 
+bool is_logarithmic(const JsonNode& map) {
+  if (!map.has("UseLogScale")) return false;
+  const JsonNode use = map["UseLogScale"];
+  return use.value().is_boolean() ? use.boolean() : use.number(0, 1) != 0;
+}
+
+/// Places the stops by the logarithms of their values, from 0 to 1, and makes the values of the
+/// outermost the range. A preset's from 0 to 1 are fractions already.
+void place_by_logarithms(const JsonNode& map, std::vector<ColorStop>& stops, ScalarColor& color) {
+  color.scale = Scale::logarithmic;
+  if (stops.empty() || (stops.front().at == 0 && stops.back().at == 1)) return;
+  const Vec2 ends(stops.front().at, stops.back().at);
+  if (!(ends.x > 0 && ends.y > ends.x))
+    map["RGBPoints"].fail(
+        fmt::format("values from {} to {} by UseLogScale; accepted: ascending values above 0, or "
+                    "fractions from 0 to 1",
+                    ends.x, ends.y));
+  for (ColorStop& stop : stops) stop.at = std::log(stop.at / ends.x) / std::log(ends.y / ends.x);
+  stops.back().at = 1;
+  if (!color.range) color.range = ends;
+}
+
 std::vector<ColorStop> read_paraview(const JsonNode& root, ScalarColor& color) {
   const auto maps = root.is_array() ? root.elements() : std::vector{root};
   if (maps.empty()) root.fail("no colour map; accepted: one that ParaView has exported");
   const JsonNode& map = maps.front();
   if (!map.has("RGBPoints")) map.fail("accepted: ParaView's RGBPoints");
   if (map.has("NanColor") && !color.nan) color.nan = read_rgb(map["NanColor"]);
-  return linear_in_rgb(read_points(map["RGBPoints"]), color_space_of(map));
+  std::vector<ColorStop> stops = read_points(map["RGBPoints"]);
+  if (is_logarithmic(map)) place_by_logarithms(map, stops, color);
+  return linear_in_rgb(stops, color_space_of(map));
 }
 
 bool is_paraview(const JsonNode& node) {

@@ -23,25 +23,23 @@
 namespace pellucid::scene {
 namespace {
 
-using Levels = std::vector<fields::ScalarLevel>;
-
 /// What a surface is drawn of.
 struct LevelData {
-  std::vector<Levels> levels;  // of each of the scalars, the surface's own first
-  Vec2 range{0};               // of the surface's own values
-  fields::ValueGaps gaps;      // among these
-  std::string origin;          // the names of the data, for messages
-  std::vector<std::string> remarks;
+  std::vector<fields::FileLevels> scalars;  // the surface's own first
+  std::string origin;                       // the names of the data, for messages
 };
 
 LevelData generate(const JsonNode& node, std::span<const std::string> scalars) {
   const JsonNode dataset = node["dataset"];
   const auto velocity = at_place(dataset, [&] { return make_velocity_levels(dataset.string()); });
   LevelData data;
-  for (const std::string& scalar : scalars)
-    data.levels.push_back(at_place(data.levels.empty() ? node["scalar"] : node,
-                                   [&] { return fields::scalars_of(velocity, scalar); }));
-  data.range = fields::sample_range(data.levels.front());
+  for (const std::string& scalar : scalars) {
+    fields::FileLevels made;
+    made.levels = at_place(data.scalars.empty() ? node["scalar"] : node,
+                           [&] { return fields::scalars_of(velocity, scalar); });
+    made.range = fields::sample_range(made.levels);
+    data.scalars.push_back(std::move(made));
+  }
   data.origin = dataset.string();
   return data;
 }
@@ -57,22 +55,16 @@ std::string read_time(const JsonNode& node) {
 void read_file(const std::filesystem::path& path, const JsonNode& node,
                std::span<const std::string> scalars, LevelData& data) {
   const std::string velocity = node.has("velocity") ? node["velocity"].string() : "";
-  for (std::size_t i = 0; i < scalars.size(); ++i) {
-    fields::FileLevels read = fields::read_levels(path, scalars[i], velocity, read_time(node));
-    std::ranges::move(read.levels, std::back_inserter(data.levels[i]));
-    if (i > 0) continue;
-    data.range = {std::min(data.range.x, read.range.x), std::max(data.range.y, read.range.y)};
-    data.gaps.add(read.gaps);
-    if (!read.remark.empty()) data.remarks.push_back(std::move(read.remark));
-  }
+  for (std::size_t i = 0; i < scalars.size(); ++i)
+    append(fields::read_levels(path, scalars[i], velocity, read_time(node)), data.scalars[i]);
 }
 
 LevelData read_files(const JsonNode& node, const std::filesystem::path& folder,
                      std::span<const std::string> scalars) {
   const JsonNode file = node["file"];
   LevelData data;
-  data.levels.resize(scalars.size());
-  data.range = fields::sample_range({});
+  data.scalars.resize(scalars.size());
+  for (fields::FileLevels& scalar : data.scalars) scalar.range = fields::sample_range({});
   std::vector<std::string> names;
   for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file}) {
     names.push_back(name.string());
@@ -86,13 +78,6 @@ bool on_same_samples(const fields::LevelField& a, const fields::LevelField& b) {
   return std::ranges::equal(a.levels(), b.levels(), [](const auto& p, const auto& q) {
     return p.origin == q.origin && p.width == q.width && p.size == q.size;
   });
-}
-
-std::vector<double> samples_of(const fields::LevelField& field) {
-  std::vector<double> samples;
-  for (const fields::ScalarLevel& level : field.levels())
-    samples.insert(samples.end(), level.samples.begin(), level.samples.end());
-  return samples;
 }
 
 /// What is not by a scalar stays the default's.
@@ -159,16 +144,17 @@ class IsosurfaceReader {
     Isosurface surface;
     surface.value = node_["value"].number(-any, any);
     LevelData data = read_levels();
-    refuse_value(surface.value, data);
-    std::vector<Levels>& levels = data.levels;
-    surface.field = field_on(std::move(levels.front()), std::move(data.gaps));
+    std::vector<fields::FileLevels>& scalars = data.scalars;
+    fields::FileLevels& own = scalars.front();
+    refuse_value(surface.value, own, data.origin);
+    surface.field = field_on(rounded(std::move(own.levels), surface.value), std::move(own.gaps));
     surface.corners = corners_of(surface.field->bounds());
-    surface.corners.remarks = std::move(data.remarks);
+    for (const fields::FileLevels& scalar : scalars) add_remarks(scalar, surface.corners.remarks);
     if (color_)
-      surface.coloring = {other_scalar(std::move(levels[1]), *surface.field, *color_), color_map(),
-                          color_->custom, color_->nan};
+      surface.coloring = {other_scalar(std::move(scalars[1].levels), *surface.field, *color_),
+                          color_map(), color_->custom, color_->nan};
     if (opacity_)
-      surface.fading = {other_scalar(std::move(levels.back()), *surface.field, *opacity_),
+      surface.fading = {other_scalar(std::move(scalars.back().levels), *surface.field, *opacity_),
                         opacity_->opacities};
     if (node_.has("hole")) surface.hole = read_hole(node_["hole"], folder_);
     return surface;
@@ -197,13 +183,19 @@ class IsosurfaceReader {
   }
 
   /// What no value reaches would be an empty picture, and what leaves a narrow band a false one.
-  void refuse_value(double value, const LevelData& data) const {
+  void refuse_value(double value, const fields::FileLevels& data, const std::string& origin) const {
     const bool reached = value >= data.range.x && value <= data.range.y;
     if (reached && !data.gaps.contains(value)) return;
-    node_["value"].fail(fmt::format(
-        "{}; accepted: {}, {} of {} of {}", value, data.gaps.accepted(data.range),
-        data.gaps.empty() ? "the range" : "where the surface stays in the narrow band",
-        node_["scalar"].string(), data.origin));
+    node_["value"].fail(
+        fmt::format("{}; accepted: {}, {} of {} of {}", value, data.gaps.accepted(data.range),
+                    data.gaps.empty() ? "the range" : "where the surface stays in the narrow band",
+                    node_["scalar"].string(), origin));
+  }
+
+  /// What is true of the file, and not of the scalar, is said once.
+  static void add_remarks(const fields::FileLevels& scalar, std::vector<std::string>& remarks) {
+    for (const std::string& remark : scalar.remarks)
+      if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
   }
 
   /// None when the map is one of the scene's own.
@@ -212,25 +204,26 @@ class IsosurfaceReader {
     return &at_place(node_, [&]() -> const ColormapRow& { return find_colormap(color_->map); });
   }
 
-  std::shared_ptr<const fields::LevelField> field_on(Levels levels,
+  std::shared_ptr<const fields::LevelField> field_on(fields::ScaledLevels samples,
                                                      fields::ValueGaps gaps = {}) const {
     return at_place(node_, [&] {
-      return std::make_shared<const fields::LevelField>(std::move(levels), *reconstruction_,
-                                                        std::move(gaps));
+      return std::make_shared<const fields::LevelField>(std::move(samples.levels), *reconstruction_,
+                                                        std::move(gaps), samples.scale);
     });
   }
 
   /// `by` is a ScalarColor or a ScalarOpacity.
-  Isosurface::OtherScalar other_scalar(Levels levels, const fields::LevelField& surface,
-                                       const auto& by) const {
-    const auto field = field_on(std::move(levels));
+  Isosurface::OtherScalar other_scalar(fields::ExactLevels levels,
+                                       const fields::LevelField& surface, const auto& by) const {
+    const Vec2 range = at_place(node_, [&] {
+      return range_over(by, has_given_range(by) ? std::vector<double>() : samples_of(levels));
+    });
+    const double middle = by.scale == Scale::linear ? range.x / 2 + range.y / 2 : 0;
+    const auto field = field_on(rounded(std::move(levels), middle));
     if (!on_same_samples(*field, surface))
       node_.fail(fmt::format(
           "its grids are not those of the scalar '{}'; accepted: the same boxes and widths",
           by.scalar));
-    const Vec2 range = at_place(node_, [&] {
-      return range_over(by, has_given_range(by) ? std::vector<double>() : samples_of(*field));
-    });
     return {field, range, by.scale};
   }
 
@@ -260,8 +253,8 @@ std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
 void restyle_isosurface(const Appearance& appearance, const JsonNode& node, Isosurface& surface) {
   surface.value = node["value"].number(-any, any);
   if (surface.field->gaps().contains(surface.value))
-    node["value"].fail(fmt::format("{}; accepted: {}, where the surface stays in the narrow band", surface.value,
-                                   surface.field->gaps().accepted({-any, any})));
+    node["value"].fail(fmt::format("{}; accepted: {}, where the surface stays in the narrow band",
+                                   surface.value, surface.field->gaps().accepted({-any, any})));
   const auto* color = std::get_if<ScalarColor>(&appearance.color);
   if (color && surface.coloring) {
     surface.coloring->map = color->custom ? nullptr : &find_colormap(color->map);

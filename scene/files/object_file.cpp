@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/files/mesh_file.h"
+#include "geometry/unused_vertices.h"
 #include "scene/appearance/face_scalars.h"
+#include "scene/appearance/map_span.h"
 #include "scene/datasets/dataset.h"
 #include "scene/files/any_number.h"
 #include "scene/files/appearance_file.h"
@@ -131,6 +133,7 @@ class ObjectReader {
 
   void read_mesh_file(const JsonNode& node) {
     auto mesh = shape_of<geometry::TriangleMesh>(node, geometry::read_mesh);
+    geometry::drop_unused_vertices(mesh);
     note(fmt::format("{}, {} triangles", file_name(node), mesh.triangles.size()), mesh);
     values_ = std::move(mesh.values);
     draw(std::move(mesh));
@@ -157,6 +160,7 @@ class ObjectReader {
 
   geometry::LineSet line_file(const JsonNode& node) {
     auto lines = shape_of<geometry::LineSet>(node, geometry::read_lines);
+    geometry::drop_unused_vertices(lines);
     values_ = std::move(lines.values);
     note(fmt::format("{}, {} lines, {} points", file_name(node), lines.line_count(),
                      lines.positions.size()),
@@ -218,7 +222,16 @@ class ObjectReader {
       }
       apply_appearance(appearance, object_.vertices());
     });
+    if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) remark_map_span(*by);
     if (object_.source) fill_in(appearance);
+  }
+
+  /// Colours are the map's at vertices alone.
+  void remark_map_span(const ScalarColor& by) {
+    if (auto* mesh = std::get_if<geometry::TriangleMesh>(&object_.shape))
+      scene::remark_map_span(map_span(by, *mesh), "triangle", *mesh);
+    if (auto* lines = std::get_if<LineObject>(&object_.shape))
+      scene::remark_map_span(map_span(by, lines->set), "segment", lines->set);
   }
 
   bool asks_percentiles_of_file() const {

@@ -78,6 +78,29 @@ TEST_F(UnitInfo, AnImageHasItsLatticeAndItsArraysAtPointsAndCells) {
   EXPECT_EQ(region["ranges"], Json::parse("[[3, 200]]"));
 }
 
+TEST_F(UnitInfo, PointsThatAreNowhereAreCounted) {
+  const Json json =
+      info("n.vtp",
+           R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="3" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 nan 0 0 0 1 inf
+</DataArray></Points></Piece></PolyData></VTKFile>)");
+  EXPECT_EQ(json["points not finite"], 2);
+}
+
+TEST_F(UnitInfo, RangesHaveTheDigitsThatTellTheirEndsApart) {
+  write_text(folder_ / "r.csv", "x,y,z,p\n0,0,1e6,101325\n1,0,1000000.25,101325.04\n");
+  const std::string text = run("info r.csv --quiet").out;
+  EXPECT_THAT(text, HasSubstr("bounds: (0, 0, 1000000) … (1, 0, 1000000.25)\n"));
+  EXPECT_THAT(text, HasSubstr("101325 … 101325.04\n"));
+}
+
+TEST_F(UnitInfo, VerticesThatNothingIsDrawnOfAreCounted) {
+  const Json json = info("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n");
+  EXPECT_EQ(json["bounds"]["max"], Json({1, 1, 0}));
+  EXPECT_EQ(json["remarks"], Json({"1 of 4 vertices are of no triangle, and are left out"}));
+}
+
 TEST_F(UnitInfo, ASeriesHasItsTimesAndWhatItsFirstFileHolds) {
   info("a.vti", image);
   const Json json = info("a.vti.series",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fields/levels/level_field.h"
+#include "fields/levels/level_files.h"
 
 namespace pellucid::testing {
 
@@ -29,6 +30,14 @@ fields::ScalarLevel sampled(const Vec3& origin, double width, int n, const Funct
 template <class Function>
 std::vector<fields::ScalarLevel> nested(const Function& f) {
   return {sampled(Vec3(0.5), 1, 8, f), sampled(Vec3(2.25), 0.5, 8, f)};
+}
+
+/// The levels of a file whose samples are floats.
+inline std::vector<fields::ScalarLevel> read_float_levels(const std::filesystem::path& path,
+                                                          std::string_view scalar,
+                                                          const std::string& velocity = {}) {
+  return std::get<std::vector<fields::ScalarLevel>>(
+      fields::read_levels(path, scalar, velocity).levels);
 }
 
 }  // namespace pellucid::testing

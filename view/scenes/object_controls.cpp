@@ -109,8 +109,10 @@ Vec2 samples_range(const scene::SceneObject& made) {
   if (!surface) return range;
   range = {range.y, range.x};
   for (const fields::ScalarLevel& level : surface->field->levels())
-    for (const double sample : level.samples)
-      if (std::isfinite(sample)) range = {std::min(range.x, sample), std::max(range.y, sample)};
+    for (const float kept : level.samples) {
+      const double sample = surface->field->scale().value(kept);
+      range = {std::min(range.x, sample), std::max(range.y, sample)};
+    }
   return range;
 }
 

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "fields/levels/surface_cells.h"
 #include "fields/levels/vdb_levels.h"
+#include "fields/readers/vdb_field.h"
 #include "readers/vdb/grid_blocks.h"
 #include "tests/fields/readers/grid_files.h"
 #include "tests/support/levels.h"
@@ -21,6 +22,7 @@ namespace {
 
 using openvdb::math::Transform;
 using ::testing::HasSubstr;
+using testing::read_float_levels;
 
 /// n³ voxels from (2, 3, 4) on, f = x + 10 y in world coordinates, cells of `width`.
 openvdb::FloatGrid::Ptr scalar_grid(const std::string& name, int n, double width) {
@@ -40,7 +42,7 @@ std::string refusal(const openvdb::GridBase::Ptr& grid, std::string_view scalar 
   const TemporaryFolder folder;
   openvdb::io::File((folder / "levels.vdb").string()).write({grid});
   try {
-    read_vdb_levels(folder / "levels.vdb", scalar);
+    read_float_levels(folder / "levels.vdb", scalar);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -51,7 +53,7 @@ TEST(UnitVdbLevels, EveryGridOfTheNameIsALevel) {
   const TemporaryFolder folder;
   openvdb::io::File((folder / "levels.vdb").string())
       .write({scalar_grid("p", 4, 0.5), scalar_grid("p", 5, 0.25), scalar_grid("other", 3, 1)});
-  const auto levels = read_vdb_levels(folder / "levels.vdb", "p");
+  const auto levels = read_float_levels(folder / "levels.vdb", "p");
   ASSERT_EQ(levels.size(), 2u);
   const ScalarLevel& level = levels[0].size[0] == 4 ? levels[0] : levels[1];
   EXPECT_EQ(level.width, 0.5);
@@ -71,7 +73,7 @@ TEST(UnitVdbLevels, TilesOfAFullBoxAreRead) {
   ASSERT_GT(grid->tree().activeTileCount(), 0u);
   const TemporaryFolder folder;
   openvdb::io::File((folder / "tiles.vdb").string()).write({grid});
-  const ScalarLevel level = read_vdb_levels(folder / "tiles.vdb", "p").at(0);
+  const ScalarLevel level = read_float_levels(folder / "tiles.vdb", "p").at(0);
   EXPECT_EQ(level.size, (std::array{24, 24, 24}));
   for (int i = 0; i < 24; ++i) EXPECT_EQ(level.at(i, 12, 12), i == 12 ? 7 : 5);
   EXPECT_EQ(level.at(0, 0, 23), 5);
@@ -108,9 +110,9 @@ TEST(UnitVdbLevels, TruncatedFilesAreRefused) {
   const std::string bytes = read_bytes(folder / "levels.vdb");
   for (std::size_t length = 0; length + 64 < bytes.size(); length += bytes.size() / 23) {
     write_bytes(folder / "cut.vdb", std::string_view(bytes).substr(0, length));
-    EXPECT_THROW(read_vdb_levels(folder / "cut.vdb", "p"), InputError) << length;
+    EXPECT_THROW(read_float_levels(folder / "cut.vdb", "p"), InputError) << length;
   }
-  EXPECT_THROW(read_vdb_levels(folder / "missing.vdb", "p"), InputError);
+  EXPECT_THROW(read_float_levels(folder / "missing.vdb", "p"), InputError);
 }
 
 TEST(UnitVdbLevels, MutatedFilesAreRefusedOrWhole) {
@@ -129,7 +131,7 @@ TEST(UnitVdbLevels, MutatedFilesAreRefusedOrWhole) {
     for (int i = 0; i < 3; ++i) mutated[random() % where] = char(random() % 256);
     write_bytes(folder / "mutated.vdb", mutated);
     try {
-      for (const ScalarLevel& level : read_vdb_levels(folder / "mutated.vdb", "p"))
+      for (const ScalarLevel& level : read_float_levels(folder / "mutated.vdb", "p"))
         check_level("level", level);
     } catch (const InputError& error) {
       ++refused;
@@ -159,7 +161,7 @@ TEST(UnitVdbLevels, WhatIsWrittenIsReadBitForBit) {
   levels[0].samples[5] = -0.0f;
   levels[0].samples[6] = std::numeric_limits<float>::denorm_min();
   write_vdb_levels(folder / "p.vdb", "p", std::span<const ScalarLevel>(levels));
-  const auto read = read_vdb_levels(folder / "p.vdb", "p");
+  const auto read = read_float_levels(folder / "p.vdb", "p");
   ASSERT_EQ(read.size(), levels.size());
   for (std::size_t i = 0; i < levels.size(); ++i) expect_same(read[i], levels[i]);
   EXPECT_TRUE(std::signbit(read[0].samples[5]));
@@ -194,10 +196,10 @@ openvdb::Vec3SGrid::Ptr vector_grid(const std::string& name, int n, float speed)
 }
 
 std::vector<ScalarLevel> magnitudes(const openvdb::GridPtrVec& grids,
-                                    std::string_view velocity = {}) {
+                                    const std::string& velocity = {}) {
   const TemporaryFolder folder;
   openvdb::io::File((folder / "levels.vdb").string()).write(grids);
-  return read_vdb_levels(folder / "levels.vdb", "magnitude", velocity);
+  return read_float_levels(folder / "levels.vdb", "magnitude", velocity);
 }
 
 TEST(UnitVdbLevels, OneOfSeveralVectorGridsIsTheVelocity) {
@@ -212,8 +214,55 @@ TEST(UnitVdbLevels, OneOfSeveralVectorGridsIsTheVelocity) {
   EXPECT_EQ(magnitudes({velocity, vector_grid("vel", 5, 2)}).size(), 2u);  // levels of one name
 }
 
+/// u = x at the voxels' lower faces: where it belongs, |v| is x at their middles.
+template <class Grid>
+typename Grid::Ptr staggered_grid() {
+  openvdb::initialize();
+  auto grid = Grid::create(typename Grid::ValueType(99));  // a background that would show
+  grid->setName("v");
+  grid->setTransform(Transform::createLinearTransform(0.5));
+  grid->setGridClass(openvdb::GRID_STAGGERED);
+  auto accessor = grid->getAccessor();
+  for (int k = 0; k < 6; ++k)
+    for (int j = 0; j < 6; ++j)
+      for (int i = 0; i < 6; ++i)
+        accessor.setValueOn({i, j, k}, typename Grid::ValueType(0.5 * (i + 1.5), 2, -1));
+  return grid;
+}
+
+TEST(UnitVdbLevels, StaggeredVelocitiesBelongToTheMiddlesOfVoxels) {
+  for (const openvdb::GridBase::Ptr& grid :
+       {openvdb::GridBase::Ptr(staggered_grid<openvdb::Vec3SGrid>()),
+        openvdb::GridBase::Ptr(staggered_grid<openvdb::Vec3DGrid>())}) {
+    const std::vector<readers::VdbGrid> grids{
+        {.name = "v", .value_type = grid->valueType(), .grid = grid}};
+    const auto levels = rounded(levels_of(grids, "v.vdb", "magnitude"), 0);
+    const ScalarLevel& level = levels.levels.front();
+    EXPECT_EQ(level.size, (std::array{5, 5, 5}));  // the last voxels have one face alone
+    EXPECT_EQ(level.origin, Vec3(0));
+    for (int i = 0; i < 5; ++i)
+      EXPECT_FLOAT_EQ(float(levels.scale.value(level.at(i, 2, 3))),
+                      float(glm::length(Vec3(0.5 * (i + 2), 2, -1))));
+    const auto field = field_of(grids, {}, "v.vdb");
+    EXPECT_EQ(field->domain().max, Vec3(2));
+    Vec3 v;
+    ASSERT_EQ(field->sampler()->velocity(Vec3(1.3, 0.7, 2), 0, v), SampleStatus::ok);
+    EXPECT_LT(glm::length(v - Vec3(2.3, 2, -1)), 1e-6);
+  }
+}
+
+TEST(UnitVdbLevels, StaggeredVelocitiesOfOneLayerAreRefused) {
+  auto grid = openvdb::Vec3SGrid::create();
+  grid->setName("v");
+  grid->setGridClass(openvdb::GRID_STAGGERED);
+  grid->denseFill({{0, 0, 0}, {5, 5, 0}}, openvdb::Vec3s(1));
+  EXPECT_THAT(refusal(grid, "magnitude"), HasSubstr("no voxel has both faces across every axis"));
+  grid->sparseFill({{0, 0, 0}, {511, 511, 511}}, openvdb::Vec3s(1));  // 64 tiles of 128³
+  EXPECT_THAT(refusal(grid, "magnitude"), HasSubstr("tiles of more than 2^24 voxels"));
+}
+
 TEST(UnitVdbLevels, WhichGridIsTheVelocityIsAsked) {
-  const auto refusal_of = [](const openvdb::GridPtrVec& grids, std::string_view velocity) {
+  const auto refusal_of = [](const openvdb::GridPtrVec& grids, const std::string& velocity) {
     try {
       magnitudes(grids, velocity);
     } catch (const InputError& error) {
@@ -251,7 +300,7 @@ TEST(UnitVdbLevels, ALevelSetIsTheBoxAroundItsBand) {
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   const TemporaryFolder folder;
   openvdb::io::File((folder / "levels.vdb").string()).write({grid});
-  const auto levels = read_vdb_levels(folder / "levels.vdb", "ball");
+  const auto levels = read_float_levels(folder / "levels.vdb", "ball");
   ASSERT_EQ(levels.size(), 1u);
   const LevelField field(levels, find_reconstruction("trilinear"));
   EXPECT_NEAR(*field.value(Vec3(0)), -0.3, 1e-7);
@@ -293,8 +342,8 @@ TEST(UnitVdbLevels, ASurfaceOfALevelSetPassesActiveVoxelsAlone) {
   const auto grid = ball();
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   const std::vector<readers::VdbGrid> grids{{.name = "ball", .value_type = "float", .grid = grid}};
-  const auto levels = levels_of(grids, "ball.vdb", "ball");
-  const LevelField field(levels, find_reconstruction("trilinear"));
+  const ExactLevels levels = levels_of(grids, "ball.vdb", "ball");
+  const LevelField field(std::get<0>(levels), find_reconstruction("trilinear"));
   const ValueGaps gaps = value_gaps(grids, "ball");
   const Vec2 range = value_range(grids, "ball", levels);
   int accepted = 0, refused = 0;

@@ -149,6 +149,11 @@ TEST_F(UnitCellData, ThreeScalarsAreVectors) {
   EXPECT_NEAR_VEC(
       velocity_of(*read("s.vtr", rectilinear(axes, three), ":array=w,v,u,sampler=c1"), x),
       Vec3(v.z, v.y, v.x), 1e-12);
+  for (const char* options : {":array=u,u,u", ":array=u,u,u,sampler=c1"})
+    EXPECT_NEAR_VEC(velocity_of(*read("s.vtr", rectilinear(axes, three), options), x), Vec3(v.x),
+                    1e-12);
+  EXPECT_NEAR_VEC(velocity_of(*read("s.vtr", rectilinear(axes, three), ":array=u,v,u"), x),
+                  Vec3(v.x, v.y, v.x), 1e-12);
   EXPECT_THAT(complaint("s.vtr", rectilinear(axes, three)),
               HasSubstr("which vectors? accepted: array=NAME or array=U,V,W, of three components "
                         "together; arrays: u (point, 1 component, -11 … -0.5)"));

@@ -3,11 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "core/error.h"
 #include "fields/make_field.h"
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 #include "tests/fields/readers/xml_grids.h"
+#include "tests/support/levels.h"
 
 namespace pellucid::fields {
 namespace {
@@ -68,6 +71,49 @@ TEST_F(UnitDescendingAxes, OfAnImageWithNegativeSpacing) {
                                          extent, origin, spacing,
                                          data(vectors("U", crossings(axes), straight), {})))),
         std::to_string(which));
+  }
+}
+
+/// Text of a .vti whose directions run against the world's axes instead.
+std::string image_against(const Axes& axes, std::string_view arrays) {
+  std::string extent, origin, spacing, directions;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double step = axes[a][1] - axes[a][0];
+    extent += fmt::format("0 {} ", axes[a].size() - 1);
+    origin += fmt::format("{} ", axes[a][0]);
+    spacing += fmt::format("{} ", std::abs(step));
+    for (std::size_t b = 0; b < 3; ++b)
+      directions += fmt::format("{} ", a != b ? 0 : step > 0 ? 1 : -1);
+  }
+  return vtk_files::xml(
+      "ImageData", fmt::format("<ImageData WholeExtent=\"{0}\" Origin=\"{1}\" Spacing=\"{2}\" "
+                               "Direction=\"{3}\"><Piece Extent=\"{0}\">{4}</Piece></ImageData>",
+                               extent, origin, spacing, directions, arrays));
+}
+
+TEST_F(UnitDescendingAxes, OfAnImageWhoseDirectionsRunAgainstTheWorlds) {
+  for (int which = 0; which < 8; ++which) {
+    const Axes axes = turned(which);
+    const std::string text = image_against(axes, data(vectors("U", crossings(axes), straight), {}));
+    expect_straight(*read("d.vti", text), std::to_string(which));
+    expect_straight(*read("d.vti", text, ":periodic=x=9"), std::to_string(which));
+  }
+}
+
+/// Isosurfaces take the same axes: cells of half a unit each way.
+TEST_F(UnitDescendingAxes, OfAnImageThatIsALevel) {
+  const auto slope = [](const Vec3& x) { return x.x + 10 * x.y + 100 * x.z; };
+  for (int which = 0; which < 8; ++which) {
+    Axes axes{evenly(0, 0.5, 5), evenly(-1, 0.5, 4), evenly(2, 0.5, 6)};
+    for (std::size_t a = 0; a < 3; ++a)
+      if (which >> a & 1) std::ranges::reverse(axes[a]);
+    write_bytes(folder_ / "d.vti",
+                image_against(axes, data(scalars("p", crossings(axes), slope, "Float32"), {})));
+    const auto levels = testing::read_float_levels(folder_ / "d.vti", "p");
+    EXPECT_EQ(levels.front().origin, Vec3(0, -1, 2));
+    for (const Vec3& at : {Vec3(0), Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(4, 3, 5)})
+      EXPECT_FLOAT_EQ(levels.front().at(int(at.x), int(at.y), int(at.z)),
+                      float(slope(levels.front().world(at))));
   }
 }
 

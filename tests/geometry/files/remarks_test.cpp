@@ -57,6 +57,24 @@ TEST_F(UnitRemarks, ColoursOfNoKnownUnitAreNamed) {
                                           "scalars: colours are bytes or numbers in [0, 1]"));
 }
 
+/// Two vertex cells: of the first point, and of the other two.
+TEST_F(UnitRemarks, PointsHaveTheScalarsOfTheirVertexCells) {
+  const auto text = [](const std::string& ends) {
+    return R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="3" NumberOfVerts="2" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+<CellData><DataArray type="Float64" Name="c" format="ascii">10 20</DataArray></CellData>
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 2 0 0</DataArray></Points><Verts>
+<DataArray type="Int64" Name="connectivity" format="ascii">2 0 1</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">)" +
+           ends + R"(</DataArray></Verts></Piece></PolyData></VTKFile>)";
+  };
+  EXPECT_THAT(read_points(file("v.vtp", text("1 3"))).scalars.at("c"), ElementsAre(20, 20, 10));
+  EXPECT_THAT(read_points(file("v.vtp", text("2 3"))).scalars.at("c"), ElementsAre(10, 20, 10));
+  // The last point is of no cell.
+  EXPECT_THAT(read_points(file("v.vtp", text("1 2"))).scalars, IsEmpty());
+}
+
 TEST_F(UnitRemarks, OtherNamesAreNoColours) {
   EXPECT_THAT(untaken_colors({"v_x", "v_y", "v_z", "color_x", "r", "g", "speed"}), IsEmpty());
   EXPECT_THAT(untaken_colors({"Color_x", "Color_y", "Color_z", "a", "b", "g", "r"}),

@@ -7,6 +7,7 @@
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/vdb_levels.h"
 #include "scene/datasets/dataset.h"
+#include "tests/support/levels.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid::scene {
@@ -19,7 +20,7 @@ TEST(UnitSphereLevels, WrittenVelocitiesGiveTheSameScalars) {
                            std::span<const fields::VectorLevel>(levels));
   for (const char* scalar : {"q", "magnitude", "speed"}) {
     const auto expected = fields::scalars_of(levels, scalar);
-    const auto read = fields::read_vdb_levels(folder / "v.vdb", scalar);
+    const auto read = testing::read_float_levels(folder / "v.vdb", scalar);
     ASSERT_EQ(read.size(), expected.size());
     for (std::size_t i = 0; i < read.size(); ++i) {
       EXPECT_EQ(read[i].width, expected[i].width);

@@ -97,6 +97,27 @@ TEST_F(UnitAppearanceFile, AMapMayBeParaViews) {
   EXPECT_THAT(wrong_color(by(R"("map": "none.json")")), HasSubstr("none.json"));
 }
 
+TEST_F(UnitAppearanceFile, AMapOfParaViewsMayBeLogarithmic) {
+  const auto map = [](const std::string& points, const std::string& more = "") {
+    return by(R"("map": {"UseLogScale": 1, "RGBPoints": )" + points + "}" + more);
+  };
+  // Of 1 to 16 by factors, 4 is the middle, and 2 half way there.
+  const std::string values = "[1, 0, 0, 0, 4, 1, 1, 1, 16, 1, 0, 0]";
+  expect_near(color(map(values), 1), {0, 0, 0});
+  expect_near(color(map(values), 2), Vec3(0.5));
+  expect_near(color(map(values), 3), {1, 1, 1});
+  // Fractions are of the range, 1 to 4: as with the scale that the scene file has.
+  const std::string fractions = "[0, 0, 0, 0, 1, 1, 1, 1]";
+  expect_near(color(map(fractions), 2), Vec3(0.5));
+  expect_near(color(map(fractions, R"(, "scale": "logarithmic")"), 2), Vec3(0.5));
+  expect_near(color(by(R"("map": {"UseLogScale": false, "RGBPoints": )" + fractions + "}"), 2),
+              Vec3(0.5));
+  EXPECT_THAT(wrong_color(map("[-1, 0, 0, 0, 4, 1, 1, 1]")),
+              HasSubstr("values from -1 to 4 by UseLogScale; accepted: ascending values above 0"));
+  EXPECT_THAT(wrong_color(map(values, R"(, "scale": "linear")")),
+              HasSubstr("color.scale: its map is by UseLogScale; accepted: logarithmic"));
+}
+
 TEST_F(UnitAppearanceFile, RangesMayBePercentilesAndScalesLogarithmic) {
   const ColormapRow& viridis = find_colormap("viridis");
   // Between the quartiles of 0, 1, 2, 4: 0.75 and 2.5.

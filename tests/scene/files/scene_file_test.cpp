@@ -58,6 +58,34 @@ TEST_F(UnitSceneFile, ColourByScalarRunsThroughTheMap) {
 }
 
 // The sheet's speeds are 0, 1, 2, 4.
+TEST_F(UnitSceneFile, VerticesThatNothingIsDrawnOfDecideNothing) {
+  std::ofstream(folder_ / "far.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 500 500 500\nf 1 2 3\n";
+  const Scene scene = with(R"({"mesh": "far.obj"})");
+  EXPECT_EQ(scene.bounds().max, Vec3(1, 1, 0));
+  EXPECT_LT(glm::length(scene.camera.eye), 10);
+  EXPECT_THAT(scene.objects.front().vertices().remarks,
+              ::testing::ElementsAre("1 of 4 vertices are of no triangle, and are left out"));
+  std::ofstream(folder_ / "far.ply")
+      << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
+         "end_header\n0 0 0\n500 500 500\n1 0 0\n0 2\n";
+  EXPECT_EQ(with(R"({"lines": "far.ply", "radius": 0.5})").bounds().max, Vec3(1.5, 0.5, 0.5));
+}
+
+TEST_F(UnitSceneFile, TrianglesThatPassOverMuchOfAMapAreSaid) {
+  const auto remarks = [&](const std::string& range) {
+    return with(R"({"mesh": "sheet.ply", "color": {"by": "speed")" + range + "}}")
+        .objects.front()
+        .vertices()
+        .remarks;
+  };
+  EXPECT_THAT(remarks(""), ::testing::ElementsAre("a triangle passes over 1 of the colour map, "
+                                                  "which it has at its ends alone"));
+  EXPECT_THAT(remarks(R"(, "range": [-4, 50])"), ::testing::SizeIs(0));
+  EXPECT_THAT(remarks(R"(, "range": [-4, 12])"), ::testing::SizeIs(1));
+  EXPECT_THAT(remarks(R"(, "range": [5, 6])"), ::testing::SizeIs(0));  // all have the low end's
+}
+
 TEST_F(UnitSceneFile, OpacityByScalarIsLinearBetweenTheEnds) {
   const auto alphas = [&](const std::string& range) {
     const Scene scene = with(R"({"mesh": "sheet.ply", "opacity": {"by": "speed", )" + range +
