@@ -66,9 +66,9 @@ TEST_F(UnitLevelFiles, ScalarsThatAreDerived) {
   const std::string text = rectilinear(
       cubes, vectors("U", crossings(cubes), turning) + vectors("B", crossings(cubes), turning));
   write_bytes(folder_ / "v.vtr", text);
-  const ScaledLevels scaled =
-      rounded(read_levels(folder_ / "v.vtr", "magnitude", "U").levels, 1.5);
-  EXPECT_NEAR(scaled.scale.value(scaled.levels[0].at(0, 0, 0)), std::sqrt(5.0), 1e-7);  // at (-1, 2)
+  const ScaledLevels scaled = rounded(read_levels(folder_ / "v.vtr", "magnitude", "U").levels, 1.5);
+  EXPECT_NEAR(scaled.scale.value(scaled.levels[0].at(0, 0, 0)), std::sqrt(5.0),
+              1e-7);  // at (-1, 2)
   EXPECT_THAT(complaint(text, "magnitude"), HasSubstr("which vectors?"));
 }
 
