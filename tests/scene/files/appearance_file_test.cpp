@@ -98,7 +98,7 @@ TEST_F(UnitAppearanceFile, AMapMayBeParaViews) {
 }
 
 TEST_F(UnitAppearanceFile, AMapOfParaViewsMayBeLogarithmic) {
-  const auto map = [](const std::string& points, const std::string& more = "") {
+  const auto map = [&](const std::string& points, const std::string& more = "") {
     return by(R"("map": {"UseLogScale": 1, "RGBPoints": )" + points + "}" + more);
   };
   // Of 1 to 16 by factors, 4 is the middle, and 2 half way there.
