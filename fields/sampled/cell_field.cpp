@@ -4,21 +4,25 @@
 #include <fmt/format.h>
 #include <vtkCellType.h>
 #include <vtkGenericCell.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkStaticCellLocator.h>
 
 #include <array>
+#include <optional>
 
 #include "fields/finite.h"
 #include "fields/lazy.h"
+#include "fields/sampled/cell_error.h"
 #include "fields/sampled/cell_grid.h"
+#include "fields/sampled/cell_inverse.h"
 #include "fields/sampled/planar_field.h"
 
 namespace pellucid::fields {
 namespace {
 
-/// FindCell is safe on several threads as long as each brings its own vtkGenericCell; the grid and
-/// the locator do not change once built.
+/// FindCell, FindCellsWithinBounds and GetCell are safe on several threads as long as each brings
+/// its own vtkGenericCell and list; the grid and the locator do not change once built.
 class CellSampler final : public FieldSampler {
  public:
   CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
@@ -42,13 +46,42 @@ class CellSampler final : public FieldSampler {
     if (!grid_.search_box.contains(x)) return false;
     double position[3] = {x.x, x.y, x.z};
     number_ = locator_->FindCell(position, 0, cell_, parametric_, weights_.data());
-    if (number_ >= 0 && !grid_.constant) polish(x);
-    return number_ >= 0;
+    if (number_ < 0) return search(x);
+    if (!grid_.constant) polish(x);
+    return true;
+  }
+
+  /// Finds the cell where VTK finds none: its iteration gives up in some that hold x.
+  bool search(const Vec3& x) {
+    double box[6] = {x.x, x.x, x.y, x.y, x.z, x.z};
+    for (int axis = 0; axis < 3; ++axis) box[2 * axis] -= rounding_, box[2 * axis + 1] += rounding_;
+    near_->Reset();
+    locator_->FindCellsWithinBounds(box, near_);
+    for (vtkIdType i = 0; i < near_->GetNumberOfIds(); ++i) {
+      number_ = near_->GetId(i);
+      grid_.cells->GetCell(number_, cell_);
+      if (solve(x)) return true;
+    }
+    return false;
+  }
+
+  /// Finds where in the cell x is, by an iteration of our own.
+  bool solve(const Vec3& x) {
+    const std::optional<Vec3> place = place_in_cell(*cell_, x);
+    if (place) move_to(*place);
+    return place.has_value();
+  }
+
+  void move_to(const Vec3& place) {
+    for (int axis = 0; axis < 3; ++axis) parametric_[axis] = place[axis];
+    cell_->InterpolateFunctions(parametric_, weights_.data());
   }
 
   /// One more step of Newton's iteration: VTK stops when a step is below a thousandth of a cell,
-  /// and the next one squares the error.
+  /// and the next one squares the error. A step longer than that is one of a cell that is nearly
+  /// flat there.
   void polish(const Vec3& x) {
+    constexpr double longest = 1e-3;
     const int type = cell_->GetCellType();
     if (type == VTK_TETRA || type == VTK_VOXEL) return;  // solved directly
     Vec3 miss = x;
@@ -56,9 +89,10 @@ class CellSampler final : public FieldSampler {
       miss -= weights_[std::size_t(i)] * grid_.point(cell_->GetPointId(i));
     if (glm::length(miss) <= rounding_) return;
     const Vec3 step = glm::inverse(grid_.slopes(*cell_, parametric_).position) * miss;
-    if (!is_finite(step)) return;
-    for (int axis = 0; axis < 3; ++axis) parametric_[axis] += step[axis];
-    cell_->InterpolateFunctions(parametric_, weights_.data());
+    if (glm::length(step) <= longest)
+      move_to(Vec3(parametric_[0], parametric_[1], parametric_[2]) + step);
+    else
+      solve(x);
   }
 
   Vec3 interpolate() const {
@@ -73,7 +107,8 @@ class CellSampler final : public FieldSampler {
   const CellGrid& grid_;
   double rounding_;  // of a position in the grid
   vtkNew<vtkGenericCell> cell_;
-  vtkIdType number_ = -1;  // of the cell
+  vtkNew<vtkIdList> near_;  // cells that search() looks at
+  vtkIdType number_ = -1;   // of the cell
   std::array<double, CellGrid::largest_cell> weights_{};
   double parametric_[3] = {0, 0, 0};
 };
@@ -93,7 +128,7 @@ class CellField final : public VectorField {
   bool steady() const override { return true; }
   std::optional<double> cell_size() const override { return grid_.smallest_width(); }
   std::optional<double> sampling_error() const override {
-    return sampling_error_.get([this] { return grid_.sampling_error(); });
+    return sampling_error_.get([this] { return cell_sampling_error(grid_); });
   }
   std::string description() const override { return description_; }
 
@@ -109,9 +144,10 @@ class CellField final : public VectorField {
 std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, const Vectors& vectors,
                                              const std::filesystem::path& path) {
   CellGrid grid = make_cell_grid(data, vectors, path);
-  std::string description = fmt::format("{}: {} points, {} cells, {}{}", path.filename().string(),
-                                        data->GetNumberOfPoints(), grid.cells->GetNumberOfCells(),
-                                        vectors.title, grid.constant ? "" : ", linear");
+  std::string description =
+      fmt::format("{}: {} points, {} cells, {}, {}", path.filename().string(),
+                  data->GetNumberOfPoints(), grid.cells->GetNumberOfCells(), vectors.title,
+                  grid.constant ? "constant in cells" : "linear");
   const std::optional<Plane> plane = grid.plane;
   const Box3 bounds = grid.bounds;
   std::unique_ptr<VectorField> field =

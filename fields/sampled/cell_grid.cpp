@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 #include <vtkDataArray.h>
 #include <vtkGenericCell.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.h"
 #include "fields/sampled/cell_checks.h"
 
 namespace pellucid::fields {
@@ -25,63 +24,6 @@ Vec3 point_at(vtkDataSet* data, vtkIdType i) {
   double x[3];
   data->GetPoint(i, x);
   return {x[0], x[1], x[2]};
-}
-
-template <class Visit>
-void for_each_cell(vtkDataSet* data, const Visit& visit) {
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) {
-    data->GetCell(i, cell);
-    if (cell->GetNumberOfPoints() > 0) visit(*cell);  // a hidden cell is empty
-  }
-}
-
-template <class Visit>
-void for_each_corner(const CellGrid& grid, vtkGenericCell& cell, const Visit& visit) {
-  const double* corners = cell.GetParametricCoords();
-  for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
-    visit(cell.GetPointId(i), grid.jacobian(cell, corners + 3 * i));
-}
-
-Vec3 center_of(const CellGrid& grid, vtkGenericCell& cell) {
-  Vec3 sum(0);
-  for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
-    sum += point_at(grid.cells, cell.GetPointId(i));
-  return sum / double(cell.GetNumberOfPoints());
-}
-
-/// By point, over the cells around it.
-std::vector<Mat3> mean_jacobians(const CellGrid& grid) {
-  std::vector<Mat3> sums(grid.velocities.size(), Mat3(0));
-  std::vector<int> counts(grid.velocities.size(), 0);
-  for_each_cell(grid.cells, [&](vtkGenericCell& cell) {
-    for_each_corner(grid, cell, [&](vtkIdType point, const Mat3& jacobian) {
-      sums[std::size_t(point)] += jacobian;
-      ++counts[std::size_t(point)];
-    });
-  });
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= double(std::max(counts[i], 1));
-  return sums;
-}
-
-double error_of_constant_cells(const CellGrid& grid) {
-  std::vector<Vec3> sums(std::size_t(grid.cells->GetNumberOfPoints()), Vec3(0));
-  std::vector<int> counts(sums.size(), 0);
-  const auto for_each_corner_of = [&](const auto& visit) {
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType i = 0; i < grid.cells->GetNumberOfCells(); ++i) {
-      grid.cells->GetCellPoints(i, corners);
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-        visit(grid.velocity(i), std::size_t(corners->GetId(k)));
-    }
-  };
-  for_each_corner_of([&](const Vec3& v, std::size_t point) { sums[point] += v, ++counts[point]; });
-  double largest = 0;
-  for_each_corner_of([&](const Vec3& v, std::size_t point) {
-    const double error = glm::length(v - sums[point] / double(counts[point]));
-    if (std::isfinite(error)) largest = std::max(largest, error);
-  });
-  return largest;
 }
 
 }  // namespace
@@ -105,34 +47,36 @@ CellGrid::Slopes CellGrid::slopes(vtkGenericCell& cell, const double parametric[
 // VTK's own Derivatives() does the same, but prints where a cell is flat; here that gives
 // infinities.
 Mat3 CellGrid::jacobian(vtkGenericCell& cell, const double parametric[3]) const {
-  const Slopes at = slopes(cell, parametric);
+  constexpr double flat = 1e-8, way_in = 1e-3;
+  Slopes at = slopes(cell, parametric);
+  const auto [shortest, longest] = std::minmax(
+      {glm::length(at.position[0]), glm::length(at.position[1]), glm::length(at.position[2])});
+  if (shortest <= flat * longest) {
+    double inner[3];
+    cell.GetParametricCenter(inner);
+    for (int axis = 0; axis < 3; ++axis)
+      inner[axis] = parametric[axis] + way_in * (inner[axis] - parametric[axis]);
+    at = slopes(cell, inner);
+  }
   return at.velocity * glm::inverse(at.position);
 }
 
 double CellGrid::smallest_width() const {
-  double smallest = bounds.diagonal();
-  for_each_cell(cells, [&](vtkGenericCell& cell) {
-    Box3 box;
-    for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
-      box.extend(point_at(cells, cell.GetPointId(i)));
-    if (box.diagonal() > 0) smallest = std::min(smallest, box.diagonal());
-  });
+  const auto narrower = [](double a, double b) { return std::min(a, b); };
+  const double smallest = parallel_sum(
+      tbb::blocked_range<vtkIdType>(0, cells->GetNumberOfCells(), 4096), bounds.diagonal(),
+      [&](const tbb::blocked_range<vtkIdType>& part, double least) {
+        for (vtkIdType i = part.begin(); i < part.end(); ++i) {
+          double box[6];
+          cells->GetCellBounds(i, box);
+          const double diagonal =
+              Box3{{box[0], box[2], box[4]}, {box[1], box[3], box[5]}}.diagonal();
+          if (diagonal > 0) least = std::min(least, diagonal);
+        }
+        return least;
+      },
+      narrower);
   return smallest / std::sqrt(3.0);
-}
-
-double CellGrid::sampling_error() const {
-  if (constant) return error_of_constant_cells(*this);
-  const std::vector<Mat3> mean = mean_jacobians(*this);
-  double largest = 0;
-  for_each_cell(cells, [&](vtkGenericCell& cell) {
-    const Vec3 center = center_of(*this, cell);
-    for_each_corner(*this, cell, [&](vtkIdType point, const Mat3& jacobian) {
-      const Vec3 arm = point_at(cells, point) - center;
-      const double error = 0.5 * glm::length((mean[std::size_t(point)] - jacobian) * arm);
-      if (std::isfinite(error)) largest = std::max(largest, error);
-    });
-  });
-  return largest;
 }
 
 namespace {

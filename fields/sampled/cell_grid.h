@@ -40,22 +40,14 @@ struct CellGrid {
   Slopes slopes(vtkGenericCell& cell, const double parametric[3]) const;
 
   /// Returns the Jacobian of the cell's interpolant, per unit of time; column j is the derivative
-  /// along axis j. It is infinite where the cell is flat.
+  /// along axis j. Where points of the cell coincide, as on the axis of a polar grid, it is that of
+  /// a thousandth of the way to the cell's middle; of a cell that is flat it is infinite.
   Mat3 jacobian(vtkGenericCell& cell, const double parametric[3]) const;
 
   /// Returns the smallest width of all cells, in world units: a cell's width is the diagonal of its
   /// box over √3, a cube's edge. Slivers do not count as thin, since they say little about how
   /// finely a flow was sampled.
   double smallest_width() const;
-
-  /// Estimates the largest difference between interpolant and sampled field, in world units per
-  /// unit of time: half of
-  /// |(mean Jacobian of the cells around a node - the cell's own there) (node - cell's centre)|.
-  /// In one dimension with even spacing h that is h²/8 |f''|, the error of straight lines: the
-  /// Jacobians differ by h f''/2 and the centre is h/2 away. (The gradient recovery of O. C.
-  /// Zienkiewicz and J. Z. Zhu, Int. J. Numer. Meth. Engng. 24 (1987).) Of constant cells it is the
-  /// largest |cell's velocity - mean of the cells around a corner|: that of a straight field there.
-  double sampling_error() const;
 };
 
 /// Checks the cells of `data` and copies the velocities of its points or cells. Throws InputError,

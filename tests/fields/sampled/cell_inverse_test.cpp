@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells of every type that is accepted, bent, against their own map from coordinates to places.
+#include "fields/sampled/cell_inverse.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <vtkCellType.h>
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include <vector>
+
+#include "core/indexed_random.h"
+#include "fields/make_field.h"
+#include "tests/fields/probe.h"
+#include "tests/fields/readers/grid_files.h"
+#include "tests/fields/readers/xml_grids.h"
+
+namespace pellucid::fields {
+namespace {
+
+using namespace xml_grids;
+
+constexpr int all_types[] = {VTK_TETRA,
+                             VTK_VOXEL,
+                             VTK_HEXAHEDRON,
+                             VTK_WEDGE,
+                             VTK_PYRAMID,
+                             VTK_PENTAGONAL_PRISM,
+                             VTK_HEXAGONAL_PRISM,
+                             VTK_QUADRATIC_TETRA,
+                             VTK_QUADRATIC_HEXAHEDRON,
+                             VTK_QUADRATIC_WEDGE,
+                             VTK_QUADRATIC_PYRAMID,
+                             VTK_TRIQUADRATIC_HEXAHEDRON,
+                             VTK_QUADRATIC_LINEAR_WEDGE,
+                             VTK_BIQUADRATIC_QUADRATIC_WEDGE,
+                             VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON};
+
+Vec3 corner(vtkGenericCell& cell, int i) {
+  const double* all = cell.GetParametricCoords();
+  return {all[3 * i], all[3 * i + 1], all[3 * i + 2]};
+}
+
+/// A cell that lies in space as in its own coordinates, each point moved by at most `bend`, and
+/// then far away.
+void bend(vtkGenericCell& cell, int type, double bend, const Vec3& away = Vec3(0)) {
+  cell.SetCellType(type);
+  for (int i = 0; i < cell.GetNumberOfPoints(); ++i) {
+    const Box3 box{Vec3(-bend), Vec3(bend)};
+    const Vec3 x = corner(cell, i) + IndexedRandom(7, std::uint64_t(i)).in_box(0, box) + away;
+    cell.GetPoints()->SetPoint(i, x.x, x.y, x.z);
+  }
+}
+
+Vec3 position(vtkGenericCell& cell, const Vec3& p) {
+  double weights[27];
+  cell.InterpolateFunctions(&p.x, weights);
+  Vec3 sum(0);
+  for (int i = 0; i < cell.GetNumberOfPoints(); ++i) {
+    double x[3];
+    cell.GetPoints()->GetPoint(i, x);
+    sum += weights[i] * Vec3(x[0], x[1], x[2]);
+  }
+  return sum;
+}
+
+/// Coordinates within a cell: means of its corners by lot.
+Vec3 within(vtkGenericCell& cell, std::uint64_t number) {
+  const IndexedRandom random(3, number);
+  Vec3 sum(0);
+  double weight = 0;
+  for (int i = 0; i < cell.GetNumberOfPoints(); ++i) {
+    const double part = -std::log(1 - random.uniform(std::uint64_t(i)));
+    sum += part * corner(cell, i), weight += part;
+  }
+  return sum / weight;
+}
+
+TEST(UnitCellInverse, FindsEveryPlaceWithinACell) {
+  for (const int type : all_types)
+    for (const Vec3& away : {Vec3(0), Vec3(4.5e6, -2e6, 0)}) {
+      vtkNew<vtkGenericCell> cell;
+      bend(*cell, type, 0.06, away);
+      for (std::uint64_t i = 0; i < 200; ++i) {
+        const Vec3 x = position(*cell, within(*cell, i));
+        const auto place = place_in_cell(*cell, x);
+        ASSERT_TRUE(place) << "type " << type << ", place " << i;
+        // Rounding of x alone, 2^-53 of it, and as little of the sum of 27 weights.
+        EXPECT_NEAR_VEC(position(*cell, *place), x, 1e-13 + 1e-15 * glm::length(away)) << type;
+      }
+    }
+}
+
+/// Two or more diagonals of bends from the middle, along the way to a corner.
+TEST(UnitCellInverse, FindsNoneBeyondACell) {
+  for (const int type : all_types) {
+    vtkNew<vtkGenericCell> cell;
+    bend(*cell, type, 0.03);
+    double middle[3];
+    cell->GetParametricCenter(middle);
+    const Vec3 center(middle[0], middle[1], middle[2]);
+    for (int i = 0; i < 4; ++i)
+      for (const double factor : {1.3, 2.0, 10.0}) {
+        const Vec3 x = center + factor * (corner(*cell, i) - center);
+        EXPECT_FALSE(place_in_cell(*cell, x)) << "type " << type << ", corner " << i;
+      }
+  }
+}
+
+/// The first face along x is an edge: on it the second coordinate means nothing.
+TEST(UnitCellInverse, FindsPlacesOnACollapsedFace) {
+  vtkNew<vtkGenericCell> cell;
+  bend(*cell, VTK_HEXAHEDRON, 0.05);
+  for (const auto& [kept, moved] : {std::pair(0, 3), {4, 7}}) {
+    double x[3];
+    cell->GetPoints()->GetPoint(kept, x);
+    cell->GetPoints()->SetPoint(moved, x);
+  }
+  for (const double s : {0.0, 1e-14, 1e-9, 1e-4, 0.5})
+    for (const double t : {0.0, 0.3, 1.0}) {
+      const Vec3 x = position(*cell, {s, 0.4, t});
+      const auto place = place_in_cell(*cell, x);
+      ASSERT_TRUE(place) << s << ' ' << t;
+      EXPECT_NEAR_VEC(position(*cell, *place), x, 1e-12);
+    }
+}
+
+/// A thousandth of a millionth of the cell is a rounding, and more is outside.
+TEST(UnitCellInverse, ForgivesARounding) {
+  vtkNew<vtkGenericCell> cell;
+  bend(*cell, VTK_WEDGE, 0);
+  EXPECT_TRUE(place_in_cell(*cell, {0.3, 0.3, 1 + 1e-10}));
+  EXPECT_TRUE(place_in_cell(*cell, {0.5 + 1e-10, 0.5 + 1e-10, 0.5}));
+  EXPECT_FALSE(place_in_cell(*cell, {0.5 + 1e-6, 0.5 + 1e-6, 0.5}));
+  EXPECT_FALSE(place_in_cell(*cell, {0.3, 0.3, 1 + 1e-6}));
+}
+
+/// Each of 4³ hexahedra, with inner corners moved by up to a fifth of its width, as six pyramids to
+/// its middle.
+std::string pyramids() {
+  const Axes axes{evenly(0, 1, 5), evenly(0, 1, 5), evenly(0, 1, 5)};
+  std::vector<Vec3> points = crossings(axes);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 x = points[i], moved = IndexedRandom(5, i).in_box(0, {Vec3(-0.2), Vec3(0.2)});
+    for (int axis = 0; axis < 3; ++axis)
+      if (x[axis] > 0 && x[axis] < 4) points[i][axis] += moved[axis];
+  }
+  constexpr int sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
+                               {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
+  std::vector<Cell> cells;
+  for (const Cell& cube : hexahedra(axes)) {
+    Vec3 middle(0);
+    for (const int point : cube.points) middle += points[std::size_t(point)] / 8.0;
+    for (const auto& side : sides) {
+      cells.push_back({VTK_PYRAMID, {}});
+      for (const int k : side) cells.back().points.push_back(cube.points[std::size_t(k)]);
+      cells.back().points.push_back(int(points.size()));
+    }
+    points.push_back(middle);
+  }
+  return unstructured(points, cells, vectors("U", points, straight));
+}
+
+TEST(UnitCellInverse, AMeshOfPyramidsHasNoHoles) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "p.vtu", pyramids());
+  const auto field = make_field((folder / "p.vtu").string());
+  const auto sampler = field->sampler();
+  int lost = 0;
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    const Vec3 x = IndexedRandom(1, i).in_box(0, field->domain());
+    Vec3 v;
+    if (sampler->velocity(x, 0, v) == SampleStatus::ok)
+      EXPECT_NEAR_VEC(v, straight(x), 1e-8) << text_of(x);
+    else
+      ++lost;
+  }
+  EXPECT_EQ(lost, 0);
+}
+
+/// A polar grid, whose innermost cells have lost a face to the axis, under a flow that linear
+/// interpolation keeps.
+TEST(UnitCellInverse, ThePolarAxisIsWithin) {
+  const int radii = 5, turns = 13, layers = 4;
+  std::vector<Vec3> points;
+  for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < turns; ++j)
+      for (int i = 0; i < radii; ++i) {
+        const double angle = 6.283185307179586 * j / (turns - 1), r = 0.5 * i;
+        points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.5 * k);
+      }
+  const TemporaryFolder folder;
+  write_bytes(
+      folder / "d.vts",
+      vtk_files::xml(
+          "StructuredGrid",
+          fmt::format("<StructuredGrid WholeExtent=\"{0}\"><Piece Extent=\"{0}\">{1}"
+                      "<Points>{2}</Points></Piece></StructuredGrid>",
+                      fmt::format("0 {} 0 {} 0 {}", radii - 1, turns - 1, layers - 1),
+                      data(vectors("U", points, straight), {}),
+                      vtk_files::array("points", "Float64", 3, vtk_files::numbers(points)))));
+  const auto field = make_field((folder / "d.vts").string());
+  const auto sampler = field->sampler();
+  for (int i = 0; i <= 60; ++i)
+    for (const double off : {0.0, 1e-14, 1e-9, 1e-6, 1e-3}) {
+      const Vec3 x(off, 0.5 * off, 1.5 * i / 60);
+      Vec3 v;
+      Mat3 jacobian;
+      ASSERT_EQ(sampler->velocity_and_jacobian(x, 0, v, jacobian), SampleStatus::ok) << text_of(x);
+      EXPECT_NEAR_VEC(v, straight(x), 1e-8);
+      const Mat3 expected(Vec3(1, 0, 3), Vec3(0, 1, -1), Vec3(-2, 1, 0));
+      EXPECT_LE(norm(jacobian - expected), 1e-5) << text_of(x);
+    }
+}
+
+}  // namespace
+}  // namespace pellucid::fields
