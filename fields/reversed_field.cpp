@@ -47,6 +47,7 @@ class ReversedField final : public VectorField {
   bool fills_domain() const override { return inner_->fills_domain(); }
   std::string description() const override { return inner_->description() + ", backward"; }
   double start() const { return start_; }
+  const VectorField& inner() const { return *inner_; }
 
  private:
   std::shared_ptr<const VectorField> inner_;
@@ -58,6 +59,11 @@ class ReversedField final : public VectorField {
 std::optional<double> start_of_reversed(const VectorField& field) {
   const auto* reversed = dynamic_cast<const ReversedField*>(&field);
   return reversed ? std::optional(reversed->start()) : std::nullopt;
+}
+
+const VectorField& unreversed(const VectorField& field) {
+  const auto* reversed = dynamic_cast<const ReversedField*>(&field);
+  return reversed ? reversed->inner() : field;
 }
 
 std::shared_ptr<const VectorField> reversed(std::shared_ptr<const VectorField> field,

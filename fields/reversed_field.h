@@ -15,4 +15,7 @@ std::shared_ptr<const VectorField> reversed(std::shared_ptr<const VectorField> f
 /// Returns the `start` of a field that reversed() has made; nothing of another.
 std::optional<double> start_of_reversed(const VectorField& field);
 
+/// Returns the field that a reversed one is made of, and any other itself.
+const VectorField& unreversed(const VectorField& field);
+
 }  // namespace pellucid::fields

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ParaView's collection of VTK files, each at a time and a part of what there is then:
 //   <Collection> <DataSet timestep="0" part="0" file="a.vtu"/> … </Collection>
-// Parts of one time are merged.
+// Parts of one time are merged, and so are blocks within a file.
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/error.h"
 #include "core/files/bad_file.h"
+#include "core/options/lower_case.h"
 #include "core/options/parameters.h"
 #include "fields/readers/file_field.h"
 #include "fields/readers/pvd_collection.h"
@@ -59,20 +61,51 @@ Collection pvd_collection(const Path& path) {
 
 namespace {
 
-std::unique_ptr<VectorField> read_frame(const std::vector<CollectedFile>& entries,
-                                        const FileOptions& options, const Path& path) {
-  std::vector<readers::NamedBlock> blocks;
+/// Parts of a time, and how many blocks there are in them.
+struct Parts {
+  std::vector<readers::NamedBlock> parts;
+  std::size_t blocks = 0;
+};
+
+/// The blocks of `wanted` of each file.
+Parts read_parts(const std::vector<CollectedFile>& entries, const std::string& wanted, const Path& path) {
+  Parts read;
   for (const CollectedFile& entry : entries) {
     try {
-      blocks.push_back({entry.name, readers::read_vtk_data_set(entry.file)});
+      const auto file = readers::read_vtk_file(entry.file, wanted, "first").front();
+      read.parts.push_back({entry.name, file.data});
+      read.blocks += std::max<std::size_t>(file.blocks.size(), 1);
     } catch (const InputError& error) {
       bad_file(path, error.what());
     }
   }
-  blocks = readers::chosen_blocks(std::move(blocks), options.block, path.string());
+  return read;
+}
+
+bool holds_blocks(const Entry& entry) {
+  const std::string ending = lower_case(entry.file.extension().string());
+  return ending == ".vtm" || ending == ".vtpc" || ending == ".vtpd";
+}
+
+/// A block is one of the collection's parts, or else one within its files.
+bool is_of_parts(const std::vector<Entry>& entries, const std::string& wanted) {
+  if (std::ranges::none_of(entries, holds_blocks)) return true;
+  std::vector<readers::NamedBlock> names;
+  for (const Entry& entry : entries) names.push_back({entry.name, {}});
+  return readers::has_blocks(names, wanted);
+}
+
+std::unique_ptr<VectorField> read_frame(const std::vector<Entry>& entries,
+                                        const FileOptions& options, const Path& path) {
+  const bool of_parts = is_of_parts(entries, options.block);
+  Parts read = read_parts(entries, of_parts ? "" : options.block, path);
+  const auto parts =
+      readers::chosen_blocks(std::move(read.parts), of_parts ? options.block : "", path.string());
   const Path& named = entries.size() == 1 ? entries.front().file : path;
-  const std::string note = blocks.size() > 1 ? fmt::format(", {} parts merged", blocks.size()) : "";
-  return field_of(readers::merged(blocks), options, named, note);
+  const std::string note = parts.size() > 1  ? fmt::format(", {} parts merged", parts.size())
+                           : read.blocks > 1 ? fmt::format(", {} blocks merged", read.blocks)
+                                             : "";
+  return field_of(readers::merged(parts), options, named, note);
 }
 
 std::unique_ptr<VectorField> read_pvd_field(const Path& path, const FileOptions& asked) {

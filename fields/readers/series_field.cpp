@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A time series of files, linear in time between them and `outside` before the first and after the
-// last. The description is the JSON that ParaView writes:
+// last, but for a rounding: 0.1 + 0.2 is not 0.3, and files have times in floats. The description
+// is the JSON that ParaView writes:
 //   {"file-series-version": "1.0", "files": [{"name": "a.vti", "time": 0}, …]}
-// with two or more files in any order, names relative to the description. The options hold for
+// with one file or more in any order, names relative to the description. The options hold for
 // every file. All files are read at once.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "fields/lazy.h"
 #include "fields/readers/file_field.h"
 #include "fields/readers/series_field.h"
+#include "fields/sampled/dense_field.h"
 #include "readers/vtk/times.h"
 
 namespace pellucid::fields {
@@ -40,9 +43,34 @@ Between locate(const Frames& frames, double t) {
   return {i, (t - frames[i].time) / (frames[i + 1].time - frames[i].time)};
 }
 
+/// Gaps that are together less than a fiftieth of the time, the shortest first, do not count: a
+/// step is not shorter for frames that are there twice but for a rounding, and who makes steps as
+/// long as the result makes fifty of each frame at most.
+double usual_spacing(const Frames& frames) {
+  constexpr double part = 0.02;
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    gaps.push_back(frames[i].time - frames[i - 1].time);
+  std::ranges::sort(gaps);
+  double left = part * (frames.back().time - frames.front().time);
+  for (const double gap : gaps)
+    if ((left -= gap) < 0) return gap;
+  return gaps.back();
+}
+
+/// A thousandth of a millionth of the whole, as places beyond the last sample by as little of a
+/// cell; and what adding up durations leaves of the digits of a time.
+TimeRange range_of(const Frames& frames) {
+  const double first = frames.front().time, last = frames.back().time;
+  const double ulps = 16 * std::numeric_limits<double>::epsilon();
+  return {first, last,
+          edge_rounding * (last - first) + ulps * std::max(std::abs(first), std::abs(last))};
+}
+
 class SeriesSampler final : public FieldSampler {
  public:
-  explicit SeriesSampler(const Frames& frames) : frames_(frames), samplers_(frames.size()) {}
+  SeriesSampler(const Frames& frames, const TimeRange& times)
+      : frames_(frames), times_(times), samplers_(frames.size()) {}
 
   SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
     return mix_over_time(t, [&](FieldSampler& sampler, double weight) {
@@ -69,8 +97,8 @@ class SeriesSampler final : public FieldSampler {
   /// own time the other is not asked.
   template <class Add>
   SampleStatus mix_over_time(double t, const Add& add) {
-    if (!(t >= frames_.front().time && t <= frames_.back().time)) return SampleStatus::outside;
-    const auto [frame, s] = locate(frames_, t);
+    if (!times_.contains(t)) return SampleStatus::outside;
+    const auto [frame, s] = locate(frames_, std::clamp(t, times_.first, times_.last));
     if (s == 1) return add(sampler(frame + 1), -1);
     const SampleStatus status = add(sampler(frame), -1);
     return status != SampleStatus::ok || s == 0 ? status : add(sampler(frame + 1), s);
@@ -82,16 +110,19 @@ class SeriesSampler final : public FieldSampler {
   }
 
   const Frames& frames_;
+  const TimeRange& times_;
   std::vector<std::unique_ptr<FieldSampler>> samplers_;  // made when first needed
 };
 
 class SeriesField final : public VectorField {
  public:
   SeriesField(Frames frames, std::string description)
-      : frames_(std::move(frames)), description_(std::move(description)) {}
+      : frames_(std::move(frames)),
+        times_(range_of(frames_)),
+        description_(std::move(description)) {}
 
   std::unique_ptr<FieldSampler> sampler() const override {
-    return std::make_unique<SeriesSampler>(frames_);
+    return std::make_unique<SeriesSampler>(frames_, times_);
   }
   Box3 domain() const override {
     Box3 common = frames_.front().field->domain();
@@ -102,12 +133,8 @@ class SeriesField final : public VectorField {
     return common;
   }
   bool steady() const override { return false; }
-  std::optional<double> time_spacing() const override {
-    double shortest = frames_.back().time - frames_.front().time;
-    for (std::size_t i = 1; i < frames_.size(); ++i)
-      shortest = std::min(shortest, frames_[i].time - frames_[i - 1].time);
-    return shortest;
-  }
+  const TimeRange& times() const { return times_; }
+  std::optional<double> time_spacing() const override { return usual_spacing(frames_); }
   std::optional<double> cell_size() const override {
     std::optional<double> smallest;
     for (const Frame& frame : frames_)
@@ -167,6 +194,7 @@ class SeriesField final : public VectorField {
   }
 
   Frames frames_;
+  TimeRange times_;
   std::string description_;
   Lazy<double> sampling_error_;
 };
@@ -216,8 +244,8 @@ std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptio
 std::vector<SeriesEntry> series_entries(const Path& path) {
   const nlohmann::json description = read_json(path);
   if (!description.is_object() || !description.contains("files") ||
-      !description["files"].is_array() || description["files"].size() < 2)
-    bad_file(path, "expected {\"file-series-version\": \"1.0\", \"files\": [two or more]}");
+      !description["files"].is_array() || description["files"].empty())
+    bad_file(path, "expected {\"file-series-version\": \"1.0\", \"files\": [one or more]}");
   std::vector<SeriesEntry> entries;
   for (const nlohmann::json& entry : description["files"]) {
     const double time = time_of(entry, entries.size(), path);
@@ -234,6 +262,11 @@ std::unique_ptr<VectorField> make_series_field(std::vector<Frame> frames, const 
                                  path.filename().string(), frames.size(), frames.front().time,
                                  frames.back().time, frames.front().field->description());
   return std::make_unique<SeriesField>(std::move(frames), std::move(text));
+}
+
+std::optional<TimeRange> times_of_series(const VectorField& field) {
+  const auto* series = dynamic_cast<const SeriesField*>(&field);
+  return series ? std::optional(series->times()) : std::nullopt;
 }
 
 std::unique_ptr<VectorField> field_over_times(

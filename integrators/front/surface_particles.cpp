@@ -50,6 +50,8 @@ SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& 
       trajectory_options(*request.field, {request.duration, request.start_time, request.path},
                          setup.extent, options.stepping);
   setup.trajectory.companion = companion_of(options);
+  if (setup.trajectory.companion == Companion::variation)
+    setup.trajectory.velocity_error = request.field->sampling_error().value_or(0);
   setup.trajectory.ghost_distance = 1e-5 * setup.extent;
   return setup;
 }

@@ -8,6 +8,8 @@
 
 #include "core/error.h"
 #include "core/indexed_random.h"
+#include "fields/readers/series_field.h"
+#include "fields/reversed_field.h"
 
 namespace pellucid::integrators {
 
@@ -20,7 +22,8 @@ double positive(std::string_view name, const std::optional<double>& given, doubl
 namespace {
 
 /// While a particle rests, nothing but this bounds its steps: a flow that sets in for less than a
-/// step may be missed between a step's stages. Between the frames of a series nothing is missed.
+/// step may be missed between a step's stages. Between the frames of a series nothing is missed,
+/// but for those shorter gaps that the series itself does not count.
 double default_step(const fields::VectorField& field, const TrajectoryOptions& options) {
   if (!options.stepper->adaptive) return options.duration / 500;
   if (!options.changing) return options.duration;
@@ -44,6 +47,24 @@ bool is_constant_in_cells(const fields::VectorField& field, double time) {
   return found;
 }
 
+/// The first estimate looks at samples all over the field: it is asked for where it is needed.
+/// Who gives particles a companion by the variational equation asks for it, too.
+bool needs_sampling_error(const TrajectoryOptions& options, const SteppingOptions& stepping) {
+  return options.filled || (options.stepper->adaptive && !stepping.accuracy);
+}
+
+void check(const fields::VectorField& field, const Journey& journey) {
+  if (!(journey.duration > 0) || !std::isfinite(journey.duration))
+    throw InputError(
+        fmt::format("duration: {}; accepted: a finite number that is not 0", journey.duration));
+  if (!std::isfinite(journey.start_time))
+    throw InputError(fmt::format("start-time: {}; accepted: a finite number", journey.start_time));
+  const auto times = fields::times_of_series(fields::unreversed(field));
+  if (times && !times->contains(journey.start_time))
+    throw InputError(fmt::format("start-time: {}; accepted: one of the times of {}",
+                                 journey.start_time, field.description()));
+}
+
 /// What the interpolant is off by anyway bounds the default alone: who gives an accuracy gets it.
 /// Where cells are constant it bounds nothing: a field that jumps from cell to cell is off by about
 /// as much as it is large, though within a cell the way is exact at no cost, and at a face that is
@@ -57,11 +78,7 @@ double default_error_floor(const fields::VectorField& field, double velocity_err
 
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping) {
-  if (!(journey.duration > 0) || !std::isfinite(journey.duration))
-    throw InputError(
-        fmt::format("duration: {}; accepted: a finite number that is not 0", journey.duration));
-  if (!std::isfinite(journey.start_time))
-    throw InputError(fmt::format("start-time: {}; accepted: a finite number", journey.start_time));
+  check(field, journey);
   TrajectoryOptions options;
   options.stepper = stepping.stepper;
   options.duration = journey.duration;
@@ -75,10 +92,11 @@ TrajectoryOptions trajectory_options(const fields::VectorField& field, const Jou
   // Samples are only piecewise smooth: a step may not jump over a cell.
   const double cells = positive("cells", stepping.cells, 0.5);
   if (const auto cell = field.cell_size()) options.max_move = cells * *cell;
-  options.velocity_error = field.sampling_error().value_or(0);
+  if (!stepping.cells && field.cell_size() && field.fills_domain()) options.filled = field.domain();
+  if (needs_sampling_error(options, stepping))
+    options.velocity_error = field.sampling_error().value_or(0);
   if (!stepping.accuracy)
     options.error_floor = default_error_floor(field, options.velocity_error, journey.start_time);
-  if (!stepping.cells && field.cell_size() && field.fills_domain()) options.filled = field.domain();
   options.still = 1e-12 * extent;
   return options;
 }

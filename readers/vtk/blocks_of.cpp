@@ -89,6 +89,13 @@ std::vector<NamedBlock> blocks_within(vtkDataObject* data) {
   return blocks;
 }
 
+bool has_blocks(const std::vector<NamedBlock>& blocks, const std::string& wanted) {
+  return !matching(blocks, wanted).empty() ||
+         std::ranges::all_of(split(wanted, ','), [&](std::string_view name) {
+           return !matching(blocks, name).empty();
+         });
+}
+
 std::vector<NamedBlock> chosen_blocks(std::vector<NamedBlock> blocks, const std::string& wanted,
                                       const std::string& file) {
   if (wanted.empty()) return blocks;

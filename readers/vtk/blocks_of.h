@@ -21,6 +21,9 @@ struct NamedBlock {
 /// What has no name is numbered among its neighbours.
 std::vector<NamedBlock> blocks_within(vtkDataObject* data);
 
+/// Says whether each of the names in `wanted` means one of the blocks, as chosen_blocks() has it.
+bool has_blocks(const std::vector<NamedBlock>& blocks, const std::string& wanted);
+
 /// Returns the blocks that `wanted` names, "inlet,outlet": by their whole name, its first or its
 /// last part. All when it is empty. Throws InputError after `file` that lists the names.
 std::vector<NamedBlock> chosen_blocks(std::vector<NamedBlock> blocks, const std::string& wanted,

@@ -176,6 +176,19 @@ TEST_F(UnitPieces, PartsOfOneTimeAreMerged) {
   EXPECT_EQ(status_at(*read("c.pvd", text, ":block=west"), {2, 1, 1}), SampleStatus::outside);
 }
 
+TEST_F(UnitPieces, CollectionsOfBlocksHaveTheirBlocks) {
+  write_bytes(folder_ / "b.vtm", blocks);
+  const std::string text = collection("<DataSet timestep=\"0\" part=\"0\" file=\"b.vtm\"/>");
+  const auto all = read("c.pvd", text);
+  expect_both_halves(*all);
+  EXPECT_THAT(all->description(), HasSubstr("2 blocks merged"));
+  const auto west = read("c.pvd", text, ":block=west");
+  EXPECT_NEAR_VEC(velocity_of(*west, {0.3, 0.7, 1.2}), straight({0.3, 0.7, 1.2}), 1e-9);
+  EXPECT_EQ(status_at(*west, {2, 1, 1}), SampleStatus::outside);
+  EXPECT_THAT(complaint("c.pvd", text, ":block=north"),
+              HasSubstr("block=north: no such block; accepted: body/west"));
+}
+
 TEST_F(UnitPieces, WrongCollectionsAreRefused) {
   EXPECT_THAT(complaint("c.pvd", collection("")), HasSubstr("accepted: a <Collection>"));
   EXPECT_THAT(complaint("c.pvd", collection("<DataSet timestep=\"x\" file=\"left.vtu\"/>")),

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "fields/make_field.h"
+#include "fields/reversed_field.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/butcher_tableau.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -93,32 +94,117 @@ TEST(PropertyEnds, PathSurfacesFromRestHaveTheirArea) {
     }
 }
 
-TEST(UnitEnds, OneFrameOfASeriesMovesWhoRests) {
-  // 101 frames at rest but for one: a triangle in time of height 1 and base 2.
-  const TemporaryFolder folder;
-  std::string files;
-  for (const double speed : {0., 1.}) {
+/// A series of frames (speed, 0, 0), a speed at each of the times.
+class UnitSeriesEnds : public ::testing::Test {
+ protected:
+  std::shared_ptr<const fields::VectorField> series(const std::vector<double>& times,
+                                                    const std::vector<double>& speeds) {
+    std::string files;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      write_frame(speeds[k]);
+      files +=
+          fmt::format(R"({}{{"name": "{}.mhd", "time": {}}})", k ? ", " : "", speeds[k], times[k]);
+    }
+    write_text(folder_ / "pulse.series",
+               fmt::format(R"({{"file-series-version": "1.0", "files": [{}]}})", files));
+    return fields::make_field((folder_ / "pulse.series").string());
+  }
+
+ private:
+  void write_frame(double speed) {
     std::string raw;
     for (int i = 0; i < 27; ++i) {
       const Vec3 v(speed, 0, 0);
       raw.append(reinterpret_cast<const char*>(&v), sizeof v);
     }
-    write_text(folder / fmt::format("{}.raw", speed), raw);
+    write_text(folder_ / fmt::format("{}.raw", speed), raw);
     write_text(
-        folder / fmt::format("{}.mhd", speed),
+        folder_ / fmt::format("{}.mhd", speed),
         fmt::format("ObjectType = Image\nNDims = 3\nDimSize = 3 3 3\nElementSpacing = 2 2 2\n"
                     "Offset = -2 -2 -2\nElementType = MET_DOUBLE\n"
                     "ElementNumberOfChannels = 3\nBinaryDataByteOrderMSB = False\n"
                     "ElementDataFile = {}.raw\n",
                     speed));
   }
-  for (int k = 0; k <= 100; ++k)
-    files +=
-        fmt::format(R"({}{{"name": "{}.mhd", "time": {}}})", k ? ", " : "", k == 37 ? 1 : 0, k);
-  write_text(folder / "pulse.series",
-             fmt::format(R"({{"file-series-version": "1.0", "files": [{}]}})", files));
-  const auto field = fields::make_field((folder / "pulse.series").string());
-  EXPECT_NEAR(end_of(*field, "path-lines", Vec3(0), 100).x, 1, 1e-6);
+  TemporaryFolder folder_;
+};
+
+/// 101 frames at rest but for one: a triangle in time of height 1 and base 2.
+TEST_F(UnitSeriesEnds, OneFrameMovesWhoRests) {
+  std::vector<double> times, speeds;
+  for (int k = 0; k <= 100; ++k) times.push_back(k), speeds.push_back(k == 37 ? 1 : 0);
+  EXPECT_NEAR(end_of(*series(times, speeds), "path-lines", Vec3(0), 100).x, 1, 1e-6);
+}
+
+/// A millionth between two frames of a whole of 1, which would be a million steps.
+TEST_F(UnitSeriesEnds, TwoFramesAtNearlyOneTimeMakeNoShortSteps) {
+  const auto field = series({0, 1e-6, 1}, {0, 0, 1});
+  const auto lines = trace(*field, "path-lines", {Vec3(0)}, 1);
+  EXPECT_NEAR(lines.lines.positions.back().x, 0.5, 1e-6);
+  EXPECT_LE(lines.stats.evaluations, 5000u);
+}
+
+/// 0.1 + 0.2 is beyond 0.3, and 0.3 - 0.2 before 0.1.
+TEST_F(UnitSeriesEnds, AWayToTheLastTimeIsWholeButForItsRounding) {
+  const auto field = series({0.1, 0.3}, {1, 1});
+  const auto backward = fields::reversed(field, 0.3);
+  for (const auto& [way, start] : {std::pair(field, 0.1), {backward, 0.3}}) {
+    const auto lines = integrate_lines("path-lines", {way.get(), {Vec3(0)}, 0.2, start, {}});
+    EXPECT_EQ(lines.stats.ends, (EndCounts{{EndReason::duration, 1}})) << start;
+    EXPECT_NEAR(std::abs(lines.lines.positions.back().x), 0.2, 1e-9);
+  }
+}
+
+TEST_F(UnitSeriesEnds, AStartOutsideItsTimesIsRefusedByThem) {
+  const auto field = series({0.1, 0.3}, {1, 1});
+  for (const char* integrator : {"path-lines", "stream-lines", "streak-lines"}) {
+    try {
+      trace(*field, integrator, {Vec3(0)}, 0.2);
+      ADD_FAILURE() << integrator;
+    } catch (const InputError& error) {
+      EXPECT_THAT(
+          error.what(),
+          ::testing::AllOf(::testing::HasSubstr("start-time: 0; accepted: one of the times"),
+                           ::testing::HasSubstr("2 times from t = 0.1 to 0.3")));
+    }
+  }
+}
+
+/// A field of cells, which counts how often it is asked for its sampling error.
+class CountingCells final : public fields::VectorField {
+ public:
+  std::unique_ptr<fields::FieldSampler> sampler() const override { return inner_.sampler(); }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return 0.5; }
+  std::optional<double> sampling_error() const override { return ++asked, 1e-3; }
+  std::string description() const override { return "cells"; }
+  mutable int asked = 0;
+
+ private:
+  FunctionField inner_ = everywhere([](const Vec3& x) { return Vec3(-x.y, x.x, 0); });
+};
+
+TEST(UnitEnds, TheSamplingErrorIsAskedForWhereItIsNeeded) {
+  const auto asks = [](const auto& run) {
+    const CountingCells field;
+    run(field);
+    return field.asked > 0;
+  };
+  const auto lines = [](std::string_view integrator) {
+    return [=](const CountingCells& field) { trace(field, integrator, {Vec3(1, 0, 0)}, 1); };
+  };
+  const auto surface = [](std::string_view integrator) {
+    return [=](const CountingCells& field) {
+      integrate_surface(integrator,
+                        {&field, segment_seed({1, 0, 0}, {2, 0, 0}), 0.5, 0, false, {}});
+    };
+  };
+  EXPECT_TRUE(asks(lines("stream-lines")));
+  EXPECT_FALSE(asks(lines("stream-lines:accuracy=1e-6")));
+  EXPECT_FALSE(asks(lines("stream-lines:stepper=rk4")));
+  // Of normals by the variational equation it bounds the error.
+  EXPECT_TRUE(asks(surface("fixed-front:particles=3,rows=3,accuracy=1e-6")));
+  EXPECT_FALSE(asks(surface("fixed-front:particles=3,rows=3,accuracy=1e-6,normals=none")));
 }
 
 TEST(PropertyEnds, TheLengthIsTheLengthHoweverLongTheSteps) {
