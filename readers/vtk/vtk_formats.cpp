@@ -2,9 +2,10 @@
 #include "readers/vtk/vtk_formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
+#include "core/options/lower_case.h"
+#include "readers/vtk/case_files.h"
 #include "readers/vtk/xml_tags.h"
 
 namespace pellucid::readers {
@@ -85,8 +86,8 @@ constexpr VtkFormat table[] = {
      Beside::nothing,
      {},
      "variables are scalars: array=u,v; those of one set of dimensions are read, whatever their "
-     "order; axes are degrees where the file's are, depths negative; samples that are missing, "
-     "filled or not valid are absent"},
+     "order but for time, which is the first; times in any order; axes are degrees where the "
+     "file's are, depths negative; samples that are missing, filled or not valid are absent"},
     {".cdf", "NetCDF, with the CF conventions", simulation, Beside::nothing, {}, "as .nc"},
     {".nii",
      "NIfTI image",
@@ -113,29 +114,13 @@ constexpr VtkFormat table[] = {
     {".rec", "MRC image", simulation, Beside::nothing, {}, "as .mrc"},
 };
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 void keep_files(std::vector<fs::path>& paths, const fs::path& without) {
   std::erase_if(paths, [&](const fs::path& path) {
     std::error_code code;
     return !fs::is_regular_file(path, code) || fs::equivalent(path, without, code);
   });
   std::ranges::sort(paths);
-}
-
-template <class Iterator>
-std::vector<fs::path> all_in(const fs::path& file) {
-  std::error_code code;
-  std::vector<fs::path> paths;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const auto options = fs::directory_options::skip_permission_denied;
-  for (auto entry = Iterator(folder, options, code); !code && entry != Iterator();
-       entry.increment(code))
-    paths.push_back(entry->path());
-  return paths;
+  paths.erase(std::ranges::unique(paths).begin(), paths.end());
 }
 
 /// Names in VTK's XML, and in the files that these name.
@@ -175,10 +160,10 @@ std::vector<fs::path> files_beside(const fs::path& path, const VtkFormat& format
       paths.push_back(fs::path(path).replace_extension(format.second));
       break;
     case Beside::folder:
-      paths = all_in<fs::directory_iterator>(path);
+      paths = files_of_ensight(path);
       break;
     case Beside::tree:
-      paths = all_in<fs::recursive_directory_iterator>(path);
+      paths = files_of_foam(path);
       break;
   }
   keep_files(paths, path);

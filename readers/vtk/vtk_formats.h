@@ -9,8 +9,8 @@
 
 namespace pellucid::readers {
 
-/// Beside says which other files VTK reads together with one: those named in it; the one of the
-/// same name whose ending is `second`; all in its folder; all below it.
+/// Beside says which other files VTK reads with one: those its XML names; that of the same name
+/// whose ending is `second`; those an EnSight case names; those of an OpenFOAM case's folders.
 enum class Beside { nothing, named, second, folder, tree };
 
 /// One kind of file that VTK reads. Which of VTK's readers it is stands in the program's own table
@@ -32,8 +32,8 @@ std::span<const VtkFormat> vtk_formats();
 /// Returns the row that the path ends as, in small or capital letters, or nullptr.
 const VtkFormat* vtk_format(const std::filesystem::path& path);
 
-/// Returns the other files that VTK may read together with this one, by its row; such that are
-/// there. The limits of the program that parses it count their bytes, and reports note them.
+/// Returns the other files that VTK reads together with this one, by its row; such that are there.
+/// Limits of the program that parses it count their bytes; they are inputs, which none overwrites.
 std::vector<std::filesystem::path> files_beside(const std::filesystem::path& path,
                                                 const VtkFormat& format);
 

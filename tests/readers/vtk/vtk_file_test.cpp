@@ -12,6 +12,7 @@
 #include "core/files/child_reader.h"
 #include "core/files/files_read.h"
 #include "core/files/output_file.h"
+#include "readers/vtk/vtk_formats.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid::readers {
@@ -19,6 +20,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::AnyOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -102,6 +104,31 @@ TEST_F(UnitVtkFile, TheFileAndItsReaderAreNoted) {
   complaint_about("a.vtp", poly("1", "0 1 2", "3"));
   EXPECT_TRUE(read.paths().contains(folder_ / "a.vtp"));
   EXPECT_EQ(read.paths().size(), 2u);  // another reader may read it otherwise
+}
+
+/// What else lies in the folder, such as what an earlier run left there, is no input.
+TEST_F(UnitVtkFile, OfACaseInAFolderItsOwnFilesAreNoted) {
+  const auto beside = [&](const char* name) {
+    std::vector<std::string> names;
+    for (const auto& file : files_beside(folder_ / name, *vtk_format(folder_ / name)))
+      names.push_back(file.lexically_relative(folder_.path()).string());
+    return names;
+  };
+  write_text(folder_ / "e.case",
+             "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 \"e.geo\"\nVARIABLE\n"
+             "vector per node: 1 U e.***.U\nTIME\nnumber of steps: 2\ntime values: 0 1\n");
+  for (const char* name : {"e.geo", "e.000.U", "e.001.U", "e.x.U", "line.vtp"})
+    write_text(folder_ / name, "x");
+  EXPECT_THAT(beside("e.case"), ElementsAre("e.000.U", "e.001.U", "e.geo"));
+  write_text(folder_ / "c.foam", "");
+  for (const char* folder :
+       {"constant/polyMesh", "0.5", "system", "postProcessing/0", "processor0/1"})
+    std::filesystem::create_directories(folder_ / folder);
+  for (const char* name : {"constant/polyMesh/points", "0.5/U", "system/controlDict", "log.foam",
+                           "postProcessing/0/p.vtp", "processor0/1/U", "processor0/s.vtp"})
+    write_text(folder_ / name, "x");
+  EXPECT_THAT(beside("c.foam"), ElementsAre("0.5/U", "constant/polyMesh/points", "processor0/1/U",
+                                            "system/controlDict"));
 }
 
 TEST(UnitChildReader, AProgramThatIsNotThereFailsTheWork) {
