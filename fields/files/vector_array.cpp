@@ -8,11 +8,14 @@
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <vector>
 
 #include "core/error.h"
+#include "core/options/lower_case.h"
 #include "core/options/split.h"
 #include "fields/files/array_list.h"
 #include "fields/files/cell_average.h"
@@ -47,12 +50,20 @@ class Finder {
  public:
   Finder(vtkDataSetAttributes& arrays, std::optional<int> flat) : arrays_(arrays), flat_(flat) {}
 
-  /// The active vectors, or the only ones; three components before two.
-  std::optional<Parts> by_default() const {
-    if (vtkDataArray* active = arrays_.GetVectors()) return parts_of(active);
-    if (vtkDataArray* only = only_one(3)) return parts_of(only);
-    if (vtkDataArray* only = flat_ ? only_one(2) : nullptr) return parts_of(only);
-    return std::nullopt;
+  /// Those that the file calls its vectors.
+  std::optional<Parts> active() const {
+    vtkDataArray* vectors = arrays_.GetVectors();
+    return vectors ? parts_of(vectors) : std::nullopt;
+  }
+
+  /// Arrays of so many components that may be velocities.
+  std::vector<vtkDataArray*> candidates(int components) const {
+    std::vector<vtkDataArray*> found;
+    for (int i = 0; i < arrays_.GetNumberOfArrays(); ++i)
+      if (vtkDataArray* array = arrays_.GetArray(i);
+          array && array->GetNumberOfComponents() == components && !is_something_else(*array))
+        found.push_back(array);
+    return found;
   }
 
   std::optional<Parts> by_name(const std::string& name) const {
@@ -68,24 +79,23 @@ class Finder {
     return placed(parts);
   }
 
- private:
-  vtkDataArray* only_one(int components) const {
-    vtkDataArray* only = nullptr;
-    for (int i = 0; i < arrays_.GetNumberOfArrays(); ++i) {
-      vtkDataArray* array = arrays_.GetArray(i);
-      if (!array || array->GetNumberOfComponents() != components) continue;
-      if (only) return nullptr;
-      only = array;
-    }
-    return only;
-  }
-
   std::optional<Parts> parts_of(vtkDataArray* array) const {
     const int count = array->GetNumberOfComponents();
     if (count != 3 && !(count == 2 && flat_)) return std::nullopt;
     std::vector<Part> parts;
     for (int k = 0; k < count; ++k) parts.push_back({array, k});
     return placed(parts);
+  }
+
+ private:
+  /// Colours are bytes; VTK's writers mark and name normals and texture coordinates.
+  bool is_something_else(vtkDataArray& array) const {
+    constexpr std::string_view names[] = {
+        "normal", "normals", "texture coordinates", "texturecoordinates", "tcoords", "texcoords"};
+    const std::string name = lower_case(array.GetName() ? array.GetName() : "");
+    return array.GetDataType() == VTK_UNSIGNED_CHAR || array.GetDataType() == VTK_ID_TYPE ||
+           &array == arrays_.GetNormals() || &array == arrays_.GetTCoords() ||
+           std::ranges::find(names, name) != std::end(names);
   }
 
   /// Two parts belong to the axes along which the data are not flat.
@@ -152,31 +162,49 @@ class Choice {
          const std::filesystem::path& path)
       : data_(data), wanted_(wanted), cells_(cells), path_(path), flat_(flat_axis(data)) {}
 
-  Vectors vectors() const {
-    if (cells_ == CellValues::averaged)
-      if (const auto parts = find(*data_.GetPointData(), point_prefix))
-        return {values(*parts, data_.GetNumberOfPoints(), "points"), false, false, own_name(*parts),
-                name_of(*parts)};
-    if (const auto parts = find(*data_.GetCellData(), cell_prefix)) return of_cells(*parts);
+  Vectors vectors() const { return wanted_.empty() ? by_default() : by_name(); }
+
+ private:
+  Finder of_points() const { return {*data_.GetPointData(), flat_}; }
+  Finder of_cells() const { return {*data_.GetCellData(), flat_}; }
+  bool takes_points() const { return cells_ == CellValues::averaged; }
+
+  /// Those that the file calls so, wherever they are; else the only ones that may be velocities:
+  /// those of one name at points and in cells are one. Three components come before two.
+  Vectors by_default() const {
+    if (takes_points())
+      if (const auto parts = of_points().active()) return at_points(*parts);
+    if (const auto parts = of_cells().active()) return in_cells(*parts);
+    for (const int components : {3, 2}) {
+      if (components == 2 && !flat_) break;
+      std::vector<vtkDataArray*> points, cells = of_cells().candidates(components);
+      if (takes_points()) points = of_points().candidates(components);
+      std::erase_if(cells, [&](vtkDataArray* cell) { return has_name_of(points, *cell); });
+      if (points.size() + cells.size() > 1) refuse();
+      if (!points.empty()) return at_points(*of_points().parts_of(points.front()));
+      if (!cells.empty()) return in_cells(*of_cells().parts_of(cells.front()));
+    }
     refuse();
   }
 
- private:
-  std::optional<Parts> find(vtkDataSetAttributes& arrays, std::string_view prefix) const {
-    const Finder finder(arrays, flat_);
-    if (wanted_.empty() && is_unclear(arrays)) refuse();
-    if (wanted_.empty()) return finder.by_default();
+  Vectors by_name() const {
+    if (takes_points())
+      if (const auto parts = find(of_points(), point_prefix)) return at_points(*parts);
+    if (const auto parts = find(of_cells(), cell_prefix)) return in_cells(*parts);
+    refuse();
+  }
+
+  static bool has_name_of(const std::vector<vtkDataArray*>& arrays, vtkDataArray& other) {
+    return std::ranges::any_of(arrays, [&](vtkDataArray* array) {
+      return array->GetName() && other.GetName() &&
+             std::string_view(array->GetName()) == other.GetName();
+    });
+  }
+
+  std::optional<Parts> find(const Finder& finder, std::string_view prefix) const {
     if (auto parts = finder.by_name(wanted_)) return parts;
     return wanted_.starts_with(prefix) ? finder.by_name(wanted_.substr(prefix.size()))
                                        : std::nullopt;
-  }
-
-  /// Several arrays could be meant, and none is active: those of cells are no way out.
-  static bool is_unclear(vtkDataSetAttributes& arrays) {
-    int count = 0;
-    for (int i = 0; i < arrays.GetNumberOfArrays(); ++i)
-      count += arrays.GetArray(i) && arrays.GetArray(i)->GetNumberOfComponents() == 3;
-    return count > 1 && !arrays.GetVectors();
   }
 
   vtkSmartPointer<vtkDataArray> values(const Parts& parts, vtkIdType count,
@@ -190,12 +218,18 @@ class Choice {
                                : joined(parts, count);
   }
 
-  Vectors of_cells(const Parts& parts) const {
+  Vectors at_points(const Parts& parts) const {
+    return {values(parts, data_.GetNumberOfPoints(), "points"), false, false, own_name(parts),
+            name_of(parts)};
+  }
+
+  /// Their name says where they are, so that others of it at points are not meant later.
+  Vectors in_cells(const Parts& parts) const {
     auto vectors = values(parts, data_.GetNumberOfCells(), "cells");
-    const std::string name = name_of(parts);
-    if (cells_ == CellValues::constant)
-      return {vectors, true, false, own_name(parts), name + ", constant in cells"};
-    return {averaged_to_points(data_, *vectors), false, true, own_name(parts),
+    const std::string name = name_of(parts), own = own_name(parts);
+    const std::string placed = own.empty() ? own : std::string(cell_prefix) + own;
+    if (cells_ == CellValues::constant) return {vectors, true, false, placed, name};
+    return {averaged_to_points(data_, *vectors), false, true, placed,
             name + " of the cells, averaged to points"};
   }
 

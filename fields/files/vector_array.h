@@ -25,11 +25,11 @@ struct Vectors {
 };
 
 /// Returns the vectors that `wanted` names: an array of three components; three arrays of one,
-/// "U,V,W"; and of a data set that is flat along one axis also two of these, the third being 0.
-/// "point:NAME" and "cell:NAME" tell arrays of one name apart. When `wanted` is empty they are the
-/// active ones, or else the only ones, points before cells. Vectors of cells are averaged, or kept
-/// where `cells` says so; then arrays of points do not count. Throws InputError that lists the
-/// file's arrays when there are none such.
+/// "U,V,W"; of a data set that is flat along one axis also two of these, the third being 0; of both
+/// kinds of one name "point:NAME" or "cell:NAME". When it is empty they are the active ones, points
+/// before cells, or the only ones that are no bytes, normals or texture coordinates. Vectors of
+/// cells are averaged, or kept where `cells` says so; then arrays of points do not count. Throws
+/// InputError that lists the file's arrays when there are none such.
 Vectors pick_vectors(vtkDataSet& data, const std::string& wanted, CellValues cells,
                      const std::filesystem::path& path);
 

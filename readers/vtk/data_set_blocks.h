@@ -12,7 +12,7 @@
 //     G.offsets, G.connectivity             i64: cells G of unstructured, verts, lines, polys and
 //                                           strips of poly data
 //     point:NAME, cell:NAME                 arrays of the points and cells
-//     point.active, cell.active             4 × i32: scalars, vectors, normals, ghosts among them
+//     point.active, cell.active             4 × i32: scalars, vectors, normals, texture coordinates
 //                                           by number, or -1
 
 #include <vtkSmartPointer.h>

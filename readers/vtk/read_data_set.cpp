@@ -226,6 +226,8 @@ void set_active(vtkDataSetAttributes& arrays, std::span<const std::int32_t> acti
   if (vtkDataArray* scalars = array(0)) arrays.SetScalars(scalars);
   if (vtkDataArray* vectors = array(1); has_three(vectors)) arrays.SetVectors(vectors);
   if (vtkDataArray* normals = array(2); has_three(normals)) arrays.SetNormals(normals);
+  if (vtkDataArray* texture = array(3); texture && texture->GetNumberOfComponents() <= 3)
+    arrays.SetTCoords(texture);
 }
 
 void add_attributes(const Blocks& blocks, const std::string& group, vtkIdType count,

@@ -61,9 +61,8 @@ void write_cells(const std::string& group, vtkCellArray* cells, BlockWriter& out
 
 void write_attributes(const std::string& group, vtkDataSetAttributes& arrays, BlockWriter& out) {
   std::int32_t active[4] = {-1, -1, -1, -1}, number = 0;
-  const vtkAbstractArray* special[4] = {
-      arrays.GetScalars(), arrays.GetVectors(), arrays.GetNormals(),
-      arrays.GetAbstractArray(vtkDataSetAttributes::GhostArrayName())};
+  const vtkAbstractArray* special[4] = {arrays.GetScalars(), arrays.GetVectors(),
+                                        arrays.GetNormals(), arrays.GetTCoords()};
   for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) {
     vtkDataArray* array = arrays.GetArray(i);
     if (!array) continue;  // texts

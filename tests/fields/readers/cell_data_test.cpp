@@ -70,6 +70,7 @@ TEST_F(UnitCellData, TheMeanAtTheBorderIsThatOfTheCellsInside) {
 TEST_F(UnitCellData, ConstantCellsHaveOneVectorEach) {
   for (const auto& field : all_kinds(":cells=constant")) {
     EXPECT_THAT(field->description(), HasSubstr("U, constant in cells"));
+    EXPECT_THAT(field->description(), Not(HasSubstr("cells, constant in cells")));
     const auto sampler = field->sampler();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> off(-0.49, 0.49);
@@ -134,6 +135,53 @@ TEST_F(UnitCellData, PointsComeBeforeCellsUnlessTheyAreNamed) {
   EXPECT_EQ(velocity_of(*read("u.vtr", text, ":array=cell:U"), {1, 0, 3}).x, 2);
   EXPECT_EQ(velocity_of(*read("u.vtr", text, ":array=point:U"), {1, 0, 3}).x, 1);
   EXPECT_EQ(velocity_of(*read("u.vtr", text, ":cells=constant"), {1, 0, 3}).x, 2);
+}
+
+/// `text` with an array that is called its points' or its cells' `role`.
+std::string with_role(std::string text, const std::string& element, const std::string& role,
+                      const std::string& name) {
+  const std::string tag = "<" + element + ">";
+  return text.replace(text.find(tag), tag.size(),
+                      fmt::format("<{} {}=\"{}\">", element, role, name));
+}
+
+const VectorAt along_x = [](const Vec3&) { return Vec3(1, 0, 0); };
+const VectorAt along_y = [](const Vec3&) { return Vec3(0, 1, 0); };
+
+TEST_F(UnitCellData, WhatAFileCallsItsVectorsComesFirst) {
+  const std::string text =
+      rectilinear(axes, vectors("V", crossings(axes), along_y), vectors("U", centres, along_x));
+  const Vec3 x(1, 0, 3);
+  EXPECT_EQ(velocity_of(*read("u.vtr", with_role(text, "CellData", "Vectors", "U")), x).x, 1);
+  EXPECT_EQ(velocity_of(*read("u.vtr", with_role(text, "PointData", "Vectors", "V")), x).y, 1);
+  EXPECT_THAT(
+      complaint("u.vtr", text),
+      testing::AllOf(HasSubstr("which vectors?"), HasSubstr("V (point"), HasSubstr("U (cell")));
+}
+
+TEST_F(UnitCellData, ColoursNormalsAndTexturesAreNoVelocity) {
+  const auto points = crossings(axes);
+  std::string bytes;
+  for (std::size_t i = 0; i < points.size(); ++i) bytes += "200 100 0 ";
+  const std::string cells = vectors("U", centres, along_x);
+  const Vec3 x(1, 0, 3);
+  struct Other {
+    std::string array, role, name;
+  };
+  for (const auto& [array, role, name] :
+       {Other{vtk_files::array("paint", "UInt8", 3, bytes), "Scalars", "paint"},
+        Other{vectors("n", points, along_y), "Normals", "n"},
+        Other{vectors("t", points, along_y), "TCoords", "t"},
+        Other{vectors("Normals", points, along_y), "Scalars", ""}}) {
+    SCOPED_TRACE(name);
+    const auto with = [&](const std::string& text) {
+      return name.empty() ? text : with_role(text, "PointData", role, name);
+    };
+    EXPECT_EQ(velocity_of(*read("o.vtr", with(rectilinear(axes, array, cells))), x).x, 1);
+    EXPECT_THAT(complaint("o.vtr", with(rectilinear(axes, array))), HasSubstr("which vectors?"));
+    if (name == "n")
+      EXPECT_EQ(velocity_of(*read("o.vtr", with(rectilinear(axes, array)), ":array=n"), x).y, 1);
+  }
 }
 
 TEST_F(UnitCellData, ThreeScalarsAreVectors) {
