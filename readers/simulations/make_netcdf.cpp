@@ -2,7 +2,7 @@
 // VTK takes the last dimension for x, whatever it is, and spacings within 1 % of each
 // other for even ones, by a first sample that it forgets to turn round where heights count
 // downwards: axes are rectilinear here, with the coordinates of the file. VTK takes bytes for such
-// without a sign.
+// without a sign, times for such that ascend, and a time for one where it is the first dimension.
 
 #include "readers/simulations/make_netcdf.h"
 
@@ -20,10 +20,14 @@
 #include <vtkStringArray.h>
 #include <vtk_netcdf.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "core/error.h"
 #include "readers/simulations/netcdf_axes.h"
 #include "readers/simulations/netcdf_choice.h"
 #include "readers/simulations/netcdf_missing.h"
+#include "readers/simulations/netcdf_times.h"
 #include "readers/simulations/permuted_axes.h"
 
 namespace pellucid::readers {
@@ -39,6 +43,7 @@ class NetcdfReader : public vtkNetCDFCFReader {
     const std::string dimensions = chosen_dimensions(choices, wanted, GetFileName());
     for (const NetcdfChoice& choice : choices) {
       const bool fits = choice.is_number && choice.dimensions == dimensions;
+      if (fits && choice.time_is_late) refuse_late_time(choice);
       SetVariableArrayStatus(choice.name.c_str(), fits);
       if (!fits && choice.axes() > 0) left_out.push_back(choice.name + choice.dimensions);
     }
@@ -64,7 +69,10 @@ class NetcdfReader : public vtkNetCDFCFReader {
 
   int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override {
     refuse_unsigned(NetcdfVariable(file, name), name);
-    if (!vtkNetCDFCFReader::LoadVariable(file, name, time, output)) return 0;
+    time_to_load_ = time;
+    const bool is_loaded = vtkNetCDFCFReader::LoadVariable(file, name, time, output) != 0;
+    time_to_load_.reset();
+    if (!is_loaded) return 0;
     const NetcdfVariable variable(file, name);
     sign_bytes(variable, name, *output->GetPointData());
     sign_bytes(variable, name, *output->GetCellData());
@@ -72,6 +80,13 @@ class NetcdfReader : public vtkNetCDFCFReader {
     hide_missing(is_missing, name, *output->GetPointData());
     hide_missing(is_missing, name, *output->GetCellData());
     return 1;
+  }
+
+  vtkSmartPointer<vtkDoubleArray> GetTimeValues(int file, int dimension) override {
+    const auto times = vtkNetCDFCFReader::GetTimeValues(file, dimension);
+    if (!times) return times;
+    return time_to_load_ ? times_to_load(*times, *time_to_load_)
+                         : ascending_times(*times, GetFileName());
   }
 
  private:
@@ -82,11 +97,26 @@ class NetcdfReader : public vtkNetCDFCFReader {
     if (!UpdateMetaData() || nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR) return choices;
     for (int i = 0; i < GetNumberOfVariableArrays(); ++i) {
       const char* const name = GetVariableArrayName(i);
-      choices.push_back(
-          {name, GetVariableDimensions()->GetValue(i), NetcdfVariable(file, name).is_number()});
+      choices.push_back({name, GetVariableDimensions()->GetValue(i),
+                         NetcdfVariable(file, name).is_number(), is_time_late(file, name)});
     }
     nc_close(file);
     return choices;
+  }
+  /// Says whether a variable has its time among its dimensions, but not as the first.
+  bool is_time_late(int file, const char* name) {
+    int id = 0, count = 0, dimensions[NC_MAX_VAR_DIMS] = {};
+    if (nc_inq_varid(file, name, &id) != NC_NOERR ||
+        nc_inq_var(file, id, nullptr, nullptr, &count, dimensions, nullptr) != NC_NOERR)
+      return false;
+    return std::any_of(dimensions + std::min(count, 1), dimensions + count,
+                       [&](int dimension) { return IsTimeDimension(file, dimension) != 0; });
+  }
+  [[noreturn]] void refuse_late_time(const NetcdfChoice& choice) {
+    throw InputError(
+        fmt::format("{}: '{}' has the dimensions {}, the time not first, and VTK would take it for "
+                    "one of space; accepted: the time first (ncpdq -a TIME puts it there)",
+                    GetFileName(), choice.name, choice.dimensions));
   }
   /// Of the dimensions that are loaded, the last being the fastest.
   AxisOrder order_in_file() {
@@ -122,6 +152,8 @@ class NetcdfReader : public vtkNetCDFCFReader {
                       "accepted: a variable of an unsigned or a wider type",
                       GetFileName(), name));
   }
+
+  std::optional<double> time_to_load_;  // while VTK loads a variable
 };
 
 }  // namespace

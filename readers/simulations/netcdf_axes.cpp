@@ -8,9 +8,10 @@
 #include <vtk_netcdf.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string_view>
+
+#include "core/options/lower_case.h"
 
 namespace pellucid::readers {
 namespace {
@@ -60,11 +61,6 @@ constexpr Word words[] = {{"x", 0},
                           {"millibars", 2},
                           {"decibar", 2},
                           {"dbar", 2}};
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 std::optional<int> axis_of_word(const std::string& text) {
   const auto* found = std::ranges::find(words, lower_case(text), &Word::text);

@@ -12,6 +12,7 @@ namespace pellucid::readers {
 struct NetcdfChoice {
   std::string name, dimensions;
   bool is_number = true;
+  bool time_is_late = false;  // a later dimension than the first is its time
 
   std::ptrdiff_t axes() const {
     return dimensions == "()" ? 0 : std::ranges::count(dimensions, ',') + 1;

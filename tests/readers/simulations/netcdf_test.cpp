@@ -211,6 +211,51 @@ TEST_F(UnitNetcdf, OfAsManyAxesThoseOfMoreVariablesAreRead) {
               ElementsAre("q(b, c)", "r(b, c)"));
 }
 
+/// A file of u = 10 t at each of the times, over a plane.
+class UnitNetcdfTimes : public UnitNetcdf {
+ protected:
+  void write(const std::vector<double>& times) const {
+    NetcdfFile file(path_);
+    const int t = file.add({"time", times, {{"units", "days since 2000-01-01"}, {"axis", "T"}}});
+    const int y = file.add({"y", {0, 1}, {}}), x = file.add({"x", {0, 1, 2}, {}});
+    std::vector<double> values;
+    for (const double time : times) values.insert(values.end(), 6, 10 * time);
+    file.add("u", {t, y, x}, NC_DOUBLE, values);
+  }
+};
+
+TEST_F(UnitNetcdfTimes, AreReadInOrderWhateverTheirs) {
+  for (const std::vector<double>& times :
+       {std::vector<double>{0, 1, 3}, {3, 1, 0}, {1, 3, 0}, {3, 0, 1}, {-1, 0, 2}}) {
+    write(times);
+    const auto read = read_vtk_file(path_);
+    ASSERT_EQ(read.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i > 0) EXPECT_GT(read[i].time, read[i - 1].time);
+      EXPECT_EQ(read[i].data->GetPointData()->GetArray("u")->GetComponent(4, 0), 10 * read[i].time);
+    }
+    const auto last = read_vtk_file(path_, {}, "last");
+    EXPECT_EQ(last.front().time, std::ranges::max(times));
+    EXPECT_EQ(last.front().of, 3u);
+  }
+}
+
+TEST_F(UnitNetcdfTimes, OfWhichTwoAreTheSameAreRefused) {
+  write({0, 1, 1, 2});
+  EXPECT_THAT(complaint(""), HasSubstr("two of its times are 1"));
+}
+
+TEST_F(UnitNetcdfTimes, ThatAreNotTheFirstDimensionAreRefused) {
+  {
+    NetcdfFile file(path_);
+    const int y = file.add({"y", {0, 1}, {}}), x = file.add({"x", {0, 1, 2}, {}}),
+              t = file.add({"time", {0, 1}, {{"units", "days since 2000-01-01"}}});
+    file.add("u", {y, x, t}), file.add("p", {y, x});
+  }
+  EXPECT_THAT(complaint("u"), HasSubstr("the time not first"));
+  EXPECT_EQ(complaint("p"), "no complaint");
+}
+
 TEST_F(UnitNetcdf, BytesHaveASign) {
   {
     NetcdfFile file(path_);
