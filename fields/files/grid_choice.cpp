@@ -6,22 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
 #include <vector>
 
 #include "core/error.h"
+#include "core/options/lower_case.h"
+#include "core/options/split.h"
 
 namespace pellucid::fields {
 namespace {
 
 constexpr std::array<std::string_view, 4> usual_names{"velocity", "vel", "v", "u"};
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
 
 bool is_usual(std::string_view name) {
   return std::ranges::find(usual_names, lower_case(name)) != usual_names.end();
@@ -37,6 +32,10 @@ std::string label(std::span<const GridEntry> grids, std::size_t index) {
   const std::string& name = grids[index].name;
   if (count(grids, name) == 1) return name;
   return fmt::format("{}[{}]", name, count(grids.first(index), name));
+}
+
+bool is_called(std::span<const GridEntry> grids, std::size_t i, std::string_view wanted) {
+  return grids[i].name == wanted || label(grids, i) == wanted;
 }
 
 std::vector<std::size_t> vectors(std::span<const GridEntry> grids) {
@@ -59,6 +58,7 @@ std::string what_there_is(std::span<const GridEntry> grids) {
       fmt::format("vector grids: {}",
                   vector_names.empty() ? "none" : fmt::format("{}", fmt::join(vector_names, ", ")));
   if (!others.empty()) text += fmt::format("; others: {}", describe_grids(others));
+  if (others.size() >= 3) text += "; array=A,B,C takes three of float or double together";
   return text;
 }
 
@@ -75,12 +75,26 @@ std::size_t choose_vector_grid(std::span<const GridEntry> grids, std::string_vie
                                const std::string& file) {
   const std::vector<std::size_t> found = vectors(grids);
   for (const std::size_t i : found)
-    if (grids[i].name == wanted || label(grids, i) == wanted) return i;
+    if (is_called(grids, i, wanted)) return i;
   if (wanted.empty() && found.size() == 1) return found.front();
   if (wanted.empty())
     throw InputError(fmt::format("{}: which grid? array=NAME; {}", file, what_there_is(grids)));
   throw InputError(
       fmt::format("{}: array={}: no such grid; {}", file, wanted, what_there_is(grids)));
+}
+
+std::optional<std::array<std::size_t, 3>> choose_components(std::span<const GridEntry> grids,
+                                                            std::string_view wanted) {
+  const auto names = split(wanted, ',');
+  if (names.size() != 3) return std::nullopt;
+  std::array<std::size_t, 3> chosen{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::size_t i = 0;
+    while (i < grids.size() && (grids[i].vector || !is_called(grids, i, names[k]))) ++i;
+    if (i == grids.size()) return std::nullopt;
+    chosen[k] = i;
+  }
+  return chosen;
 }
 
 std::string choose_velocity(std::span<const GridEntry> grids, std::string_view wanted,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +22,11 @@ struct GridEntry {
 /// InputError, after `file`, with the names of all grids.
 std::size_t choose_vector_grid(std::span<const GridEntry> grids, std::string_view wanted,
                                const std::string& file);
+
+/// Returns the indices of three other grids, "A,B,C", each named as above, or nothing where
+/// `wanted` names no such three.
+std::optional<std::array<std::size_t, 3>> choose_components(std::span<const GridEntry> grids,
+                                                            std::string_view wanted);
 
 /// Returns the name of the vector grids that are the velocity: `wanted`, or the only name there is,
 /// or the only one that is usual for a velocity (velocity, vel, v, u; in any case of letters).

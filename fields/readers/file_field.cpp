@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <new>
 #include <stdexcept>
 
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/output_file.h"
+#include "core/options/lower_case.h"
 #include "core/options/split.h"
 #include "fields/files/periods.h"
 
@@ -21,12 +21,6 @@ struct PathAndOptions {
   std::string_view options;  // with the colon
   const FileFormatRow* format = nullptr;
 };
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
 
 /// The options begin at the first colon behind a known ending, so that a path may hold colons.
 PathAndOptions path_and_options(std::string_view text) {

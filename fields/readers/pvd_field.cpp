@@ -82,20 +82,20 @@ Parts read_parts(const std::vector<CollectedFile>& entries, const std::string& w
   return read;
 }
 
-bool holds_blocks(const Entry& entry) {
+bool holds_blocks(const CollectedFile& entry) {
   const std::string ending = lower_case(entry.file.extension().string());
   return ending == ".vtm" || ending == ".vtpc" || ending == ".vtpd";
 }
 
 /// A block is one of the collection's parts, or else one within its files.
-bool is_of_parts(const std::vector<Entry>& entries, const std::string& wanted) {
+bool is_of_parts(const std::vector<CollectedFile>& entries, const std::string& wanted) {
   if (std::ranges::none_of(entries, holds_blocks)) return true;
   std::vector<readers::NamedBlock> names;
-  for (const Entry& entry : entries) names.push_back({entry.name, {}});
+  for (const CollectedFile& entry : entries) names.push_back({entry.name, {}});
   return readers::has_blocks(names, wanted);
 }
 
-std::unique_ptr<VectorField> read_frame(const std::vector<Entry>& entries,
+std::unique_ptr<VectorField> read_frame(const std::vector<CollectedFile>& entries,
                                         const FileOptions& options, const Path& path) {
   const bool of_parts = is_of_parts(entries, options.block);
   Parts read = read_parts(entries, of_parts ? "" : options.block, path);

@@ -15,6 +15,7 @@
 #include "fields/files/vdb_box.h"
 #include "fields/finite.h"
 #include "fields/lazy.h"
+#include "fields/readers/vdb_components.h"
 #include "fields/readers/vdb_sampler.h"
 #include "fields/sampled/dense_field.h"
 #include "readers/vdb/vdb_file.h"
@@ -132,18 +133,38 @@ std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
   return std::make_unique<VdbField<Grid>>(grid, frame, description + ", linear");
 }
 
-/// The grid that is meant.
+void require_tree(const readers::VdbGrid& grid, const Path& path) {
+  if (!grid.grid)
+    bad_file(path,
+             fmt::format("grid '{}', of {}, is of a kind or a tree that is not read; accepted: "
+                         "of float, double, vec3s or vec3d, in a tree of 5, 4, 3",
+                         grid.name, grid.value_type));
+}
+
+openvdb::GridBase::Ptr joined(std::span<const readers::VdbGrid> grids,
+                              const std::array<std::size_t, 3>& three, const Path& path) {
+  std::array<const readers::VdbGrid*, 3> parts{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    parts[k] = &grids[three[k]];
+    require_tree(*parts[k], path);
+  }
+  return joined_components(parts, path);
+}
+
+/// The grid that is meant, or the three.
 openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
                                    const FileOptions& options, const Path& path) {
   std::vector<GridEntry> entries;
   for (const readers::VdbGrid& grid : grids)
     entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
+  if (const auto three = choose_components(entries, wanted_array(options))) {
+    keep_array(options, wanted_array(options));
+    return joined(grids, *three, path);
+  }
   const readers::VdbGrid& chosen =
       grids[choose_vector_grid(entries, wanted_array(options), path.string())];
   keep_array(options, chosen.name);
-  if (!chosen.grid)
-    bad_file(path, fmt::format("grid '{}' is of a tree that is not read; accepted: 5, 4, 3",
-                               chosen.name));
+  require_tree(chosen, path);
   return at_centres(chosen.grid, fmt::format("{}: grid '{}'", path.string(), chosen.name));
 }
 

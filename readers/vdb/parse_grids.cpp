@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "core/options/split.h"
 #include "readers/vdb/grid_blocks.h"
 #include "readers/vdb/parse_vdb.h"
 #include "readers/vdb/vdb_open.h"
@@ -7,8 +10,14 @@ namespace pellucid::readers {
 namespace {
 
 /// NAME[I] is grid number I of those that are called NAME; it may be a name itself.
+bool is_called(const std::string& name, std::string_view wanted) {
+  return name == wanted || name == wanted.substr(0, wanted.rfind('['));
+}
+
 bool is_wanted(const std::string& name, const std::string& wanted) {
-  return wanted.empty() || name == wanted || name == wanted.substr(0, wanted.rfind('['));
+  if (wanted.empty() || is_called(name, wanted)) return true;
+  return std::ranges::any_of(split(wanted, ','),
+                             [&](std::string_view one) { return is_called(name, one); });
 }
 
 }  // namespace

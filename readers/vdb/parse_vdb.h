@@ -10,8 +10,8 @@
 namespace pellucid::readers {
 
 /// Parses the grids of a .vdb file and writes each as grid_blocks.h says: with its tree when
-/// `wanted` is its name, or NAME[I] of several of that name, or empty. Throws InputError, and what
-/// OpenVDB does.
+/// `wanted` is its name, or NAME[I] of several of that name, or several of these with commas
+/// between, or empty. Throws InputError, and what OpenVDB does.
 void parse_vdb_grids(const std::filesystem::path& path, const std::string& wanted,
                      BlockWriter& out);
 

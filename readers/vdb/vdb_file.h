@@ -11,8 +11,8 @@
 namespace pellucid::readers {
 
 /// Reads all grids of a .vdb file by OpenVDB, in a process of its own, in the file's order; of
-/// those with another name than `wanted`, if one is given, only name and type. Throws InputError
-/// that names the file for what OpenVDB complains of and what it dies over.
+/// those with another name than `wanted`, if one or several with commas are given, only name and
+/// type. Throws InputError that names the file for what OpenVDB complains of and what it dies over.
 std::vector<VdbGrid> read_vdb_grids(const std::filesystem::path& path,
                                     const std::string& wanted = {});
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A velocity of which each component is a grid of its own.
+#include <gmock/gmock.h>
+#include <openvdb/openvdb.h>
+
+#include "core/error.h"
+#include "fields/make_field.h"
+#include "tests/fields/probe.h"
+#include "tests/fields/readers/grid_files.h"
+
+namespace pellucid::fields {
+namespace {
+
+using ::testing::HasSubstr;
+
+Vec3 skew(const Vec3& x) { return {1 + x.y, x.x - x.z, 2 * x.z}; }
+
+class UnitVdbComponents : public ::testing::Test {
+ protected:
+  UnitVdbComponents() { openvdb::initialize(); }
+
+  /// Of 6³ voxels from the origin on.
+  template <class Grid>
+  static typename Grid::Ptr component(int axis, double spacing = 0.5, int count = 6) {
+    auto grid = Grid::create(99);  // a background that would show
+    for (int k = 0; k < count; ++k)
+      for (int j = 0; j < count; ++j)
+        for (int i = 0; i < count; ++i)
+          grid->tree().setValueOn({i, j, k},
+                                  typename Grid::ValueType(skew(spacing * Vec3(i, j, k))[axis]));
+    grid->setName(std::string("vel.") + "xyz"[axis]);
+    grid->setTransform(openvdb::math::Transform::createLinearTransform(spacing));
+    return grid;
+  }
+  std::unique_ptr<VectorField> read(const openvdb::GridPtrVec& grids, const std::string& options) {
+    openvdb::io::File((folder_ / "v.vdb").string()).write(grids);
+    return make_field((folder_ / "v.vdb").string() + options);
+  }
+  std::string complaint(const openvdb::GridPtrVec& grids, const std::string& options) {
+    try {
+      read(grids, options);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no complaint";
+  }
+  TemporaryFolder folder_;
+};
+
+using openvdb::DoubleGrid;
+using openvdb::FloatGrid;
+
+TEST_F(UnitVdbComponents, ThreeGridsAreOneVelocity) {
+  const Vec3 x(0.7, 1.1, 2.3), v = skew(x);
+  const auto field =
+      read({component<FloatGrid>(2), component<FloatGrid>(0), component<FloatGrid>(1)},
+           ":array=vel.x,vel.y,vel.z");
+  EXPECT_NEAR_VEC(velocity_of(*field, x), v, 1e-6);  // of floats
+  EXPECT_THAT(field->description(), HasSubstr("216 active voxels of vel.x,vel.y,vel.z"));
+  const openvdb::GridPtrVec doubles{component<DoubleGrid>(0), component<DoubleGrid>(1),
+                                    component<DoubleGrid>(2)};
+  EXPECT_NEAR_VEC(velocity_of(*read(doubles, ":array=vel.x,vel.y,vel.z"), x), v, 1e-13);
+  EXPECT_NEAR_VEC(velocity_of(*read(doubles, ":array=vel.z,vel.x,vel.y,sampler=c1"), x),
+                  Vec3(v.z, v.x, v.y), 1e-13);
+}
+
+TEST_F(UnitVdbComponents, VoxelsAreActiveWhereAllThreeAre) {
+  const auto field =
+      read({component<FloatGrid>(0, 0.5, 4), component<FloatGrid>(1), component<FloatGrid>(2)},
+           ":array=vel.x,vel.y,vel.z");
+  EXPECT_NEAR_VEC(velocity_of(*field, Vec3(1.4)), skew(Vec3(1.4)), 1e-6);
+  EXPECT_EQ(status_at(*field, Vec3(1.6)), SampleStatus::outside);
+}
+
+/// A tile of one grid that another one divides.
+TEST_F(UnitVdbComponents, TilesAreDividedWhereOthersAre) {
+  auto constant = FloatGrid::create(0);
+  constant->tree().addTile(1, {0, 0, 0}, 7, true);
+  constant->setName("vel.x");
+  constant->setTransform(openvdb::math::Transform::createLinearTransform(0.5));
+  const auto field = read({constant, component<FloatGrid>(1), component<FloatGrid>(2)},
+                          ":array=vel.x,vel.y,vel.z");
+  const Vec3 v = skew(Vec3(1.2));
+  EXPECT_NEAR_VEC(velocity_of(*field, Vec3(1.2)), Vec3(7, v.y, v.z), 1e-6);
+  EXPECT_EQ(status_at(*field, Vec3(2.6)), SampleStatus::outside);
+}
+
+TEST_F(UnitVdbComponents, WhatDoesNotFitIsRefused) {
+  const auto x = component<FloatGrid>(0), y = component<FloatGrid>(1), z = component<FloatGrid>(2);
+  EXPECT_THAT(complaint({x, y, z}, ""), HasSubstr("array=A,B,C takes three of float or double"));
+  EXPECT_THAT(complaint({x, y, z}, ":array=vel.x,vel.y,vel.w"), HasSubstr("no such grid"));
+  EXPECT_THAT(complaint({x, y, component<DoubleGrid>(2)}, ":array=vel.x,vel.y,vel.z"),
+              HasSubstr("of float, float and double; accepted: three of float or three of double"));
+  EXPECT_THAT(complaint({x, y, component<FloatGrid>(2, 0.25)}, ":array=vel.x,vel.y,vel.z"),
+              HasSubstr("'vel.x' and 'vel.z' have different transforms"));
+}
+
+}  // namespace
+}  // namespace pellucid::fields
