@@ -189,6 +189,15 @@ TEST_F(UnitInfo, PeopleAreToldTheSame) {
               HasSubstr("point array 'v': 3 × float, 0 … 10; -1 … 0; 0 … 7, 1 not finite\n"));
 }
 
+/// Six digits of 4500000.25 are those of 4500002.5.
+TEST_F(UnitInfo, EndsFarFromTheOriginAreToldApart) {
+  info("far.csv", "x,y,z,t\n4500000.25,0,1e6,7\n4500002.5,1,1000001,7\n");
+  const Outcome outcome = run("info far.csv");
+  EXPECT_THAT(outcome.out,
+              HasSubstr("bounds: (4500000.25, 0, 1000000) … (4500002.5, 1, 1000001)\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("'t': 1 × double, 7 … 7"));
+}
+
 TEST_F(UnitInfo, CamerasOfASceneCanBePastedIntoIt) {
   std::string points = "x,y,z\n0,0,0\n2,0,0\n0,1,0\n0,0,90\n";
   for (int i = 0; i < 60; ++i) points += "1,1,1\n";  // so that the one far away is less than 2 %

@@ -176,7 +176,8 @@ FormatRow obj_format() {
       .title = "Wavefront object",
       .traps =
           "faces and lines have Kd and d (else 1 - Tr) of their materials where vertices have no "
-          "colours; no textures; vt at lines are the scalars attribute0, …",
+          "colours; no textures; vt at lines are the scalars attribute0, …; written are positions, "
+          "normals, triangles and lines, no scalars and no colours",
       .read_mesh = read_obj,
       .read_lines = read_obj_lines,
       .write_mesh = write_obj,
