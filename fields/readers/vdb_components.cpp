@@ -21,14 +21,13 @@ void require_same_places(const Three& grids, const Path& path) {
                            grids[0]->name, grid->name));
 }
 
-/// Where the joined grid has an active tile each of the three has one, too: a tile that one of them
-/// divides was divided when they were intersected.
+/// A component that is its grid's background is not active there, as 0 on a wall or a plane of
+/// symmetry: it counts where another one is. A tile of the union is constant in all three, since
+/// one that any of them divides is divided.
 template <class Vectors, class Scalars>
 openvdb::GridBase::Ptr joined(const std::array<const Scalars*, 3>& parts) {
   const auto vectors = Vectors::create();
-  vectors->topologyUnion(*parts[0]);
-  vectors->topologyIntersection(*parts[1]);
-  vectors->topologyIntersection(*parts[2]);
+  for (const Scalars* part : parts) vectors->topologyUnion(*part);
   const auto set = [x = parts[0]->getConstAccessor(), y = parts[1]->getConstAccessor(),
                     z = parts[2]->getConstAccessor()](const auto& value) {
     const openvdb::Coord at = value.getCoord();

@@ -22,7 +22,7 @@ class UnitVdbComponents : public ::testing::Test {
   /// Of 6³ voxels from the origin on.
   template <class Grid>
   static typename Grid::Ptr component(int axis, double spacing = 0.5, int count = 6) {
-    auto grid = Grid::create(99);  // a background that would show
+    auto grid = Grid::create(0);
     for (int k = 0; k < count; ++k)
       for (int j = 0; j < count; ++j)
         for (int i = 0; i < count; ++i)
@@ -64,12 +64,15 @@ TEST_F(UnitVdbComponents, ThreeGridsAreOneVelocity) {
                   Vec3(v.z, v.x, v.y), 1e-13);
 }
 
-TEST_F(UnitVdbComponents, VoxelsAreActiveWhereAllThreeAre) {
+/// As OpenVDB makes them of arrays: v_y = x - z is 0 on a plane.
+TEST_F(UnitVdbComponents, ValuesOfTheBackgroundCountWhereOthersAreActive) {
+  const auto y = component<FloatGrid>(1);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) y->tree().setValueOff({i, j, i});
   const auto field =
-      read({component<FloatGrid>(0, 0.5, 4), component<FloatGrid>(1), component<FloatGrid>(2)},
-           ":array=vel.x,vel.y,vel.z");
-  EXPECT_NEAR_VEC(velocity_of(*field, Vec3(1.4)), skew(Vec3(1.4)), 1e-6);
-  EXPECT_EQ(status_at(*field, Vec3(1.6)), SampleStatus::outside);
+      read({component<FloatGrid>(0), y, component<FloatGrid>(2)}, ":array=vel.x,vel.y,vel.z");
+  EXPECT_NEAR_VEC(velocity_of(*field, {1.2, 0.7, 1.2}), skew({1.2, 0.7, 1.2}), 1e-6);
+  EXPECT_EQ(status_at(*field, Vec3(2.6)), SampleStatus::outside);
 }
 
 /// A tile of one grid that another one divides.
@@ -78,11 +81,16 @@ TEST_F(UnitVdbComponents, TilesAreDividedWhereOthersAre) {
   constant->tree().addTile(1, {0, 0, 0}, 7, true);
   constant->setName("vel.x");
   constant->setTransform(openvdb::math::Transform::createLinearTransform(0.5));
-  const auto field = read({constant, component<FloatGrid>(1), component<FloatGrid>(2)},
-                          ":array=vel.x,vel.y,vel.z");
-  const Vec3 v = skew(Vec3(1.2));
-  EXPECT_NEAR_VEC(velocity_of(*field, Vec3(1.2)), Vec3(7, v.y, v.z), 1e-6);
-  EXPECT_EQ(status_at(*field, Vec3(2.6)), SampleStatus::outside);
+  for (const bool is_first : {true, false}) {
+    openvdb::GridPtrVec grids{component<FloatGrid>(1), component<FloatGrid>(2)};
+    grids.insert(is_first ? grids.begin() : grids.end(), constant);
+    const auto field =
+        read(grids, is_first ? ":array=vel.x,vel.y,vel.z" : ":array=vel.y,vel.z,vel.x");
+    const Vec3 v = skew(Vec3(1.2));
+    EXPECT_NEAR_VEC(velocity_of(*field, Vec3(1.2)),
+                    is_first ? Vec3(7, v.y, v.z) : Vec3(v.y, v.z, 7), 1e-6);
+    EXPECT_NEAR_VEC(velocity_of(*field, Vec3(3.2)), is_first ? Vec3(7, 0, 0) : Vec3(0, 0, 7), 1e-6);
+  }
 }
 
 TEST_F(UnitVdbComponents, WhatDoesNotFitIsRefused) {

@@ -156,7 +156,7 @@ TEST_F(UnitCellData, WhatAFileCallsItsVectorsComesFirst) {
   EXPECT_EQ(velocity_of(*read("u.vtr", with_role(text, "PointData", "Vectors", "V")), x).y, 1);
   EXPECT_THAT(
       complaint("u.vtr", text),
-      testing::AllOf(HasSubstr("which vectors?"), HasSubstr("V (point"), HasSubstr("U (cell")));
+      ::testing::AllOf(HasSubstr("which vectors?"), HasSubstr("V (point"), HasSubstr("U (cell")));
 }
 
 TEST_F(UnitCellData, ColoursNormalsAndTexturesAreNoVelocity) {
@@ -179,8 +179,9 @@ TEST_F(UnitCellData, ColoursNormalsAndTexturesAreNoVelocity) {
     };
     EXPECT_EQ(velocity_of(*read("o.vtr", with(rectilinear(axes, array, cells))), x).x, 1);
     EXPECT_THAT(complaint("o.vtr", with(rectilinear(axes, array))), HasSubstr("which vectors?"));
-    if (name == "n")
+    if (name == "n") {
       EXPECT_EQ(velocity_of(*read("o.vtr", with(rectilinear(axes, array)), ":array=n"), x).y, 1);
+    }
   }
 }
 
