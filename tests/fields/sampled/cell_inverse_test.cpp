@@ -54,16 +54,19 @@ void bend(vtkGenericCell& cell, int type, double bend, const Vec3& away = Vec3(0
   }
 }
 
+/// VTK's functions of a pentagonal prism add up to 1 in six digits alone: of their sum it is a
+/// mean.
 Vec3 position(vtkGenericCell& cell, const Vec3& p) {
-  double weights[27];
+  double weights[27], whole = 0;
   cell.InterpolateFunctions(&p.x, weights);
   Vec3 sum(0);
   for (int i = 0; i < cell.GetNumberOfPoints(); ++i) {
     double x[3];
     cell.GetPoints()->GetPoint(i, x);
     sum += weights[i] * Vec3(x[0], x[1], x[2]);
+    whole += weights[i];
   }
-  return sum;
+  return sum / whole;
 }
 
 /// Coordinates within a cell: means of its corners by lot.
