@@ -140,47 +140,47 @@ TEST(UnitCellInverse, ForgivesARounding) {
   EXPECT_FALSE(place_in_cell(*cell, {0.3, 0.3, 1 + 1e-6}));
 }
 
-/// Each of 4³ hexahedra, with inner corners moved by up to a fifth of its width, as six pyramids to
-/// its middle.
-std::string pyramids() {
-  const Axes axes{evenly(0, 1, 5), evenly(0, 1, 5), evenly(0, 1, 5)};
-  std::vector<Vec3> points = crossings(axes);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 x = points[i], moved = IndexedRandom(5, i).in_box(0, {Vec3(-0.2), Vec3(0.2)});
-    for (int axis = 0; axis < 3; ++axis)
-      if (x[axis] > 0 && x[axis] < 4) points[i][axis] += moved[axis];
-  }
-  constexpr int sides[6][4] = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1},
-                               {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
-  std::vector<Cell> cells;
-  for (const Cell& cube : hexahedra(axes)) {
-    Vec3 middle(0);
-    for (const int point : cube.points) middle += points[std::size_t(point)] / 8.0;
-    for (const auto& side : sides) {
-      cells.push_back({VTK_PYRAMID, {}});
-      for (const int k : side) cells.back().points.push_back(cube.points[std::size_t(k)]);
-      cells.back().points.push_back(int(points.size()));
-    }
-    points.push_back(middle);
-  }
-  return unstructured(points, cells, vectors("U", points, straight));
-}
+/// Pyramids whose determinants are 0.05 and more at each corner, and coordinates at which the
+/// search of VTK 9.1 finds no cell.
+struct GivenUp {
+  std::vector<Vec3> points;
+  Vec3 place;
+};
+const GivenUp pyramids[] = {{{{0.12, 0.17, -0.23},
+                              {1.09, 0.1, 0.23},
+                              {1.16, 0.9, 0.02},
+                              {0.14, 0.83, 0.24},
+                              {0.74, 0.28, 0.35}},
+                             {0.73, 0.88, 0.04}},
+                            {{{0.22, 0.11, 0.2},
+                              {0.97, -0.2, -0.17},
+                              {1.05, 1.19, 0.1},
+                              {0.03, 1.02, -0.2},
+                              {0.38, 0.29, 0.31}},
+                             {0.92, 0.77, 0.12}},
+                            {{{0.02, -0.13, -0.21},
+                              {1.07, 0.12, 0.2},
+                              {1.21, 0.96, -0.09},
+                              {-0.11, 1.13, -0.01},
+                              {0.51, 0.32, 0.28}},
+                             {0.89, 0.96, 0.23}}};
 
-TEST(UnitCellInverse, AMeshOfPyramidsHasNoHoles) {
+TEST(UnitCellInverse, WhatVtkGivesUpIsFound) {
   const TemporaryFolder folder;
-  write_bytes(folder / "p.vtu", pyramids());
-  const auto field = make_field((folder / "p.vtu").string());
-  const auto sampler = field->sampler();
-  int lost = 0;
-  for (std::uint64_t i = 0; i < 20000; ++i) {
-    const Vec3 x = IndexedRandom(1, i).in_box(0, field->domain());
-    Vec3 v;
-    if (sampler->velocity(x, 0, v) == SampleStatus::ok)
-      EXPECT_NEAR_VEC(v, straight(x), 1e-8) << text_of(x);
-    else
-      ++lost;
+  for (const auto& [points, place] : pyramids) {
+    write_bytes(folder / "p.vtu", unstructured(points, {{VTK_PYRAMID, {0, 1, 2, 3, 4}}},
+                                               vectors("U", points, straight)));
+    vtkNew<vtkGenericCell> cell;
+    cell->SetCellType(VTK_PYRAMID);
+    for (int i = 0; i < 5; ++i) {
+      const Vec3& x = points[std::size_t(i)];
+      cell->GetPoints()->SetPoint(i, x.x, x.y, x.z);
+    }
+    const Vec3 x = position(*cell, place);
+    const auto field = make_field((folder / "p.vtu").string());
+    EXPECT_NEAR_VEC(velocity_of(*field, x), straight(x), 1e-12);
+    expect_consistent_jacobian(*field, x, 0, 1e-5, 1e-4);
   }
-  EXPECT_EQ(lost, 0);
 }
 
 /// A polar grid, whose innermost cells have lost a face to the axis, under a flow that linear
