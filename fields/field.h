@@ -42,7 +42,7 @@ class VectorField {
   virtual Box3 domain() const { return Box3::unbounded(); }
   /// Returns true when v does not depend on t.
   virtual bool steady() const = 0;
-  /// Returns the shortest time between two frames of a time series, in units of time.
+  /// Returns the time between frames of a series, the shortest that counts, in units of time.
   virtual std::optional<double> time_spacing() const { return std::nullopt; }
   /// Returns the smallest cell width of a sampled field, in world units: the default step is half
   /// of it.
