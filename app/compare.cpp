@@ -14,10 +14,12 @@
 #include "compare/changes/past_run.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/flip.h"
+#include "compare/pictures/given_faults.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/metrics.h"
 #include "compare/results/result_row.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/options/names.h"
@@ -126,14 +128,23 @@ std::optional<double> alpha_error(const CompareInputs& inputs) {
   return compare::max_alpha_error(inputs.reference, inputs.test);
 }
 
-void print_comparison(const compare::Comparison& comparison, std::optional<double> alpha_error,
+/// Colours of pictures with opacities are straight, or multiplied by them.
+std::optional<std::string> note_of(const CompareInputs& inputs) {
+  if (!inputs.have_alpha) return std::nullopt;
+  return compare::straight_colors(inputs.reference, inputs.test);
+}
+
+void print_comparison(const compare::Comparison& comparison, const CompareInputs& inputs,
                       const std::vector<std::string>& names, bool as_json) {
+  const std::optional<double> alpha_error = app::alpha_error(inputs);
+  const std::optional<std::string> note = note_of(inputs);
   if (as_json) {
     nlohmann::json json = compare::to_json(comparison);
     if (names.empty())
       json["max_alpha_error"] = alpha_error ? nlohmann::json(*alpha_error) : nlohmann::json();
     keep_asked(json["displayed"], names, true);
     keep_asked(json, names, false);
+    if (note) json["note"] = *note;
     return fmt::print("{}\n", json_text(json, 1));
   }
   print_metrics("float values", comparison.linear, false, names);
@@ -141,6 +152,7 @@ void print_comparison(const compare::Comparison& comparison, std::optional<doubl
   if (alpha_error.value_or(0) > 0 && names.empty())
     fmt::print("opacity, which no number above counts\n  {:22} {:.6g}\n", "Max error",
                *alpha_error);
+  if (note) fmt::print("note: {}\n", *note);
 }
 
 /// Of a signed error the magnitude counts. NaN is within no threshold.
@@ -180,7 +192,7 @@ compare::PicturePair pair_of(const CompareArguments& arguments, const CompareInp
 
 /// A picture is for the eye; an .exr holds the numbers.
 Image flip_image(const Raster<float>& map, const std::filesystem::path& file) {
-  if (file.extension() != ".exr") return compare::flip_picture(map);
+  if (small_ending(file) != ".exr") return compare::flip_picture(map);
   Image values(map.width, map.height);
   std::ranges::transform(map.pixels, values.pixels.begin(),
                          [](float v) { return Rgba(glm::vec3(v), 1.f); });
@@ -224,10 +236,12 @@ void run(const CompareArguments& arguments, const GlobalOptions& globals) {
   const std::vector<std::string> names = chosen_names(arguments);
   const compare::Comparison comparison = compare::compare_pair(pair, names);
   if (!arguments.diff.empty())
-    compare::write_image(arguments.diff, compare::error_map(inputs.reference, inputs.test));
+    compare::write_image(arguments.diff, compare::error_map(inputs.reference, inputs.test),
+                         compare::form_of_error_map());
   if (!arguments.flip_map.empty())
-    compare::write_image(arguments.flip_map, flip_image(pair.flip(), arguments.flip_map));
-  print_comparison(comparison, alpha_error(inputs), names, globals.json);
+    compare::write_image(arguments.flip_map, flip_image(pair.flip(), arguments.flip_map),
+                         compare::form_of_flip());
+  print_comparison(comparison, inputs, names, globals.json);
   check_thresholds(arguments, comparison.linear, inputs);
 }
 

@@ -10,6 +10,8 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "core/error.h"
+#include "core/files/ending.h"
 #include "core/machine/stopwatch.h"
 #include "oit/gl/egl_devices.h"
 
@@ -51,6 +53,14 @@ void print_as_line(ConsoleState& state, double fraction, std::string_view what) 
   state.since_print.restart();
 }
 
+/// An empty text would count as an option that was not given: a script's variable may be unset.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (std::ranges::any_of(option->results(), &std::string::empty))
+      throw InputError(
+          fmt::format("{0}: an empty text; accepted: a value, or no {0}", option->get_name()));
+}
+
 }  // namespace
 
 Progress console_progress(const GlobalOptions& globals) {
@@ -68,14 +78,17 @@ void add_global_options(CLI::App& command, GlobalOptions& globals) {
   command.add_option("--threads", globals.threads, "Threads; 0: as many as the machine has")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command.parse_complete_callback([&command] { require_distinct_outputs(command); });
+  command.parse_complete_callback([&command] {
+    refuse_empty_values(command);
+    require_distinct_outputs(command);
+  });
 }
 
 CLI::Validator ending_among(const std::vector<std::string>& endings) {
   return CLI::Validator(
       [endings](const std::string& path) {
         const std::string ending = std::filesystem::path(path).extension().string();
-        if (std::ranges::find(endings, ending) != endings.end()) return std::string();
+        if (std::ranges::find(endings, small_ending(path)) != endings.end()) return std::string();
         return fmt::format("{}: ending '{}'; accepted: {}", path, ending, fmt::join(endings, ", "));
       },
       fmt::format("{}", fmt::join(endings, "|")));

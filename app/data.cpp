@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/options/names.h"
@@ -30,7 +31,7 @@ void check(const std::string& dataset, const std::string& output) {
   const std::string name = parse_name_and_options(dataset).name;
   const scene::DatasetRow& row = find_row("data set", name, scene::datasets());
   const std::string ending = std::filesystem::path(output).extension().string();
-  const bool fits = row.on_levels ? ending == ".vdb" : is_written(output);
+  const bool fits = row.on_levels ? small_ending(output) == ".vdb" : is_written(output);
   if (!fits)
     throw InputError(fmt::format(
         "{}: ending '{}'; accepted for {}: {}", output, ending, name,
@@ -87,6 +88,9 @@ void add_data_command(CLI::App& app, GlobalOptions& globals) {
                                geometry::endings_with(&geometry::FormatRow::write_lines),
                                geometry::endings_with(&geometry::FormatRow::write_points)))
       ->required();
+  command->footer(
+      "Examples:\n  pellucid data dark-sky:count=20000 -o stars.ply\n"
+      "  pellucid data sphere-levels -o spheres.vdb");
   add_global_options(*command, globals);
   command->callback([dataset, output, &globals] { make(*dataset, *output, globals); });
 }

@@ -13,12 +13,6 @@
 namespace pellucid::app {
 namespace {
 
-void check_samples(const scene::Scene& scene) {
-  if (!scene.samples.is_center())
-    throw InputError(fmt::format("--deep: the scene takes {}; accepted: samples 1",
-                                 scene::describe(scene.samples)));
-}
-
 void print_crossings(const DeepRequest& request, const compare::DeepInfo& info,
                      const compare::DeepOutputs& outputs, const GlobalOptions& globals) {
   if (globals.json)
@@ -45,17 +39,23 @@ void write(const DeepRequest& request, const compare::DeepInfo& info, const scen
 
 }  // namespace
 
+void check_deep(const scene::Scene& scene) {
+  if (!scene.samples.is_center())
+    throw InputError(fmt::format("--deep: the scene takes {}; accepted: samples 1",
+                                 scene::describe(scene.samples)));
+}
+
 void write_deep(const DeepRequest& request, const scene::Scene& scene, const Progress& progress,
                 const GlobalOptions& globals, bool print) {
-  check_samples(scene);
-  write(request, compare::deep_info(scene, {}, request.fingerprint), scene,
-        groundtruth::RayProbe(scene), progress, globals, print);
+  check_deep(scene);
+  write(request, compare::deep_info(scene, {}, request.source), scene, groundtruth::RayProbe(scene),
+        progress, globals, print);
 }
 
 void write_part(const DeepRequest& request, const groundtruth::ScenePart& part,
                 const Progress& progress, const GlobalOptions& globals) {
-  check_samples(part.scene);
-  write(request, compare::deep_info(part.scene, part.whole.part, request.fingerprint), part.scene,
+  check_deep(part.scene);
+  write(request, compare::deep_info(part.scene, part.whole.part, request.source), part.scene,
         groundtruth::RayProbe(part), progress, globals, true);
 }
 

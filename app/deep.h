@@ -4,19 +4,23 @@
 #include <string>
 
 #include "app/commands.h"
+#include "compare/deep/deep_info.h"
 #include "groundtruth/traversal/scene_part.h"
 
 namespace pellucid::app {
 
 /// A DeepRequest says which files are to be made of a scene's crossings.
 struct DeepRequest {
-  std::string deep;         // the deep picture, .exr or .npz
-  std::string picture;      // the composite of its crossings, .exr or .png; empty: none
-  std::string fingerprint;  // of the scene
+  std::string deep;     // the deep picture, .exr or .npz
+  std::string picture;  // the composite of its crossings, .exr or .png; empty: none
+  compare::DeepSource source;
 };
 
-/// Writes every crossing of the scene, and prints how many they are when asked to. Throws
-/// InputError for a scene of several samples per pixel and as DeepOutputs does.
+/// Throws InputError for a scene of several samples per pixel: a deep picture has one.
+void check_deep(const scene::Scene& scene);
+
+/// Writes every crossing of the scene, and prints how many they are when asked to. Throws as
+/// check_deep() and DeepOutputs do.
 void write_deep(const DeepRequest& request, const scene::Scene& scene, const Progress& progress,
                 const GlobalOptions& globals, bool print);
 

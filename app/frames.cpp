@@ -9,6 +9,7 @@
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
+#include "compare/results/number_json.h"
 #include "compare/run/frame_sequence.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
@@ -86,7 +87,7 @@ class FrameTable {
     for (const compare::MetricRow* metric : shown_metrics()) {
       const std::optional<double>& value = error.metrics.linear.of(metric->name);
       text_ += fmt::format(",{}", cell(value ? &*value : nullptr));
-      json[std::string(metric->name)] = value ? nlohmann::ordered_json(*value) : nullptr;
+      json[std::string(metric->name)] = compare::number_json(value);
     }
     text_ += fmt::format(",{}", cell(error.flicker ? &*error.flicker : nullptr));
     if (error.flicker) json["flicker"] = *error.flicker;
@@ -128,20 +129,23 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   if (!options.reference.empty()) reference = compare::parse_call(options.reference);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
-  scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
+  scene::ViewRequest view = options.view;
+  view.along_path = !options.orbit;
+  scene::Scene scene = scene::load_scene(options.scene, progress, view);
   if (options.orbit) scene.camera_path = scene::orbit(scene.camera, *options.orbit, options.frames);
   if (scene.camera_path.empty())
     throw InputError(options.scene + ": it has no camera_path; accepted: one, or --orbit DEGREES");
   const fs::path folder = options.output;
-  make_folder(folder);
   FrameTable table(reference.has_value());
   const auto count = double(scene.camera_path.size());
   compare::render_sequence(
       scene, method, opacities, {.gl = globals.gl},
       [&](const compare::SequenceFrame& frame) {
+        if (frame.index == 0) make_folder(folder);  // a refused call leaves none
         compare::write_image(
             folder / fmt::format("{:04}.png", frame.index), frame.rendering.image,
-            compare::form_of_picture(scene, method.text(), options.view.without_background));
+            compare::form_of_picture(scene, {method.text(), opacities ? opacities->text() : "",
+                                             options.view.without_background}));
         table.add(frame);
         write_text(folder / "frames.csv", table.csv());
         report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));

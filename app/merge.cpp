@@ -10,6 +10,7 @@
 #include "compare/parts/deep_outputs.h"
 #include "compare/parts/merge.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 
@@ -45,9 +46,17 @@ void merge_deep(const MergeArguments& arguments, const GlobalOptions& globals) {
   if (globals.json || !globals.quiet) print_merged(arguments, outputs, globals.json);
 }
 
+/// What --deep writes for NumPy is read by NumPy alone.
+void check_endings(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files)
+    if (small_ending(file) == ".npz")
+      throw InputError(fmt::format("{}: .npz is not merged; accepted: .exr", file.string()));
+}
+
 void run(const MergeArguments& arguments, const GlobalOptions& globals) {
   if (arguments.output.empty() && arguments.deep.empty() && arguments.partial.empty())
     throw CLI::RequiredError("-o,--output, --deep or --partial");
+  check_endings(arguments.files);
   const ProtectedInputs inputs;
   const bool deep = readers::is_deep_picture(arguments.files.front());
   if (deep && !(arguments.partial.empty() && arguments.totals.empty()))

@@ -38,14 +38,6 @@ struct RenderOptions {
   bool explain = false;
 };
 
-/// From where the scene was seen, as a scene file has it.
-nlohmann::json view_json(const scene::Scene& scene) {
-  return {{"camera", scene::camera_json(scene.camera)},
-          {"camera_found", scene.provenance.at("camera")},
-          {"resolution", {scene.width, scene.height}},
-          {"samples", scene::samples_json(scene.samples)}};
-}
-
 void print_summary(const RenderOptions& options, const scene::Scene& scene,
                    const scene::RenderStats& stats) {
   std::cout << fmt::format("{}: {:.1f} ms, {:.2f} MB, {} fragments, at most {} layers\n",
@@ -71,13 +63,13 @@ void add_pixel(const std::string& text, std::vector<int>& numbers) {
 
 /// What is asked for beside the picture: it is exact, whatever the method.
 void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
-                      const Progress& progress) {
+                      const compare::PictureForm& form, const Progress& progress) {
   if (!options.probe.empty())
     write_text(options.probe_output,
                json_text(compare::probe_json(scene, options.probe), 2) + '\n');
   if (options.sums.empty()) return;
   const groundtruth::RayProbe probe(scene);
-  compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress));
+  compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress), form);
 }
 
 /// Draws a part of the scene. `read` lists what is read meanwhile.
@@ -89,8 +81,9 @@ void render_part(const RenderOptions& options, const GlobalOptions& globals,
   const Progress progress = console_progress(globals);
   const groundtruth::ScenePart part =
       compare::load_part(options.scene, progress, options.view, number);
-  const std::string fingerprint = compare::scene_fingerprint(read.paths(), "");
-  write_part({options.deep, options.output, fingerprint}, part, progress, globals);
+  const compare::DeepSource source{compare::scene_fingerprint(read.paths(), ""), "",
+                                   options.view.without_background};
+  write_part({options.deep, options.output, source}, part, progress, globals);
 }
 
 /// Sums up over a part of the scene, or all of it.
@@ -117,36 +110,55 @@ void check_finite(const Image& image, const compare::MethodCall& call) {
         fmt::format("{}: {} of its picture's pixels are not finite", call.text(), count));
 }
 
-/// The picture by the method, and what it took.
-void write_picture(const RenderOptions& options, const GlobalOptions& globals,
-                   const compare::MethodCall& call,
-                   const std::optional<compare::MethodCall>& opacities, const scene::Scene& scene,
-                   const Progress& progress) {
+/// How the scene was made, and what the method made of it.
+std::vector<std::string> explanation(const scene::Scene& scene, const scene::Renderer& renderer) {
+  std::vector<std::string> lines{fmt::format("camera: {} ({})", scene::camera_text(scene.camera),
+                                             scene.provenance.at("camera"))};
+  for (const auto& [object, how] : scene.provenance)
+    if (object != "camera") lines.push_back(fmt::format("{}: {}", object, how));
+  std::ranges::copy(renderer.explain(), std::back_inserter(lines));
+  return lines;
+}
+
+/// A DrawnPicture is the picture by the method, and what it took.
+struct DrawnPicture {
+  scene::Rendering rendering;
+  nlohmann::json json;
+  std::vector<std::string> explanation;  // where it is asked for
+};
+
+DrawnPicture draw(const RenderOptions& options, const GlobalOptions& globals,
+                  const compare::MethodCall& call,
+                  const std::optional<compare::MethodCall>& opacities, const scene::Scene& scene,
+                  const Progress& progress) {
   const auto renderer = call.row->make(scene, call.parameters, {.gl = globals.gl});
   report(progress, 0.5, fmt::format("rendering {}", call.row->name));
   // A first frame compiles shaders and touches memory for the first time; the second is timed.
   renderer->render({});
-  const scene::Rendering rendering = renderer->render({.layers = true, .progress = progress});
+  DrawnPicture drawn;
+  drawn.rendering = renderer->render({.layers = true, .progress = progress});
   report(progress, 1, fmt::format("rendered {}", call.row->name));
-  check_finite(rendering.image, call);
-  if (options.explain) {
-    std::cout << fmt::format("camera: {} ({})\n", scene::camera_text(scene.camera),
-                             scene.provenance.at("camera"));
-    for (const auto& [object, how] : scene.provenance)
-      if (object != "camera") std::cout << fmt::format("{}: {}\n", object, how);
-    for (const std::string& line : renderer->explain()) std::cout << line << '\n';
+  check_finite(drawn.rendering.image, call);
+  drawn.json = compare::render_json(call, opacities, scene, drawn.rendering.stats, *renderer);
+  if (!options.explain) return drawn;
+  drawn.explanation = explanation(scene, *renderer);
+  drawn.json["explanation"] = drawn.explanation;
+  return drawn;
+}
+
+void write_picture(const RenderOptions& options, const GlobalOptions& globals,
+                   const DrawnPicture& drawn, const scene::Scene& scene,
+                   const compare::PictureForm& form) {
+  compare::write_image(options.output, drawn.rendering.image, form);
+  if (!options.layers.empty()) compare::write_counts(options.layers, drawn.rendering.layers, form);
+  const std::string json = json_text(drawn.json, 2) + '\n';
+  if (!options.stats.empty()) write_text(options.stats, json);
+  if (globals.json) {
+    std::cout << json;
+    return;
   }
-  compare::write_image(
-      options.output, rendering.image,
-      compare::form_of_picture(scene, call.text(), options.view.without_background));
-  if (!options.layers.empty()) compare::write_counts(options.layers, rendering.layers);
-  nlohmann::json json = compare::render_json(call, opacities, rendering.stats, *renderer);
-  json["view"] = view_json(scene);
-  if (!options.stats.empty()) write_text(options.stats, json_text(json, 2) + '\n');
-  if (globals.json)
-    std::cout << json_text(json, 2) << '\n';
-  else
-    print_summary(options, scene, rendering.stats);
+  for (const std::string& line : drawn.explanation) std::cout << line << '\n';
+  print_summary(options, scene, drawn.rendering.stats);
 }
 
 void check_part(const RenderOptions& options) {
@@ -166,16 +178,26 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(options.scene, progress, options.view);
+  if (!options.deep.empty()) check_deep(scene);
   if (opacities) {
     report(progress, 0.3, "optimizing opacities");
     compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
   }
-  write_exact_sums(options, scene, progress);
+  // Whatever may refuse the call comes before the first file.
+  std::optional<DrawnPicture> drawn;
+  if (!options.output.empty()) drawn = draw(options, globals, call, opacities, scene, progress);
+  const std::string opacities_text = opacities ? opacities->text() : "";
+  const bool without_background = options.view.without_background;
+  const compare::PictureForm form =
+      compare::form_of_picture(scene, {call.text(), opacities_text, without_background});
+  write_exact_sums(options, scene, form, progress);
   if (!options.deep.empty())
-    write_deep({options.deep, {}, compare::scene_fingerprint(read.paths(), options.opacities)},
+    write_deep({options.deep,
+                {},
+                {compare::scene_fingerprint(read.paths(), options.opacities), opacities_text,
+                 without_background}},
                scene, progress, globals, options.output.empty());
-  if (options.output.empty()) return;
-  write_picture(options, globals, call, opacities, scene, progress);
+  if (drawn) write_picture(options, globals, *drawn, scene, form);
 }
 
 }  // namespace
@@ -235,8 +257,10 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
       "over all parts (merge --partial FILE)");
   add_view_options(*command, options->view);
   CLI::Option* opacities = add_opacities_option(*command, options->opacities);
-  CLI::Option* explain = command->add_flag("--explain", options->explain,
-                                           "Print what was modelled and left out, and why");
+  CLI::Option* explain =
+      command->add_flag("--explain", options->explain,
+                        "Print what was modelled and left out, and why; with --json "
+                        "as its 'explanation'");
   totals->needs(partial);
   for (CLI::Option* of_picture : {output, deep, sums, probe, stats, layers, explain})
     partial->excludes(of_picture);

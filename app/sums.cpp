@@ -40,15 +40,6 @@ std::vector<SumsFile> all_totals(const SumsMerge& request, int parts, SumsFile m
   return totals;
 }
 
-void write_picture(const SumsMerge& request, const std::vector<SumsFile>& totals,
-                   const GlobalOptions& globals) {
-  const SumsInfo& info = totals.front().info;
-  const compare::PictureOrigin origin{info.of.scene, info.of.camera, info.of.background,
-                                      info.method};
-  compare::write_image(request.picture, compare::composite_sums(totals, globals.gl),
-                       compare::form_of_picture(origin));
-}
-
 void print_merged(const SumsMerge& request, const SumsInfo& info, int parts, bool as_json) {
   const std::string& file = request.picture.empty() ? request.partial : request.picture;
   if (!as_json) return fmt::print("{}: {} parts, {}\n", file, parts, info.method);
@@ -79,9 +70,17 @@ void merge_sums(const SumsMerge& request, const GlobalOptions& globals) {
   const int parts = int(request.files.size());  // each part is there once
   SumsFile merged = compare::merge_sums(request.files, console_progress(globals));
   const SumsInfo info = merged.info;
-  if (!request.partial.empty()) compare::write_sums_file(request.partial, merged);
-  if (!request.picture.empty())
-    write_picture(request, all_totals(request, parts, std::move(merged), globals), globals);
+  if (request.picture.empty()) {
+    compare::write_sums_file(request.partial, merged);
+  } else {
+    const std::vector<SumsFile> totals = all_totals(request, parts, std::move(merged), globals);
+    // Before the first file is written: what is refused is refused here.
+    const Image image = compare::composite_sums(totals, globals.gl);
+    if (!request.partial.empty())
+      compare::write_sums_file(request.partial, totals[std::size_t(info.phase - 1)]);
+    compare::write_image(request.picture, image,
+                         compare::form_of_picture(compare::origin_of(info.of, info.method)));
+  }
   if (globals.json || !globals.quiet) print_merged(request, info, parts, globals.json);
 }
 

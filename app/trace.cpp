@@ -75,7 +75,8 @@ void write_error_picture(const std::string& file, const geometry::TriangleMesh& 
                          const std::vector<double>& distances) {
   scene::Scene view;
   view.camera = scene::fitted_camera(mesh.bounds());
-  compare::write_image(file, compare::distance_picture(view, mesh, distances).image);
+  compare::write_image(file, compare::distance_picture(view, mesh, distances).image,
+                       compare::form_of_map("distance from the exact surface, as colours"));
 }
 
 /// `integrate(call)` makes a surface, `measure(surface)` tells how far it is from the exact one; in

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/output_file.h"
 #include "fields/readers/file_field.h"
 #include "geometry/files/mesh_formats.h"
@@ -21,12 +21,6 @@ constexpr std::string_view picture_endings[] = {".exr",  ".png", ".jpg", ".jpeg"
 
 bool is_among(std::string_view ending, std::span<const std::string_view> known) {
   return std::ranges::find(known, ending) != known.end();
-}
-
-std::string small_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
 }
 
 /// ".ply, .obj, …": all endings but those of pictures, each once.

@@ -29,10 +29,15 @@ FileContents inspect_deep(const std::filesystem::path& path) {
       {"width", std::uint64_t(head.width)},
       {"height", std::uint64_t(head.height)},
       {"crossings", std::accumulate(head.samples.begin(), head.samples.end(), std::uint64_t(0))}};
-  contents.more = {{"scene", info.scene},     {"part", {info.part.part, info.part.count}},
-                   {"camera", info.camera},   {"background", json_of(info.background)},
-                   {"opaque", info.opaque},   {"fingerprint", info.fingerprint},
-                   {"program", info.program}, {"build", info.build}};
+  contents.more = {
+      {"scene", info.scene},
+      {"part", {info.part.part, info.part.count}},
+      {"camera", info.camera},
+      {"background", info.background ? json_of(*info.background) : nlohmann::ordered_json("none")},
+      {"opaque", info.opaque},
+      {"fingerprint", info.fingerprint},
+      {"program", info.program},
+      {"build", info.build}};
   return contents;
 }
 

@@ -49,14 +49,25 @@ std::string text_of(const Views& views) {
   return text;
 }
 
-/// A row whose picture has been lost is not finished.
-bool is_complete(const CellFiles& files, const ResultRow& row) {
-  const auto views = std::size_t(measure_of(row, "views").value_or(1));
-  for (std::size_t view = 0; view < views; ++view)
-    if (!fs::exists(files.from(view).picture())) return false;
-  return fs::exists(files.preview()) &&
-         std::all_of(row.pictures.begin(), row.pictures.end(),
-                     [&](const RowPicture& p) { return fs::exists(files.further(p.name)); });
+/// The key of a cell's row under which the names of its files are.
+constexpr const char* files_key = "files";
+
+/// By their names: a study's folder may be moved.
+std::vector<std::string> names_of_made(const CellFiles& files, const ResultRow& row) {
+  std::vector<std::string> names;
+  for (const fs::path& path : files.pictures_of(row))
+    if (fs::exists(path)) names.push_back(path.filename().string());
+  return names;
+}
+
+/// A row that has lost a file is not finished, nor is one of a build that kept no list of them.
+bool is_complete(const CellFiles& files, const ResultRow& row, const json& made) {
+  if (!made.is_array() || !fs::exists(files.picture()) || !fs::exists(files.preview()))
+    return false;
+  const std::vector<std::string> there = names_of_made(files, row);
+  return std::ranges::all_of(made, [&](const json& name) {
+    return std::ranges::find(there, name.get<std::string>()) != there.end();
+  });
 }
 
 const fs::path& reference_scene(const Study& study, const fs::path& scene) {
@@ -104,6 +115,19 @@ fs::path CellFiles::image(std::string_view ending) const {
 
 fs::path CellFiles::further(std::string_view name) const {
   return image(fmt::format(".{}.png", name));
+}
+
+std::vector<fs::path> CellFiles::pictures_of(const ResultRow& row) const {
+  std::vector<fs::path> paths;
+  const auto views = std::size_t(measure_of(row, "views").value_or(1));
+  for (std::size_t view = 0; view < views; ++view) {
+    const CellFiles files = from(view);
+    for (const fs::path& path :
+         {files.picture(), files.preview(), files.layers(), files.error_map(), files.flip_map()})
+      paths.push_back(path);
+    for (const RowPicture& picture : row.pictures) paths.push_back(files.further(picture.name));
+  }
+  return paths;
 }
 
 CellFiles CellFiles::from(std::size_t view) const {
@@ -161,8 +185,10 @@ std::optional<ResultRow> read_row(const CellFiles& files, const std::string& fin
                                   ContentHashes& hashes) {
   if (!fs::exists(files.row())) return std::nullopt;
   try {
-    ResultRow row = row_from_json(read_json(files.row()));
-    const bool has_its_files = !row.error.empty() || is_complete(files, row);
+    const json text = read_json(files.row());
+    ResultRow row = row_from_json(text);
+    const bool has_its_files =
+        !row.error.empty() || is_complete(files, row, text.value(files_key, json()));
     if (row.fingerprint == fingerprint && has_its_files && are_unchanged(row.files_read, hashes))
       return row;
   } catch (const json::exception&) {
@@ -180,7 +206,9 @@ std::optional<ResultRow> read_finished(const CellFiles& files, const std::string
 }
 
 void write_row(const CellFiles& files, const ResultRow& row) {
-  write_text(files.row(), json_text(to_json(row), 1) + "\n");
+  json text = to_json(row);
+  text[files_key] = names_of_made(files, row);
+  write_text(files.row(), json_text(text, 1) + "\n");
 }
 
 }  // namespace pellucid::compare

@@ -52,7 +52,9 @@ class CellFiles {
   /// Returns the files of the pictures from one of the study's views, counted from 0: that of the
   /// first has no number in its names.
   CellFiles from(std::size_t view) const;
-  /// Returns the path of the row, which is written last: where it is, all the others are.
+  /// Returns the paths of all pictures that the cell of this row may have made, in every view.
+  std::vector<std::filesystem::path> pictures_of(const ResultRow& row) const;
+  /// Returns the path of the row, which is written last and lists the others: where it is they are.
   std::filesystem::path row() const;
   /// Returns the path of a FileLock for who computes the cell alone.
   std::filesystem::path lock() const;
@@ -79,7 +81,7 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
 
 /// Reads the row of a cell, finished or failed, by whichever run, for the same fingerprint and from
 /// files whose content is as it was; nothing when there is none or a finished one has lost one of
-/// its pictures.
+/// its files.
 std::optional<ResultRow> read_row(const CellFiles& files, const std::string& fingerprint,
                                   ContentHashes& hashes);
 
@@ -87,7 +89,8 @@ std::optional<ResultRow> read_row(const CellFiles& files, const std::string& fin
 std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
                                        ContentHashes& hashes);
 
-/// Writes the row as JSON, whole or not at all. Throws as OutputFile does.
+/// Writes the row as JSON, with the names of the files that the cell has made, whole or not at all.
+/// Throws as OutputFile does.
 void write_row(const CellFiles& files, const ResultRow& row);
 
 }  // namespace pellucid::compare

@@ -20,6 +20,9 @@ namespace {
 constexpr std::size_t marked_band = 5;
 constexpr double marked_percent = 5;
 
+/// What is measured of the terms, after the sum's name.
+constexpr std::string_view fifth = "term_5", beyond_fifth = "terms_beyond_5";
+
 RowCurve depth_curve(const RayFunction& quantity, const Pixel& pixel, std::vector<double> values) {
   return {fmt::format("{} {} {}", quantity.title, pixel.x, pixel.y),
           "",
@@ -85,14 +88,15 @@ class TermMeasures {
   }
 
   void append_to(const RayFunction& quantity, ResultRow& row) const {
-    const auto append = [&](const char* name, const char* title, std::optional<double> percent) {
+    const auto append = [&](std::string_view name, const char* title,
+                            std::optional<double> percent) {
       if (percent)
         row.measures.push_back({fmt::format("{}_{}", quantity.name, name),
                                 fmt::format("{} of the {}'s series", title, quantity.title), "%",
                                 *percent, Better::lower});
     };
-    append("term_5", "Fifth term", at_);
-    append("terms_beyond_5", "Largest term beyond the fifth", beyond_);
+    append(fifth, "Fifth term", at_);
+    append(beyond_fifth, "Largest term beyond the fifth", beyond_);
   }
 
  private:
@@ -113,6 +117,13 @@ void check(const Pixel& pixel, const scene::Scene& scene) {
 }
 
 }  // namespace
+
+bool is_of_probes(std::string_view measure) {
+  return std::ranges::any_of(ray_functions(), [&](const RayFunction& quantity) {
+    return measure == fmt::format("{}_{}", quantity.name, fifth) ||
+           measure == fmt::format("{}_{}", quantity.name, beyond_fifth);
+  });
+}
 
 void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer& renderer,
                     CellMeasurement& measured) {

@@ -14,4 +14,7 @@ namespace pellucid::compare {
 void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer& renderer,
                     CellMeasurement& measured);
 
+/// Says whether a measure of this name is one of those, which only the view of the probes has.
+bool is_of_probes(std::string_view measure);
+
 }  // namespace pellucid::compare

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 
+#include "compare/cells/ray_curves.h"
 #include "compare/results/measure_columns.h"
 
 namespace pellucid::compare {
@@ -122,14 +123,17 @@ void average_counts(const Rows& rows, ResultRow& row) {
     row.coverage = mean_coverage(rows);
 }
 
-/// A measure that some view lacks has no mean.
+/// A measure that some view lacks has no mean; those of probes, which are pixels of the first view,
+/// are that view's.
 void average_measures(const Rows& rows, ResultRow& row) {
   std::vector<scene::Measure> means;
-  for (scene::Measure measure : row.measures)
-    if (const auto value =
-            mean_of(rows, [&](const ResultRow& r) { return measure_of(r, measure.name); })) {
+  for (scene::Measure& measure : row.measures)
+    if (is_of_probes(measure.name)) {
+      means.push_back(measure);
+    } else if (const auto value =
+                   mean_of(rows, [&](const ResultRow& r) { return measure_of(r, measure.name); })) {
       measure.value = *value;
-      means.push_back(std::move(measure));
+      means.push_back(measure);
     }
   row.measures = std::move(means);
 }

@@ -37,12 +37,13 @@ std::vector<std::string> causes(const ResultRow& before, const ResultRow& after)
   return why;
 }
 
-/// Of a cell that failed there is nothing but its error.
+/// Of a cell that failed there is nothing but its error; one error is no worse than another.
 void compare_errors(const ResultRow& before, const ResultRow& after, CellChange& change) {
   if (before.error == after.error) return;
   const auto text = [](const ResultRow& row) { return row.error.empty() ? "done" : row.error; };
-  change.numbers.push_back(
-      {"Outcome", text(before), text(after), false, after.error.empty() ? true : false});
+  std::optional<bool> better;
+  if (before.error.empty() != after.error.empty()) better = after.error.empty();
+  change.numbers.push_back({"Outcome", text(before), text(after), false, better});
 }
 
 CellChange compare_cells(const PastRun& before, const PastRun& after, const ResultRow& a,

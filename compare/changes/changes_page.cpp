@@ -38,7 +38,8 @@ std::string figure(const std::string& png, std::string_view caption) {
 
 std::string map_of(const CellFiles& before, const CellFiles& after) {
   return encode_png(before.error_map(),
-                    error_map(read_image(before.picture()), read_image(after.picture())));
+                    error_map(read_image(before.picture()), read_image(after.picture())),
+                    form_of_error_map());
 }
 
 std::string pictures_html(const PictureChange& change, const ResultRow& row, const PastRun& before,

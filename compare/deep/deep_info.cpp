@@ -23,17 +23,31 @@ scene::PartNumber part_of(const JsonNode& node) {
   return part;
 }
 
+constexpr const char* no_background = "none";  // as --background takes it
+
+nlohmann::json background_json(const std::optional<Vec3>& background) {
+  if (!background) return no_background;
+  return {background->r, background->g, background->b};
+}
+
+std::optional<Vec3> background_of(const JsonNode& node) {
+  if (!node.is_string()) return node.vec3();
+  node.one_of({no_background});
+  return std::nullopt;
+}
+
 }  // namespace
 
 DeepInfo deep_info(const scene::Scene& scene, const scene::PartNumber& part,
-                   std::string fingerprint) {
+                   const DeepSource& source) {
   DeepInfo info;
   info.scene = scene.name;
-  info.fingerprint = std::move(fingerprint);
+  info.fingerprint = source.fingerprint;
+  info.opacities = source.opacities;
   info.camera = scene::camera_text(scene.camera);
   info.width = scene.width;
   info.height = scene.height;
-  info.background = scene.background;
+  if (!source.without_background) info.background = scene.background;
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     if (scene.objects[i].opaque) info.opaque.push_back(int(i));
   info.program = fmt::format("{} ({})", build_version, build_commit);
@@ -42,15 +56,21 @@ DeepInfo deep_info(const scene::Scene& scene, const scene::PartNumber& part,
   return info;
 }
 
+PictureOrigin origin_of(const DeepInfo& info, const std::string& method) {
+  return {info.scene, info.camera, info.background, method, info.opacities};
+}
+
+Vec3 backdrop(const DeepInfo& info) { return info.background.value_or(Vec3(0)); }
+
 std::string text_of(const DeepInfo& info) {
-  const Vec3& b = info.background;
   return json_text({{"format", "pellucid-deep"},
                     {"version", 1},
                     {"scene", info.scene},
                     {"fingerprint", info.fingerprint},
                     {"camera", info.camera},
+                    {"opacities", info.opacities},
                     {"resolution", {info.width, info.height}},
-                    {"background", {b.r, b.g, b.b}},
+                    {"background", background_json(info.background)},
                     {"opaque", info.opaque},
                     {"program", info.program},
                     {"build", info.build},
@@ -63,19 +83,20 @@ DeepInfo deep_info_of(const std::string& file, const std::string& text) {
 }
 
 DeepInfo deep_info_of(const JsonNode& root) {
-  root.accept_keys({"format", "version", "scene", "fingerprint", "camera", "resolution",
-                    "background", "opaque", "program", "build", "part"});
+  root.accept_keys({"format", "version", "scene", "fingerprint", "camera", "opacities",
+                    "resolution", "background", "opaque", "program", "build", "part"});
   root["format"].one_of({"pellucid-deep"});
   root["version"].integer(1, 1);
   DeepInfo info;
   info.scene = root["scene"].string();
   info.fingerprint = root["fingerprint"].string();
   info.camera = root["camera"].string();
+  if (root.has("opacities")) info.opacities = root["opacities"].string();
   const auto sides = root["resolution"].elements();
   if (sides.size() != 2) root["resolution"].fail("accepted: two integers, width and height");
   info.width = sides[0].integer(1, largest);
   info.height = sides[1].integer(1, largest);
-  info.background = root["background"].vec3();
+  info.background = background_of(root["background"]);
   for (const JsonNode& object : root["opaque"].elements())
     info.opaque.push_back(object.integer(0, largest));
   info.program = root["program"].string();

@@ -79,7 +79,8 @@ Json scene_json(const scene::Scene& scene, const scene::DepthRange& depths,
 void write_reference(const scene::Scene& scene, const fs::path& file, const Progress& progress) {
   const scene::MethodRow& row = groundtruth::raytrace_method();
   const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
-  write_image(file, renderer->render({.progress = progress}).image);
+  write_image(file, renderer->render({.progress = progress}).image,
+              form_of_picture(scene, {std::string(row.name), "", false}));
 }
 
 }  // namespace

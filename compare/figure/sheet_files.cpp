@@ -8,6 +8,7 @@
 #include "compare/figure/sheet_drawing.h"
 #include "compare/pictures/image_file.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -32,7 +33,9 @@ void write_svg(const SheetFile& file) {
 }
 
 void write_png(const SheetFile& file) {
-  write_image(file.path, picture_of(file.sheet, file.style.font, file.style.dots_per_inch));
+  PictureForm form = form_of_map("a figure of pictures, as they are shown");
+  if (!file.title.empty()) form.text.emplace_back("Title", file.title);
+  write_image(file.path, picture_of(file.sheet, file.style.font, file.style.dots_per_inch), form);
 }
 
 struct SheetFormat {
@@ -43,11 +46,10 @@ struct SheetFormat {
 constexpr SheetFormat formats[] = {{".pdf", write_pdf}, {".svg", write_svg}, {".png", write_png}};
 
 const SheetFormat& format_of(const fs::path& path, std::string_view further = "") {
-  const std::string ending = path.extension().string();
-  const auto* format = std::ranges::find(formats, ending, &SheetFormat::ending);
+  const auto* format = std::ranges::find(formats, small_ending(path), &SheetFormat::ending);
   if (format == std::end(formats))
     throw InputError(fmt::format("{}: ending '{}'; accepted: .pdf, .svg, .png{}{}", path.string(),
-                                 ending, further.empty() ? "" : ", ", further));
+                                 path.extension().string(), further.empty() ? "" : ", ", further));
   return *format;
 }
 

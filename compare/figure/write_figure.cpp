@@ -14,6 +14,7 @@
 #include "compare/figure/sheet_drawing.h"
 #include "compare/figure/sheet_files.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -74,7 +75,7 @@ std::string caption_of(const PastRun& run, const FigureContent& content,
 
 WrittenFigure write_figure(const fs::path& path, const PastRun& run, const FigureRequest& request,
                            const FigureStyle& style, const std::string& command) {
-  const bool is_latex = path.extension() == latex_ending;
+  const bool is_latex = small_ending(path) == latex_ending;
   is_latex ? check_name(path) : require_sheet_ending(path, latex_ending);
   const FigureContent content = read_figure(run, request);
   const FigureSheet sheet = lay_out(content, style.width.millimetres / 25.4 * 72, style.font_size,
@@ -92,7 +93,7 @@ WrittenFigure write_figure(const fs::path& path, const PastRun& run, const Figur
 WrittenFigure write_figure_table(const fs::path& path, const PastRun& run,
                                  const FigureRequest& request, const FigureStyle& style,
                                  const std::string& command) {
-  if (path.extension() != latex_ending)
+  if (small_ending(path) != latex_ending)
     throw InputError(fmt::format("{}: ending '{}'; accepted for a table: {}", path.string(),
                                  path.extension().string(), latex_ending));
   if (request.numbers.empty()) throw InputError("--numbers: none; accepted for a table: some");

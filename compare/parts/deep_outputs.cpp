@@ -9,7 +9,9 @@ namespace pellucid::compare {
 
 DeepOutputs::DeepOutputs(const DeepInfo& info, std::filesystem::path picture,
                          const std::filesystem::path& deep)
-    : origin_{info.scene, info.camera, info.background, "raytrace"}, picture_(std::move(picture)) {
+    : background_(backdrop(info)),
+      form_(form_of_picture(origin_of(info, "raytrace"))),
+      picture_(std::move(picture)) {
   if (!picture_.empty()) image_ = Image(info.width, info.height);
   if (!deep.empty()) writer_ = make_deep_writer(deep, info);
 }
@@ -17,8 +19,7 @@ DeepOutputs::DeepOutputs(const DeepInfo& info, std::filesystem::path picture,
 void DeepOutputs::take(int y, const DeepRow& row) {
   const auto width = std::size_t(image_.width);
   if (!picture_.empty())
-    composite(row, origin_.background,
-              std::span(image_.pixels).subspan(std::size_t(y) * width, width));
+    composite(row, background_, std::span(image_.pixels).subspan(std::size_t(y) * width, width));
   if (writer_) writer_->add(row);
   crossings_ += row.layers.size();
   for (const std::uint32_t count : row.counts) max_layers_ = std::max(max_layers_, count);
@@ -26,7 +27,7 @@ void DeepOutputs::take(int y, const DeepRow& row) {
 
 void DeepOutputs::commit() {
   if (writer_) writer_->commit();
-  if (!picture_.empty()) write_image(picture_, image_, form_of_picture(origin_));
+  if (!picture_.empty()) write_image(picture_, image_, form_);
 }
 
 }  // namespace pellucid::compare

@@ -27,7 +27,8 @@ class DeepOutputs {
   std::uint32_t max_layers() const { return max_layers_; }  // of a pixel
 
  private:
-  PictureOrigin origin_;
+  Vec3 background_;
+  PictureForm form_;
   std::filesystem::path picture_;
   Image image_;
   std::unique_ptr<DeepWriter> writer_;

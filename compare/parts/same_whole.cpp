@@ -19,7 +19,8 @@ struct Trait {
 };
 
 std::string background_text(const DeepInfo& info) {
-  return fmt::format("{},{},{}", info.background.r, info.background.g, info.background.b);
+  const auto& b = info.background;
+  return b ? fmt::format("{},{},{}", b->r, b->g, b->b) : "none";
 }
 
 /// What a change of the view changes comes before the scene's content, which it may change too.

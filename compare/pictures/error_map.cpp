@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/pictures/error_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -28,6 +30,13 @@ Image error_map(const Image& reference, const Image& test) {
     map.pixels[i] = Rgba(glm::vec3(ErrorScale::color(error)), 1.f);
   }
   return map;
+}
+
+PictureForm form_of_error_map() {
+  return form_of_map(
+      fmt::format("largest error of red, green and blue, as colours, logarithmic "
+                  "from {} to {}",
+                  ErrorScale::min, ErrorScale::max));
 }
 
 }  // namespace pellucid::compare

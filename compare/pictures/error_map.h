@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "compare/pictures/picture_text.h"
 #include "core/raster.h"
 
 namespace pellucid::compare {
@@ -22,6 +23,9 @@ struct ErrorScale {
 /// Returns a picture that colours each pixel's error by the ErrorScale. Both pictures have one
 /// size.
 Image error_map(const Image& reference, const Image& test);
+
+/// Returns how such a map is written.
+PictureForm form_of_error_map();
 
 /// Returns the largest absolute difference of two pixels in red, green or blue.
 double pixel_error(const Rgba& a, const Rgba& b);

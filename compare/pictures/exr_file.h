@@ -40,6 +40,6 @@ int exr_threads();
 /// WorkError that names `path`.
 std::string encode_exr(const std::filesystem::path& path, int width, int height,
                        const std::vector<std::string>& channels, Imf::PixelType type,
-                       const void* pixels, const PictureText& text = {});
+                       const void* pixels, const PictureText& text);
 
 }  // namespace pellucid::compare

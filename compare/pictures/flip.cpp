@@ -247,4 +247,10 @@ Image flip_picture(const Raster<float>& map) {
   return picture;
 }
 
+PictureForm form_of_flip() {
+  PictureForm form = form_of_map("FLIP's error of each pixel, 0 to 1");
+  form.png_values += ", as colours";
+  return form;
+}
+
 }  // namespace pellucid::compare

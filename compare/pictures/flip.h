@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "compare/pictures/picture_text.h"
 #include "core/raster.h"
 
 namespace pellucid::compare {
@@ -29,5 +30,8 @@ Raster<float> flip_map(const Image& reference, const Image& test);
 
 /// Returns the map in the colours of magma, from 0 to 1, as the paper shows it.
 Image flip_picture(const Raster<float>& map);
+
+/// Returns how that picture, or the map's own numbers as an .exr, is written.
+PictureForm form_of_flip();
 
 }  // namespace pellucid::compare

@@ -226,6 +226,23 @@ std::optional<std::string> shift_fault(const Image& reference, const Image& test
 
 }  // namespace
 
+std::optional<std::string> straight_colors(const Image& reference, const Image& test) {
+  const Vec3 nothing(0);
+  const double apart = rmse(reference, test);
+  if (apart < least_error || max_alpha_error(reference, test) > same_color) return std::nullopt;
+  const auto text = [](const char* straight, const char* multiplied, double left) {
+    return fmt::format(
+        "{} looks to have straight colours, as a .png without a background has, and {} such that "
+        "are multiplied by A: multiplied, too, it is {:.3g} (RMSE) away",
+        straight, multiplied, left);
+  };
+  const double of_test = rmse(reference, multiplied_over_background(test, {reference, nothing}));
+  const double of_reference = rmse(multiplied_over_background(reference, {test, nothing}), test);
+  if (std::min(of_test, of_reference) >= left_of_error * apart) return std::nullopt;
+  return of_test <= of_reference ? text("TEST", "REFERENCE", of_test)
+                                 : text("REFERENCE", "TEST", of_reference);
+}
+
 Shift coverage_shift(const Image& reference, const Image& test, const Vec3& background) {
   const Raster<double> wanted = mask_of(reference, background), found = mask_of(test, background);
   constexpr int farthest = 2;

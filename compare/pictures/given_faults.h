@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ namespace pellucid::compare {
 /// direction. Both pictures have one size and finite values.
 std::vector<std::string> given_faults(const Image& reference, const Image& test,
                                       const Vec3& background);
+
+/// Says which of two pictures looks to have straight colours where the other's are multiplied by A,
+/// both without a background and of equal opacities: multiplied by A, they are less than a third as
+/// far apart. Nothing where neither does. Both have one size and finite values.
+std::optional<std::string> straight_colors(const Image& reference, const Image& test);
 
 /// A Shift is in pixels, to the right and down.
 struct Shift {

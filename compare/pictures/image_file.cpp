@@ -10,6 +10,7 @@
 #include "compare/pictures/exr_file.h"
 #include "compare/pictures/png_file.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/output_file.h"
 #include "readers/pictures/picture_file.h"
 
@@ -105,9 +106,10 @@ bool is_count(float value) {
 
 /// True for .exr, false for .png.
 bool is_exr(const fs::path& path) {
-  const std::string ending = path.extension().string();
+  const std::string ending = small_ending(path);
   if (ending != ".exr" && ending != ".png")
-    throw InputError(fmt::format("{}: ending '{}'; accepted: .exr, .png", path.string(), ending));
+    throw InputError(fmt::format("{}: ending '{}'; accepted: .exr, .png", path.string(),
+                                 path.extension().string()));
   return ending == ".exr";
 }
 
@@ -159,25 +161,27 @@ CountImage read_counts(const fs::path& path) {
 void write_image(const fs::path& path, const Image& image, const PictureForm& form) {
   if (is_exr(path))
     return write_text(path, encode_exr(path, image.width, image.height, {"R", "G", "B", "A"},
-                                       Imf::FLOAT, image.pixels.data(), form.text));
+                                       Imf::FLOAT, image.pixels.data(), text_of_exr(form)));
   write_text(path, encode_png(path, image, form));
 }
 
 std::string encode_png(const fs::path& path, const Image& image, const PictureForm& form) {
   return encode_png(path, image.width, image.height, form.is_premultiplied ? 4 : 3,
-                    to_bytes(image, form.is_premultiplied), form.text);
+                    to_bytes(image, form.is_premultiplied), text_of_png(form));
 }
 
-void write_counts(const fs::path& path, const CountImage& counts) {
+void write_counts(const fs::path& path, const CountImage& counts, const PictureForm& picture) {
   if (is_exr(path)) {
     const std::vector<float> values(counts.pixels.begin(), counts.pixels.end());
-    return write_text(path, encode_exr(path, counts.width, counts.height, {layers_channel},
-                                       Imf::FLOAT, values.data()));
+    return write_text(path,
+                      encode_exr(path, counts.width, counts.height, {layers_channel}, Imf::FLOAT,
+                                 values.data(), text_beside(picture, "layers per pixel")));
   }
   std::vector<std::uint8_t> bytes(counts.pixels.size());
   std::transform(counts.pixels.begin(), counts.pixels.end(), bytes.begin(),
                  [](std::uint32_t n) { return std::uint8_t(std::min<std::uint32_t>(n, 255)); });
-  write_text(path, encode_png(path, counts.width, counts.height, 1, bytes));
+  write_text(path, encode_png(path, counts.width, counts.height, 1, bytes,
+                              text_beside(picture, "layers per pixel, 255 at most")));
 }
 
 std::uint8_t displayed_byte(float value) {

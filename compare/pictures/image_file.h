@@ -33,16 +33,17 @@ PictureRead read_picture(const std::filesystem::path& path);
 /// would blend them a second time; of premultiplied ones it has, and straight colours. Throws
 /// InputError for another ending or a folder that cannot be written, WorkError when the disk is
 /// full.
-void write_image(const std::filesystem::path& path, const Image& image,
-                 const PictureForm& form = {});
+void write_image(const std::filesystem::path& path, const Image& image, const PictureForm& form);
 
 /// Returns the picture as write_image() writes it to a .png; `path` is for messages.
 std::string encode_png(const std::filesystem::path& path, const Image& image,
-                       const PictureForm& form = {});
+                       const PictureForm& form);
 
 /// Writes numbers of layers: .exr holds one channel of 32-bit floats, exact to 2^24, since common
-/// viewers show whole numbers as 0; .png 8-bit grey, capped at 255. Throws as write_image() does.
-void write_counts(const std::filesystem::path& path, const CountImage& counts);
+/// viewers show whole numbers as 0; .png 8-bit grey, capped at 255. What they are of is what the
+/// picture beside them is of. Throws as write_image() does.
+void write_counts(const std::filesystem::path& path, const CountImage& counts,
+                  const PictureForm& picture);
 
 /// Reads what write_counts() has written as .exr, or the same as whole numbers. Throws as
 /// read_image() does, and for numbers that count nothing.

@@ -14,6 +14,6 @@ namespace pellucid::compare {
 /// blue) or four bytes (and alpha, not multiplied in) each, with the texts as iTXt. Throws
 /// WorkError that names `path`.
 std::string encode_png(const std::filesystem::path& path, int width, int height, int channels,
-                       std::span<const std::uint8_t> bytes, const PictureText& text = {});
+                       std::span<const std::uint8_t> bytes, const PictureText& text);
 
 }  // namespace pellucid::compare

@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/results/number_json.h"
 #include "core/machine/machine.h"
+#include "scene/files/camera_file.h"
 
 namespace pellucid::compare {
 namespace {
@@ -13,10 +15,19 @@ nlohmann::json to_json(const scene::FrameStats& frame) {
           {"layers", frame.layers},   {"bytes", frame.bytes}, {"change", frame.change}};
 }
 
+/// From where the scene was seen, as a scene file has it.
+nlohmann::json view_json(const scene::Scene& scene) {
+  return {{"camera", scene::camera_json(scene.camera)},
+          {"camera_found", scene.provenance.at("camera")},
+          {"resolution", {scene.width, scene.height}},
+          {"samples", scene::samples_json(scene.samples)}};
+}
+
 }  // namespace
 
 nlohmann::json render_json(const MethodCall& call, const std::optional<MethodCall>& opacities,
-                           const scene::RenderStats& stats, scene::Renderer& renderer) {
+                           const scene::Scene& scene, const scene::RenderStats& stats,
+                           scene::Renderer& renderer) {
   nlohmann::json json;
   json["method"] = call.row->name;
   json["parameters"] = call.parameters.all();
@@ -33,9 +44,10 @@ nlohmann::json render_json(const MethodCall& call, const std::optional<MethodCal
   json["max_layers"] = stats.max_layers;
   for (const scene::FrameStats& frame : stats.frames) json["frames"].push_back(to_json(frame));
   for (const scene::Measure& measure : renderer.findings().measures)
-    json["measures"][measure.name] = measure.value;
+    json["measures"][measure.name] = number_json(measure.value);
   json["machine"] = machine_facts();
   json["machine"].update(nlohmann::json(renderer.facts()));
+  json["view"] = view_json(scene);
   return json;
 }
 

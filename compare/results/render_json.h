@@ -9,8 +9,10 @@
 namespace pellucid::compare {
 
 /// Returns what a picture took, as `render --stats` writes it: the call, seconds by step, bytes by
-/// what they are for, counts, measures and the machine. `renderer` made the picture.
+/// what they are for, counts, measures, the machine, and from where the scene was seen. `renderer`
+/// made the picture of the scene.
 nlohmann::json render_json(const MethodCall& call, const std::optional<MethodCall>& opacities,
-                           const scene::RenderStats& stats, scene::Renderer& renderer);
+                           const scene::Scene& scene, const scene::RenderStats& stats,
+                           scene::Renderer& renderer);
 
 }  // namespace pellucid::compare

@@ -5,19 +5,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "compare/results/number_json.h"
+
 namespace pellucid::compare {
 namespace {
 
 using nlohmann::json;
-
-/// JSON has no infinity: an infinite PSNR (equal pictures) and a missing SSIM are null.
-json finite_or_null(std::optional<double> value) {
-  return value && std::isfinite(*value) ? json(*value) : json(nullptr);
-}
-
-std::optional<double> optional_number(const json& value) {
-  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
-}
 
 /// Of the numbers over the whole picture, a missing one is null; of all others it is left out.
 json metrics_json(const Metrics& m, bool displayed = false) {
@@ -26,7 +19,7 @@ json metrics_json(const Metrics& m, bool displayed = false) {
     const MetricRow& row = metrics()[i];
     const bool expected =
         !row.on_request && row.region == Region::all && row.displayed >= displayed;
-    if (m[i] || expected) j[std::string(row.name)] = finite_or_null(m[i]);
+    if (m[i] || expected) j[std::string(row.name)] = number_json(m[i]);
   }
   if (m.covered && !displayed) j["covered"] = *m.covered;
   j["max_error_pixel"] = {m.max_error_x, m.max_error_y};
@@ -40,7 +33,8 @@ Metrics metrics_from(const json& j) {
     const MetricRow& metric = metrics()[row];
     const auto found = j.find(metric.name);
     if (found == j.end()) continue;
-    m[row] = optional_number(*found);
+    m[row] = number_of(*found);
+    // As builds before this one wrote it.
     if (!m[row] && metric.infinite_when_equal) m[row] = std::numeric_limits<double>::infinity();
   }
   if (j.contains("covered")) m.covered = j.at("covered").get<double>();
@@ -106,12 +100,12 @@ json coverage_json(const CoverageCheck& c) {
   return {{"layers_differ", c.differing},
           {"layers_differ_by_more", c.differing_by_more},
           {"pixels", c.pixels},
-          {"rmse_equal_layers", finite_or_null(c.rmse_elsewhere)}};
+          {"rmse_equal_layers", number_json(c.rmse_elsewhere)}};
 }
 
 CoverageCheck coverage_from(const json& j) {
   return {j.at("layers_differ"), j.at("layers_differ_by_more"), j.at("pixels"),
-          optional_number(j.at("rmse_equal_layers"))};
+          number_of(j.at("rmse_equal_layers"))};
 }
 
 json measures_json(const ResultRow& row) {
@@ -120,16 +114,16 @@ json measures_json(const ResultRow& row) {
     list.push_back({{"name", m.name},
                     {"title", m.title},
                     {"unit", m.unit},
-                    {"value", m.value},
+                    {"value", number_json(m.value)},
                     {"better", name_of(m.better)}});
   return list;
 }
 
-/// JSON has no infinity, which an option may be (ε² of the tree) and then is a measure.
+/// An option may be infinite (ε² of the tree) and then is a measure; null is how builds before this
+/// one wrote it.
 scene::Measure measure_from(const json& j) {
-  const json& value = j.at("value");
   return {j.at("name"), j.at("title"), j.at("unit"),
-          value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>(),
+          number_of(j.at("value")).value_or(std::numeric_limits<double>::infinity()),
           better_of_name(j.at("better").get<std::string_view>())};
 }
 

@@ -45,19 +45,23 @@ void write_picture(const CellFiles& files, const CellMeasurement& measured,
                  [&] { write_image(files.preview(), measured.image, form); },
                  [&] {
                    if (!measured.layers.pixels.empty())
-                     write_counts(files.layers(), measured.layers);
+                     write_counts(files.layers(), measured.layers, form);
                  }});
 }
 
 void write_maps(const CellFiles& files, const PicturePair& pair) {
   const Raster<float>& flip = pair.flip();
-  write_at_once({[&] { write_image(files.error_map(), error_map(pair.reference(), pair.test())); },
-                 [&] { write_image(files.flip_map(), flip_picture(flip)); }});
+  write_at_once({[&] {
+                   write_image(files.error_map(), error_map(pair.reference(), pair.test()),
+                               form_of_error_map());
+                 },
+                 [&] { write_image(files.flip_map(), flip_picture(flip), form_of_flip()); }});
 }
 
 void write_further(const CellFiles& files, const CellMeasurement& measured) {
   for (std::size_t i = 0; i < measured.further.size(); ++i)
-    write_image(files.further(measured.row.pictures[i].name), measured.further[i]);
+    write_image(files.further(measured.row.pictures[i].name), measured.further[i],
+                form_of_map(measured.row.pictures[i].title));
 }
 
 /// The layers that are known tell covered pixels, and those where layers agree, from the others.
@@ -93,6 +97,10 @@ void add_shared_picture(const MethodCall& call, const Study& study, ResultRow& r
     if (call.given && is_several && !call.given->tells_apart(what))
       row.given_faults.push_back(
           fmt::format("stands for several {0}s: its name has no {{{0}}}", what));
+}
+
+PictureCall call_of(const Cell& cell) {
+  return {cell.call.text(), cell.opacities ? cell.opacities->text() : "", false};
 }
 
 bool makes_layers(const MethodCall& call) { return call.row->promises.own_layers; }
@@ -143,7 +151,7 @@ void finish_view(const Job& job, CellMeasurement measured, SceneAtHand& at_hand,
   const bool beside_layers =
       job.cell.reference && std::any_of(study.methods.begin(), study.methods.end(), makes_layers);
   if (makes_layers(job.cell.call) || beside_layers) add_layer_picture(measured);
-  write_picture(files, measured, form_of_picture(at_hand.scene(), job.cell.call.text()));
+  write_picture(files, measured, form_of_picture(at_hand.scene(), call_of(job.cell)));
   if (job.cell.reference) at_hand.set_reference(job.files);
   compare_with_reference(job, files, measured, at_hand);
   add_shared_picture(job.cell.call, study, measured.row);

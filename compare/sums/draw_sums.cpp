@@ -33,12 +33,13 @@ SumsFile sums_of(const SumsRequest& request, const std::string& fingerprint,
                                                {.gl = request.gl, .depths = &part.whole.depths});
   scene::PartialSums* const sums = renderer->partial_sums();
   SumsFile file;
-  file.info = {deep_info(part.scene, request.part, fingerprint),
-               fs::absolute(request.scene).lexically_normal().string(),
-               request.call.text(),
-               totals ? 2 : 1,
-               sums->phases(),
-               part.whole.depths};
+  file.info = {
+      deep_info(part.scene, request.part, {fingerprint, {}, request.view.without_background}),
+      fs::absolute(request.scene).lexically_normal().string(),
+      request.call.text(),
+      totals ? 2 : 1,
+      sums->phases(),
+      part.whole.depths};
   if (totals) check_totals("--totals", totals->info, request.scene, file.info);
   file.planes = sums->sum(file.info.phase - 1,
                           totals ? std::span(&totals->planes, 1) : std::span<scene::SumPlanes>());
@@ -52,7 +53,8 @@ scene::ViewRequest view_of(const SumsInfo& info) {
   view.camera = info.of.camera;
   view.resolution = {info.of.width, info.of.height};
   view.samples = 1;
-  view.background = info.of.background;
+  view.background = backdrop(info.of);
+  view.without_background = !info.of.background;
   return view;
 }
 
@@ -62,7 +64,7 @@ scene::Scene empty_scene(const SumsInfo& info) {
   scene.name = info.of.scene;
   scene.width = info.of.width;
   scene.height = info.of.height;
-  scene.background = info.of.background;
+  scene.background = backdrop(info.of);
   return scene;
 }
 

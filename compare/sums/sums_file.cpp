@@ -15,6 +15,7 @@
 
 #include "compare/pictures/exr_file.h"
 #include "core/error.h"
+#include "core/files/ending.h"
 #include "core/files/output_file.h"
 #include "readers/pictures/deep_channels.h"
 #include "readers/pictures/picture_file.h"
@@ -142,7 +143,7 @@ void take_channel(const fs::path& path, const readers::PictureFile& file, const 
 }  // namespace
 
 void write_sums_file(const fs::path& path, const SumsFile& sums) {
-  if (path.extension() != ".exr")
+  if (small_ending(path) != ".exr")
     throw InputError(
         fmt::format("{}: ending '{}'; accepted: .exr", path.string(), path.extension().string()));
   OutputFile output(path);

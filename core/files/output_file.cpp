@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -82,9 +83,26 @@ fs::path place_of_temporary(const fs::path& target, bool is_regular) {
          TemporaryName(target).mine();
 }
 
+/// Of this process, that a path such as /dev/stdout or /dev/fd/3 leads to; -1 for any other path.
+int descriptor_of(const fs::path& path) {
+  std::error_code code;
+  const fs::path all = fs::canonical("/proc/self/fd", code);
+  if (code || fs::canonical(folder_of(path), code) != all || code) return -1;
+  const std::string name = path.filename().string();
+  int number = -1;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  return error == std::errc() && end == name.data() + name.size() ? number : -1;
+}
+
+/// A descriptor is written on where it stands: opened anew, a file would be written from its begin.
+Descriptor open_device(const fs::path& path) {
+  const int own = descriptor_of(path);
+  return {own >= 0 ? ::fcntl(own, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC)};
+}
+
 void copy_into(const fs::path& from, const fs::path& to, const fs::path& path) {
   const Descriptor source{::open(from.c_str(), O_RDONLY | O_CLOEXEC)};
-  const Descriptor target{::open(to.c_str(), O_WRONLY | O_CLOEXEC)};
+  const Descriptor target = open_device(to);
   if (source.fd < 0 || target.fd < 0) fail_writing(path, errno);
   char block[1 << 16];
   for (ssize_t got; (got = ::read(source.fd, block, sizeof block)) != 0;) {
@@ -103,6 +121,7 @@ fs::path behind_links(const fs::path& path) {
   std::error_code code;
   fs::path target = path;
   for (int links = 0; links < 40 && fs::is_symlink(target, code); ++links) {
+    if (descriptor_of(target) >= 0) break;  // its link may name no file: "pipe:[1234]"
     const fs::path next = fs::read_symlink(target, code);
     target = next.is_absolute() ? next : target.parent_path() / next;
   }
@@ -115,7 +134,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(behind_l
   const fs::file_status status = fs::status(target_, code);
   if (code == std::errc::too_many_symbolic_link_levels) fail_writing(path_, ELOOP);
   if (fs::is_directory(status)) fail_writing(path_, EISDIR);
-  is_regular_ = !fs::exists(status) || fs::is_regular_file(status);
+  is_regular_ = descriptor_of(target_) < 0 && (!fs::exists(status) || fs::is_regular_file(status));
   if (is_regular_) remove_abandoned_files(target_);
   temporary_ = place_of_temporary(target_, is_regular_);
   lock_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

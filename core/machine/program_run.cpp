@@ -92,7 +92,7 @@ int reap(pid_t child) {
 }  // namespace
 
 std::string ProgramRun::failure() const {
-  if (timed_out) return fmt::format("was ended after {:.3g} s", seconds);
+  if (timed_out) return fmt::format("was ended after {:.6g} s, its limit", limit);
   if (exit_code < 0) return fmt::format("was ended by a signal: {}", ::strsignal(signal));
   return fmt::format("ended with code {}", exit_code);
 }
@@ -136,6 +136,7 @@ ProgramRun run_program(const fs::path& program, const std::vector<std::string>& 
         fmt::format("{}: cannot be started: {}", program.string(), std::strerror(code)));
   }
   ProgramRun run;
+  run.limit = timeout;
   run.timed_out = !ends_within(child, timeout);
   run.seconds = watch.seconds();
   ::kill(-child, SIGKILL);  // what it has started and left

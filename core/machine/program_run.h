@@ -14,6 +14,7 @@ struct ProgramRun {
   int signal = 0;          // that ended it
   bool timed_out = false;  // by this process, since it took too long
   double seconds = 0;      // wall clock, from its start to its end
+  double limit = 0;        // the longest that it was given, seconds
 
   bool succeeded() const { return exit_code == 0 && !timed_out; }
   /// Returns how it failed, such as "ended with code 3".

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/files/bad_file.h"
+#include "core/files/ending.h"
 #include "core/files/output_file.h"
 #include "fields/files/grid_choice.h"
 #include "fields/files/staggered_grid.h"
@@ -182,7 +183,7 @@ void check_written(const fs::path& written, const fs::path& path,
 
 template <class T>
 void write(const fs::path& path, const std::string& name, std::span<const Level<T>> levels) {
-  if (path.extension() != ".vdb")
+  if (small_ending(path) != ".vdb")
     bad_file(path, fmt::format("ending '{}'; accepted: .vdb", path.extension().string()));
   if (levels.empty()) bad_file(path, "no level to write");
   openvdb::initialize();

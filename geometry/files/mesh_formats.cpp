@@ -2,7 +2,8 @@
 #include "geometry/files/mesh_formats.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "core/files/ending.h"
 
 namespace pellucid::geometry {
 
@@ -32,10 +33,8 @@ std::span<const FormatRow> mesh_formats() {
 }
 
 const FormatRow* mesh_format(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   const auto formats = mesh_formats();
-  const auto found = std::ranges::find(formats, ending, &FormatRow::ending);
+  const auto found = std::ranges::find(formats, small_ending(path), &FormatRow::ending);
   return found == formats.end() ? nullptr : &*found;
 }
 

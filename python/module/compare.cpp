@@ -51,6 +51,7 @@ std::optional<compare::Mask> mask_of(const py::object& given) {
   const py::object value = flat_array(given);
   const bool is_flat = py::isinstance<py::array>(value) && value.cast<py::array>().ndim() == 2;
   if (!is_flat) return compare::mask_of(picture_of(value, "compare: mask").image);
+  refuse_masked(value, "compare: mask");
   if (std::string_view("biuf").find(value.cast<py::array>().dtype().kind()) ==
       std::string_view::npos)
     throw InputError("compare: mask: accepted: truth values or real numbers");

@@ -91,7 +91,10 @@ Rendering render_now(const scene::Scene& scene, const RenderRequest& request,
   if (request.warm_up) renderer->render({.progress = progress});
   scene::Rendering made = renderer->render({.layers = true, .progress = progress});
   Rendering rendering;
-  rendering.stats = compare::render_json(request.call, request.opacities, made.stats, *renderer);
+  rendering.stats =
+      compare::render_json(request.call, request.opacities, scene, made.stats, *renderer);
+  rendering.form = compare::form_of_picture(
+      scene, {request.call.text(), request.opacities ? request.opacities->text() : "", false});
   rendering.image = std::make_shared<Image>(std::move(made.image));
   rendering.layers = std::make_shared<CountImage>(std::move(made.layers));
   return rendering;
@@ -130,7 +133,8 @@ py::object layers_array(const Rendering& rendering) {
 
 void save_rendering(const Rendering& rendering, const py::object& path) {
   const std::string file = path_of(path, "save: path");
-  run_unlocked([&](const Progress&) { compare::write_image(file, *rendering.image); });
+  run_unlocked(
+      [&](const Progress&) { compare::write_image(file, *rendering.image, rendering.form); });
 }
 
 nlohmann::json numbers(const Vec3& x) { return {x.x, x.y, x.z}; }
@@ -228,7 +232,8 @@ void define_rendering(py::module_& module) {
       .def_property_readonly("layers", layers_array, "Crossings per pixel: uint32 (H, W).")
       .def_property_readonly(
           "stats", [](const Rendering& r) { return python_of(r.stats); },
-          "What `render --stats` writes, a dict: seconds, bytes, fragments, max_layers, machine, …")
+          "What `render --stats` writes, a dict: seconds, bytes, fragments, max_layers, machine, "
+          "view, …")
       .def("save", save_rendering, py::arg("path"),
            "Writes .exr (32-bit float) or .png (8 bits). Raises InputError for another ending.")
       .def("_repr_png_", [](const Rendering& r) { return py::bytes(png_of(*r.image)); })
@@ -268,7 +273,7 @@ std::string png_of(const Image& image) {
   bytes.reserve(3 * image.pixels.size());
   for (const Rgba& pixel : image.pixels)
     for (int c = 0; c < 3; ++c) bytes.push_back(compare::displayed_byte(pixel[c]));
-  return compare::encode_png("picture", image.width, image.height, 3, bytes);
+  return compare::encode_png("picture", image.width, image.height, 3, bytes, {});
 }
 
 void define_scene(py::module_& module) {

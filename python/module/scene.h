@@ -9,6 +9,7 @@
 #include <shared_mutex>
 #include <string>
 
+#include "compare/pictures/picture_text.h"
 #include "core/raster.h"
 #include "groundtruth/sums/ray_sums.h"
 #include "scene/files/scene_file.h"
@@ -57,6 +58,7 @@ struct Rendering {
   std::shared_ptr<Image> image;
   std::shared_ptr<CountImage> layers;
   nlohmann::json stats;
+  compare::PictureForm form;  // how its picture is written
 };
 
 /// Adds load_scene(), Scene and Rendering to the module.

@@ -36,7 +36,6 @@ py::dict row_dict(const compare::ResultRow& row, std::span<const scene::Measure>
     dict[py::str(column.name)] = value_of(done ? column.value(row) : std::nullopt);
   for (const scene::Measure& measure : measures)
     dict[py::str(measure.name)] = value_of(compare::measure_of(row, measure.name));
-  dict["reference"] = row.reference;
   dict["error"] = row.error;
   return dict;
 }

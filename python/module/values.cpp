@@ -53,6 +53,7 @@ class JsonMaker {
     if (level > most_levels) throw InputError(here + ": nested too deeply");
     if (on_other_)
       if (std::string text = on_other_(given); !text.empty()) return text;
+    refuse_masked(given, here);
     const py::object value = plain(given);
     if (value.is_none()) return nullptr;
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
@@ -87,6 +88,7 @@ class JsonMaker {
 
 /// An array of any kind; what NumPy cannot make one of is refused.
 py::array any_array(const py::handle& value, std::string_view what) {
+  refuse_masked(value, what);
   py::array array = py::array::ensure(value);
   if (!array) refuse(what, value, "an array of numbers");
   return array;
@@ -108,6 +110,15 @@ void check_shape(const py::array& array, py::ssize_t columns, std::string_view w
 }
 
 }  // namespace
+
+void refuse_masked(const py::handle& value, std::string_view what) {
+  if (!py::isinstance<py::array>(value)) return;
+  if (!py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>()) return;
+  throw InputError(fmt::format(
+      "{}: a masked array, some of whose values are masked; accepted: an array without a mask, "
+      "such as its .filled(0)",
+      what));
+}
 
 std::string text_of(const py::handle& value, std::string_view what) {
   if (!py::isinstance<py::str>(value)) refuse(what, value, "text");

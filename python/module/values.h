@@ -40,6 +40,10 @@ nlohmann::json json_of(const py::handle& value, std::string_view what,
 /// Returns dicts, lists, texts and numbers.
 py::object python_of(const nlohmann::json& json);
 
+/// Throws InputError for an array of NumPy's that masks some of its values: nothing here knows what
+/// stands in their place.
+void refuse_masked(const py::handle& value, std::string_view what);
+
 /// Returns numbers of `value`, an array or what NumPy makes one of, of the given number of columns;
 /// 0: without columns. Throws InputError for other shapes and for what are no real numbers.
 py::array_t<double, py::array::c_style> numbers_of(const py::handle& value, py::ssize_t columns,

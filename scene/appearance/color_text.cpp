@@ -43,23 +43,35 @@ std::string doubled(std::string_view digits) {
   return all;
 }
 
-TextColor color_of_digits(std::string_view text) {
+constexpr std::string_view with_opacity = "#rrggbb, #rgb, #rrggbbaa, #rgba",
+                           without_opacity = "#rrggbb, #rgb, a name";
+
+/// `accepted` is what a wrong text is told.
+TextColor color_of_digits(std::string_view text, std::string_view accepted) {
   std::string digits(text.substr(1));
   if (digits.size() == 3 || digits.size() == 4) digits = doubled(digits);
   const auto value = digits.size() == 6 || digits.size() == 8 ? hexadecimal(digits) : std::nullopt;
-  if (!value)
-    throw InputError(fmt::format("'{}'; accepted: #rrggbb, #rgb, #rrggbbaa, #rgba", text));
+  if (!value) throw InputError(fmt::format("'{}'; accepted: {}", text, accepted));
   if (digits.size() == 6) return {channels(*value), std::nullopt};
   return {channels(*value >> 8), (*value & 255) / 255.0};
 }
 
-}  // namespace
-
-TextColor color_of_text(std::string_view text) {
-  if (text.starts_with('#')) return color_of_digits(text);
+TextColor color_of(std::string_view text, std::string_view accepted) {
+  if (text.starts_with('#')) return color_of_digits(text, accepted);
   std::string small(text);
   std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
   return {channels(find_row("colour", small, named_colors).rgb), std::nullopt};
+}
+
+}  // namespace
+
+TextColor color_of_text(std::string_view text) { return color_of(text, with_opacity); }
+
+Vec3 rgb_of_text(std::string_view text) {
+  const TextColor color = color_of(text, without_opacity);
+  if (color.alpha)
+    throw InputError(fmt::format("'{}' has an opacity; accepted here: {}", text, without_opacity));
+  return color.rgb;
 }
 
 }  // namespace pellucid::scene

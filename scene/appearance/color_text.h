@@ -19,4 +19,7 @@ struct TextColor {
 /// text, which names the nearest colours.
 TextColor color_of_text(std::string_view text);
 
+/// Returns such a colour that has no opacity. Throws InputError for one that has, too.
+Vec3 rgb_of_text(std::string_view text);
+
 }  // namespace pellucid::scene

@@ -95,11 +95,7 @@ void take_opacity_of_color(const JsonNode& node, Appearance& appearance) {
 }  // namespace
 
 Vec3 read_rgb(const JsonNode& node) {
-  if (node.is_string()) {
-    const TextColor color = read_text_color(node);
-    if (color.alpha) node.fail("has an opacity; accepted here: #rrggbb, #rgb, a name");
-    return color.rgb;
-  }
+  if (node.is_string()) return at_place(node, [&] { return rgb_of_text(node.string()); });
   const Vec3 rgb = node.vec3();
   for (const JsonNode& channel : node.elements()) channel.number(0, 1);
   return rgb;

@@ -66,13 +66,15 @@ Camera read_camera(const JsonNode& node) {
   return camera;
 }
 
-std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera) {
+std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera,
+                                     std::string_view change) {
   node.accept_keys({"frames", "orbit", "keys"});
   const int frames = node["frames"].integer(2, 100000);
   if (node.has("orbit") == node.has("keys")) node.fail("accepted: one of the keys orbit, keys");
   if (node.has("orbit")) return orbit(camera, node["orbit"].number(-any, any), frames);
   std::vector<Camera> keys;
-  for (const JsonNode& key : node["keys"].elements()) keys.push_back(read_camera(key));
+  for (const JsonNode& key : node["keys"].elements())
+    keys.push_back(camera_of_text(change, read_camera(key)));
   std::vector<Camera> path = at_place(node, [&] { return between_keys(keys, frames); });
   at_place(node, [&] { std::ranges::for_each(path, camera_frame); });
   return path;
@@ -102,12 +104,17 @@ std::string camera_text(const Camera& camera) {
 }
 
 Camera camera_of_text(std::string_view text, Camera camera) {
+  if (text.empty()) return camera;
   const auto words = keyed_words("--camera", text, keys);
   if (words.contains("fov") && words.contains("height"))
     throw InputError(
         "--camera: accepted: one of fov (a perspective camera) and height (an orthographic one)");
   for (const auto& [key, numbers] : words) set(camera, key, numbers);
   return camera;
+}
+
+bool sets_eye(std::string_view text) {
+  return !text.empty() && keyed_words("--camera", text, keys).contains("eye");
 }
 
 }  // namespace pellucid::scene

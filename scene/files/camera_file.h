@@ -16,9 +16,11 @@ namespace pellucid::scene {
 /// InputError for other keys and values, but not for a camera without a frame (camera_frame()).
 Camera read_camera(const JsonNode& node);
 
-/// Reads {"frames", "orbit" or "keys"}: an orbit starts at the camera. Throws InputError for other
-/// keys and values, and for a camera without a frame.
-std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera);
+/// Reads {"frames", "orbit" or "keys"}: an orbit starts at the camera; every key is changed by what
+/// `change` sets, as camera_of_text() takes it. Throws InputError for other keys and values, and
+/// for a camera without a frame.
+std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera,
+                                     std::string_view change);
 
 /// Returns the camera as a scene file has it.
 nlohmann::ordered_json camera_json(const Camera& camera);
@@ -34,5 +36,9 @@ std::string camera_text(const Camera& camera);
 /// and height (orthographic) one, which also says the projection. Throws InputError for another key
 /// and for what is no finite number; camera_frame() refuses what sees nothing.
 Camera camera_of_text(std::string_view text, Camera camera);
+
+/// Says whether such a text sets the eye. Throws InputError as camera_of_text() does for another
+/// key.
+bool sets_eye(std::string_view text);
 
 }  // namespace pellucid::scene

@@ -99,6 +99,17 @@ struct Loader {
     scene.camera.fov = asked.fov;
   }
 
+  /// Keys say where the camera is; what is asked of it beside that holds for each of them.
+  void check_path(const JsonNode& root) const {
+    if (!view.along_path || !root.has("camera_path") || !root["camera_path"].has("keys")) return;
+    const bool is_eye = sets_eye(view.camera);
+    if (is_eye || !view.view.empty())
+      throw InputError(fmt::format(
+          "{}: the keys of {}'s camera_path say where the camera is; accepted: --camera with "
+          "target, up, fov or height, which hold for each key, or --orbit in the place of the path",
+          is_eye ? "--camera eye" : "--view", source.file));
+  }
+
   const ViewDirection& direction() const {
     return view.view.empty() ? view_directions().front()
                              : find_row("view", view.view, view_directions());
@@ -135,6 +146,7 @@ struct Loader {
     read_view(root, scene);  // a wrong camera is refused before anything is integrated
     take_size();
     check_view();
+    check_path(root);
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
     if (!view.view.empty() || !root.has("camera"))
@@ -148,7 +160,8 @@ struct Loader {
     }
     take_camera();
     if (root.has("camera_path"))
-      scene.camera_path = read_camera_path(root["camera_path"], scene.camera);
+      scene.camera_path = read_camera_path(root["camera_path"], scene.camera,
+                                           view.along_path ? view.camera : std::string());
     place_halos(scene);
   }
 
@@ -215,6 +228,7 @@ void change_view(const nlohmann::json& text, Scene& scene) {
   view.objects = std::move(scene.objects);
   view.camera_path = std::move(scene.camera_path);
   view.provenance = std::move(scene.provenance);
+  if (root.has("camera")) view.provenance["camera"] = "given";
   scene = std::move(view);
   for (SceneObject& object : scene.objects) light(object, scene.lighting);
   place_halos(scene);

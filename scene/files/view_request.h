@@ -18,6 +18,7 @@ struct ViewRequest {
   std::optional<int> samples = std::nullopt;                    // per pixel and axis
   std::optional<Vec3> background = std::nullopt;  // red, green, blue in [0, 1]; of none: black
   bool without_background = false;                // colours are to be premultiplied by their alpha
+  bool along_path = false;                        // from the cameras of the file's camera_path
 };
 
 }  // namespace pellucid::scene

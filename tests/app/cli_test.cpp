@@ -241,6 +241,23 @@ TEST_F(UnitCommandLine, RendersFramesOfAPath) {
               HasSubstr("accepted: --opacities"));
 }
 
+/// What is asked of the camera holds for each key of a path, or is refused: never passed over.
+TEST_F(UnitCommandLine, ThePathsKeysTakeWhatIsAskedOfTheCamera) {
+  write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [24, 24],
+    "objects": [{"mesh": "sheet.ply"}], "camera_path": {"frames": 2, "keys":
+    [{"eye": [0, 0, 5], "fov": 30}, {"eye": [3, 0, 4], "fov": 40}]}})");
+  const std::string call = "frames " + scene().string() + " --quiet -m raytrace -o " +
+                           (folder_ / "frames").string() + " ";
+  const auto frame = [&](const char* name) { return read_text(folder_ / "frames" / name); };
+  ASSERT_EQ(run(call + "--camera target=0,0.25,0,fov=20").exit_code, 0);
+  EXPECT_THAT(frame("0000.png"), HasSubstr("eye=0,0,5,target=0,0.25,0,up=0,1,0,fov=20"));
+  EXPECT_THAT(frame("0001.png"), HasSubstr("eye=3,0,4,target=0,0.25,0,up=0,1,0,fov=20"));
+  for (const char* asked : {"--view +x", "--camera eye=0,0,9"})
+    EXPECT_THAT(refusal(call + asked), AllOf(HasSubstr("camera_path"), HasSubstr("--orbit")));
+  EXPECT_EQ(run(call + "--view +x --orbit 10 --frames 2").exit_code, 0);
+  EXPECT_EQ(run(render("raytrace") + " --view +x").exit_code, 0);  // which follows no path
+}
+
 /// Embree flushes denormal numbers while it builds a mesh's hierarchy; lines step by them.
 TEST_F(UnitCommandLine, ASceneAfterAnyOtherEqualsItselfAlone) {
   const std::vector<std::string> names = {"mesh", "lines", "points"};
@@ -277,6 +294,21 @@ TEST_F(UnitCommandLine, HelpAndVersionExitWithZero) {
        {"--help", "--version", "render --help", "study --help", "frames --help", "compare --help",
         "trace --help", "tune --help", "list --help"})
     EXPECT_EQ(run(arguments).exit_code, 0) << arguments;
+}
+
+TEST_F(UnitCommandLine, EveryCommandsHelpHasAnExample) {
+  std::istringstream help(run("--help").out);
+  std::string line;
+  while (std::getline(help, line) && !line.starts_with("Subcommands:")) {
+  }
+  int commands = 0;
+  while (std::getline(help, line) && line.starts_with("  ")) {
+    const std::string name = line.substr(2, line.find(' ', 2) - 2);
+    if (name.empty()) continue;  // a description's second line
+    EXPECT_THAT(run(name + " --help").out, HasSubstr("Example")) << name;
+    ++commands;
+  }
+  EXPECT_GT(commands, 10);
 }
 
 TEST_F(UnitCommandLine, OneThreadGivesTheSamePicture) {

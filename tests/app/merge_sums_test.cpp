@@ -88,6 +88,31 @@ TEST_F(UnitMergeSums, WithoutAPartItIsOfTheWhole) {
   EXPECT_EQ(image("merged.exr").pixels, image("whole.exr").pixels);
 }
 
+TEST_F(UnitMergeSums, WithoutABackgroundItHasNoneEither) {
+  const std::string none = " --background none";
+  for (const std::string method : {"weighted-blended", "fourier:bands=3"}) {
+    const std::string files = draw(method, "part", none);
+    for (const std::string ending : {".exr", ".png"}) {
+      ASSERT_EQ(run(render(method, "whole" + ending) + none).exit_code, 0);
+      ASSERT_EQ(merge(files, "-o " + path("merged" + ending)).exit_code, 0);
+    }
+    EXPECT_THAT(read_text(path("merged.exr")), HasSubstr("premultiplied by A"));
+    EXPECT_LE(testing::largest_difference(image("merged.exr"), image("whole.exr")), 2e-3);
+    EXPECT_EQ(image("merged.png").at(0, 0).a, image("whole.png").at(0, 0).a) << method;
+    EXPECT_LT(image("merged.png").at(0, 0).a, 1);
+  }
+}
+
+/// Without --totals it is refused, and the sums are not left behind.
+TEST_F(UnitMergeSums, ARefusedMergeLeavesNoSums) {
+  const std::string first = draw("fourier:bands=3", "first");
+  ASSERT_EQ(merge(first, "--partial " + path("totals.exr")).exit_code, 0);
+  const std::string second = draw("fourier:bands=3", "second", "--totals " + path("totals.exr"));
+  EXPECT_THAT(refusal("merge " + second + " --quiet -o " + path("m.exr") + " --partial " +
+                      path("left.exr")),
+              HasSubstr("--totals"));
+}
+
 TEST_F(UnitMergeSums, WrongCallsAreRefused) {
   EXPECT_THAT(refusal(render_part("tree", "1/2", "p.exr")),
               AllOf(HasSubstr("--partial: the method is 'tree'"), HasSubstr("weighted-sum")));

@@ -47,6 +47,38 @@ TEST_F(UnitMerge, IsThePictureOfTheWholeScene) {
   EXPECT_GT(json.at("fragments"), 100);
 }
 
+/// None is no colour, whoever composites: the file is the whole's, channels and texts included.
+TEST_F(UnitMerge, WithoutABackgroundItIsThePictureOfTheWholeToo) {
+  const std::string none = " --background none";
+  for (const std::string part : {"1", "2"})
+    ASSERT_EQ(run(render_part(part + "/2", part + ".exr", none)).exit_code, 0);
+  for (const std::string ending : {".exr", ".png"}) {
+    ASSERT_EQ(run(render("raytrace", "whole" + ending) + none).exit_code, 0);
+    ASSERT_EQ(run("merge " + path("1.exr") + ' ' + path("2.exr") + " --quiet -o " +
+                  path("merged" + ending))
+                  .exit_code,
+              0);
+    EXPECT_EQ(read_text(path("merged" + ending)), read_text(path("whole" + ending))) << ending;
+    ASSERT_EQ(run(render_part("1/1", "all.npz", none + " -o " + path("all" + ending))).exit_code,
+              0);
+    EXPECT_EQ(read_text(path("all" + ending)), read_text(path("whole" + ending))) << ending;
+  }
+  EXPECT_EQ(nlohmann::json::parse(run("info --json " + path("1.exr")).out).at("background"),
+            "none");
+  ASSERT_EQ(run(render_part("2/2", "black.exr", "--background black")).exit_code, 0);
+  EXPECT_THAT(
+      refusal("merge " + path("1.exr") + ' ' + path("black.exr") + " --quiet -o " + path("m.exr")),
+      HasSubstr("its background is 0,0,0, of " + path("1.exr") + " it is none"));
+}
+
+TEST_F(UnitMerge, WhatIsForNumPyIsNotCalledDamaged) {
+  ASSERT_EQ(run(render_part("1/2", "1.exr")).exit_code, 0);
+  ASSERT_EQ(run(render_part("2/2", "2.npz")).exit_code, 0);
+  EXPECT_THAT(
+      refusal("merge " + path("1.exr") + ' ' + path("2.npz") + " --quiet -o " + path("m.exr")),
+      HasSubstr("2.npz: .npz is not merged; accepted: .exr"));
+}
+
 TEST_F(UnitMerge, APartIsDrawnAndCounted) {
   const Outcome outcome = run(render_part("1/1", "all.npz", "--json -o " + path("all.exr")));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -24,11 +24,11 @@ class UnitRenderOutputs : public UnitCommandLine {
 TEST_F(UnitRenderOutputs, PicturesSayWhatTheyAreOf) {
   for (const char* name : {"a.exr", "a.png"}) {
     drawn("--camera eye=0.125,0,5", name);
-    EXPECT_THAT(read_text(folder_ / name),
-                AllOf(HasSubstr("Software"), HasSubstr("pellucid "), HasSubstr("scene"),
-                      HasSubstr("raytrace"), HasSubstr("eye=0.125,0,5"),
-                      HasSubstr("over the background 1, 1, 1; A = 1 - transmittance"),
-                      Not(HasSubstr(folder_.path().string()))))
+    EXPECT_THAT(
+        read_text(folder_ / name),
+        AllOf(HasSubstr("Software"), HasSubstr("pellucid "), HasSubstr("scene"),
+              HasSubstr("raytrace"), HasSubstr("eye=0.125,0,5"),
+              HasSubstr("over the background 1, 1, 1; "), Not(HasSubstr(folder_.path().string()))))
         << name;
   }
 }
@@ -82,6 +82,68 @@ TEST_F(UnitRenderOutputs, TwoOutputsOfOneFileAreRefused) {
       0);
 }
 
+TEST_F(UnitRenderOutputs, ARefusedCallLeavesNoFile) {
+  const std::string more =
+      " --samples 2 --probe 1,1 --probe-out " + file("p.json") + " --sums " + file("s.exr");
+  EXPECT_THAT(refusal(render("raytrace") + more + " --deep " + file("d.exr")), HasSubstr("--deep"));
+  const std::string refused = "raytrace:adaptive=2";  // once it sees how many samples are taken
+  EXPECT_THAT(refusal(render(refused) + more), HasSubstr("adaptive=2"));
+  EXPECT_THAT(refusal("frames " + scene().string() + " --quiet -m " + refused +
+                      " --samples 2 --orbit 9 --frames 2 -o " + file("frames")),
+              HasSubstr("adaptive=2"));
+}
+
+TEST_F(UnitRenderOutputs, AnExplanationIsPartOfTheJson) {
+  const Outcome outcome = run(render("raytrace") + " --json --explain");
+  const auto lines = nlohmann::json::parse(outcome.out).at("explanation");
+  EXPECT_THAT(lines.at(0).get<std::string>(), HasSubstr("camera: eye="));
+  EXPECT_GT(lines.size(), 2u);
+  const std::string printed = run(render("raytrace") + " --explain").out;
+  for (const auto& line : lines) EXPECT_THAT(printed, HasSubstr(line.get<std::string>() + "\n"));
+}
+
+/// A reader of JSON may count on a number, a text or null: null is what is not known.
+TEST_F(UnitRenderOutputs, AnInfinitePsnrIsNotUnknown) {
+  drawn("");
+  const Outcome outcome = run("compare " + file("a.exr") + " " + file("a.exr") + " --json");
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("psnr"), "inf");
+  EXPECT_EQ(json.at("displayed").at("psnr"), "inf");
+  EXPECT_TRUE(json.at("ms_ssim").is_null());  // the picture is too small
+}
+
+TEST_F(UnitRenderOutputs, EndingsMayBeInCapitalLetters) {
+  drawn("--layers " + file("n.EXR"), "A.EXR");
+  drawn("", "a.exr");
+  EXPECT_EQ(read_text(folder_ / "A.EXR"), read_text(folder_ / "a.exr"));
+  EXPECT_EQ(compare::read_counts(folder_ / "n.EXR").at(48, 60), 1u);
+  drawn("--deep " + file("D.EXR"), "B.PNG");
+}
+
+/// Where it stands: what was printed there before stays.
+TEST_F(UnitRenderOutputs, TheStandardOutputIsAFileToWriteTo) {
+  const std::string stats = render("raytrace") + " --json --stats /dev/stdout";
+  const std::string text = run(stats).out;  // of two equal halves
+  EXPECT_EQ(text.substr(0, text.size() / 2), text.substr(text.size() / 2));
+  EXPECT_TRUE(nlohmann::json::accept(text.substr(0, text.size() / 2)));
+  const std::string piped = run(stats + " | cat").out;
+  EXPECT_EQ(std::count(piped.begin(), piped.end(), '\n'),
+            std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_F(UnitRenderOutputs, TextsThatSayNothingAreRefused) {
+  for (const char* option : {"--camera", "--view", "--opacities", "--background", "--stats"})
+    EXPECT_THAT(refusal(render("raytrace") + " " + option + " ''"), HasSubstr(option)) << option;
+  const std::string wrong = refusal(render("raytrace") + " --background '#12'");
+  EXPECT_THAT(wrong, AllOf(HasSubstr("'#12'; accepted: #rrggbb, #rgb"), Not(HasSubstr("aa"))));
+  EXPECT_THAT(refusal(render("raytrace") + " --background '#11223344'"),
+              HasSubstr("has an opacity"));
+  write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "objects": [{"dataset":
+    "stack:layers=1", "importance": 0.5, "opacity": {"by": "importance", "opacities": [0, 1]}}]})");
+  EXPECT_THAT(refusal(render("raytrace")),
+              AllOf(HasSubstr("unknown scalar 'importance'"), Not(HasSubstr("known: \n"))));
+}
+
 TEST_F(UnitRenderOutputs, OpacitiesThatAFileDoesNotHaveAreNotCompared) {
   drawn("");
   drawn("", "a.png");
@@ -104,6 +166,28 @@ TEST_F(UnitRenderOutputs, FramesKnowWhatTheReferenceCovers) {
           "--orbit 10 --frames 2 --reference raytrace -o " + file("frames"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, ContainsRegex("\"ssim_covered\": (1|0\\.9)"));
+}
+
+/// Probes are pixels of the first view: what they measure is that view's, however many there are.
+TEST_F(UnitRenderOutputs, WhatProbesMeasureIsOfTheFirstView) {
+  const auto measures = [&](const std::string& views) {
+    write_text(folder_ / "study.json",
+               R"({"format": "pellucid-study", "version": 1, "scenes": ["scene.json"], "repeats": 1,
+                   "reference": "raytrace", "methods": ["fourier:bands=7"],
+                   "probes": {"scene": [[48, 60]]}, "views": )" +
+                   views + "}");
+    const Outcome outcome = run("study " + file("study.json") + " --quiet -o " + file("out"));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::map<std::string, double> found;
+    const auto json = nlohmann::json::parse(read_text(folder_ / "out/results.json"));
+    for (const auto& measure : json.at("rows").at(1).at("measures"))
+      if (measure.at("unit") == "%") found[measure.at("name")] = measure.at("value");
+    return found;
+  };
+  const std::string front = R"({"eye": [0, 0, 5]})", side = R"({"eye": [4.5, 0, 2]})";
+  const auto one = measures("[" + front + "]");
+  EXPECT_TRUE(one.contains("optical_depth_term_5"));
+  EXPECT_EQ(measures("[" + front + ", " + side + "]"), one);
 }
 
 /// From the side the sheet is narrower than from the front.

@@ -118,6 +118,33 @@ TEST_F(UnitStudyCells, WhatIsMissingOrFailedIsOneLineAndExitCodeOne) {
                         "scene/fourier:bands=2; 1 of 4 cells failed, the first: scene/theirs: "));
 }
 
+/// Pictures, layers and maps: whatever a row of the table was made of.
+TEST_F(UnitStudyCells, ACellThatHasLostAFileIsNotFinished) {
+  const auto unfinished = [&] {
+    std::string names;
+    for (const std::string& line : split(run(study("--plan")).out, '\n'))
+      if (const auto cell = nlohmann::json::parse(line); !cell["done"])
+        names += cell["cell"].get<std::string>();
+    return names;
+  };
+  ASSERT_EQ(run(study("--quiet")).exit_code, 0);
+  EXPECT_EQ(unfinished(), "");
+  const fs::path images = folder_ / "cells/images/scene";
+  const std::string fourier = "fourier-bands-1.view-2";
+  int lost = 0;
+  for (const auto& [name, bytes] : files_below(images)) {
+    if (!name.starts_with(fourier)) continue;
+    fs::remove(images / name);
+    EXPECT_EQ(unfinished(), "scene/fourier:bands=1") << name;
+    write_text(images / name, bytes);
+    ++lost;
+  }
+  EXPECT_EQ(lost, 5);  // two pictures, layers, two maps
+  fs::remove(images / "raytrace.layers.exr");
+  ASSERT_EQ(run(study("--quiet --resume")).exit_code, 0);
+  EXPECT_TRUE(fs::exists(images / "raytrace.layers.exr"));
+}
+
 TEST_F(UnitStudyCells, OneWayAtATime) {
   EXPECT_THAT(refusal(study("--plan --collect")), HasSubstr("--plan"));
   EXPECT_THAT(refusal(study("--cell scene/raytrace --only x")), HasSubstr("--only"));

@@ -155,3 +155,15 @@ def test_junk_is_refused(tmp_path, monkeypatch):
             except RuntimeError as error:
                 assert any(isinstance(a, Hostile) for a in arguments), (function, arguments, error)
     assert refused > 300
+
+
+def test_masked_values_are_not_dropped_in_silence():
+    triangle = np.ma.masked_array(TRIANGLE, mask=[[0, 0, 0], [0, 1, 0], [0, 0, 0]])
+    picture = np.ma.masked_less(np.zeros((4, 4, 3), dtype=np.float32), 1)
+    scene = pellucid.load_scene({"objects": [{"mesh": sheet(0, (0, 0, 0, 1))}]})
+    for call in (lambda: pellucid.Points(triangle), lambda: pellucid.compare(picture, picture.data),
+                 lambda: pellucid.compare(picture.data, picture.data, mask=picture[..., 0]),
+                 lambda: setattr(scene, "background", np.ma.masked_array([0.0, 0.5, 1.0], mask=[1, 0, 0]))):
+        with pytest.raises(pellucid.InputError, match="masked"):
+            call()
+    assert len(pellucid.Points(np.ma.masked_array(TRIANGLE)).vertices) == 3  # nothing is masked

@@ -127,11 +127,18 @@ def test_the_rows_are_those_of_the_table(study):
     assert len(results.rows) == len(written) == 2
     for row, line in zip(results.rows, written):
         assert row["scene"] == line["scene"] == "one" and row["method"] == line["method"]
-        for name in set(row) & set(line) - {"scene", "method", "parameters", "error", "reference"}:
+        for name in set(row) & set(line) - {"scene", "method", "parameters", "error"}:
             assert (line[name] == "") == (row[name] is None), name
             if row[name] is not None and math.isfinite(row[name]):
                 assert float(line[name]) == pytest.approx(row[name], rel=1e-5), name
     assert (folder / "out/report.html").exists() and results.folder == str(folder / "out")
+
+
+def test_rows_have_the_columns_of_the_table_and_no_other(study):
+    folder, results = study
+    with open(folder / "out/results.csv", newline="") as file:
+        columns = set(csv.DictReader(file).fieldnames)
+    assert all(set(row) == columns for row in results.rows)
 
 
 def test_rows_become_a_data_frame(study):

@@ -151,3 +151,20 @@ def test_a_change_while_another_thread_renders_is_refused_or_waits():
             assert "another thread" in str(error)
     thread.join()
     assert pictures[0].layers.sum() == before
+
+
+def test_saved_pictures_say_what_they_are_of(tmp_path):
+    scene = stack([0.5])
+    scene.render("weighted-average").save(tmp_path / "a.exr")
+    text = (tmp_path / "a.exr").read_bytes()
+    assert all(word in text for word in (b"Software", b"weighted-average", b"Camera", b"A = 1 - transmittance"))
+
+
+def test_stats_are_those_of_the_program(tmp_path):
+    scene = write_scene(tmp_path, [sheet(0, (0.5, 0.2, 0.1, 0.5))])
+    subprocess.run([PROGRAM, "render", tmp_path / "scene.json", "-m", "raytrace", "-o", tmp_path / "a.exr", "--quiet",
+                    "--stats", tmp_path / "a.json"], check=True, capture_output=True)
+    written = json.loads((tmp_path / "a.json").read_text())
+    stats = pellucid.load_scene(tmp_path / "scene.json").render("raytrace").stats
+    assert set(stats) == set(written) and stats["view"] == written["view"]
+    assert stats["view"]["resolution"] == scene["resolution"]

@@ -18,6 +18,7 @@ namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -162,7 +163,7 @@ TEST_F(UnitRunChanges, APixelIsFound) {
   const fs::path file = folder_ / "after" / "images" / "two" / "shifted-by-0.5.exr";
   Image image = read_image(file);
   image.at(4, 7).b += 0.125f;
-  write_image(file, image);
+  write_image(file, image, {});
   const RunChanges all = changes();
   EXPECT_TRUE(all.differ(false));
   EXPECT_THAT(lines_of(all),
@@ -202,6 +203,15 @@ TEST_F(UnitRunChanges, CellsComeGoAndFail) {
               ElementsAre("one/shifted:by=0.5: missing", "one/exact-shifted: changed",
                           "  Outcome: done → no memory, worse", "one/shifted:by=0.75: new",
                           "4 of 7 cells are the same"));
+}
+
+/// A command that fails on either side is another failure, and no worse.
+TEST_F(UnitRunChanges, OneErrorIsNoWorseThanAnother) {
+  PastRun before = read_past_run(folder_ / "results"), after = read_past_run(folder_ / "after");
+  before.rows[2].error = "no time";
+  after.rows[2].error = "no memory";
+  const RunChanges both = compare_runs(before, after);
+  EXPECT_THAT(lines_of(both), Contains("  Outcome: no time → no memory"));
 }
 
 TEST_F(UnitRunChanges, OtherInputsAreTheCause) {

@@ -285,7 +285,7 @@ TEST_F(UnitVerdict, NamesOpacitiesThatEndBelowOne) {
 TEST(UnitConform, TakesPicturesFromAFolderAndTellsWhichAreMissing) {
   const TemporaryFolder folder;
   for (const ConformanceCase& c : conformance_cases())
-    if (c.name == "layers-1") write_image(folder / "layers-1.png", expected_picture(c));
+    if (c.name == "layers-1") write_image(folder / "layers-1.png", expected_picture(c), {});
   const auto results = conform({.call = {}, .pictures = folder.path(), .only = "layers-1*"});
   ASSERT_EQ(results.size(), 5u);
   EXPECT_TRUE(results[0].verdict.passed);

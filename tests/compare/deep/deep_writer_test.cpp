@@ -33,7 +33,7 @@ class UnitDeepWriter : public ::testing::Test {
  protected:
   static void write(const scene::Scene& scene, const groundtruth::RayProbe& probe,
                     const std::filesystem::path& path) {
-    DeepOutputs outputs(deep_info(scene, {}, "f"), {}, path);
+    DeepOutputs outputs(deep_info(scene, {}, {"f", "", false}), {}, path);
     trace_deep(scene, probe, [&](int y, const DeepRow& row) { outputs.take(y, row); }, {});
     outputs.commit();
   }
@@ -111,7 +111,7 @@ TEST_F(UnitDeepWriter, ExrSaysWhatItIsOf) {
   const auto* text = file.header().findTypedAttribute<Imf::StringAttribute>("pellucid");
   ASSERT_NE(text, nullptr);
   const DeepInfo info = deep_info_of("deep.exr", text->value());
-  EXPECT_EQ(info, deep_info(scene, {}, "f"));
+  EXPECT_EQ(info, deep_info(scene, {}, {"f", "", false}));
   EXPECT_EQ(info.opaque, (std::vector<int>{0, 1}));
   EXPECT_EQ(info.background, scene.background);
 }

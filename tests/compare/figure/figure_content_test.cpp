@@ -120,7 +120,7 @@ TEST(UnitFigureContent, WithoutACropTheMostDifferentPartIsEnlarged) {
   FigureRun run;
   Image spot = testing::ramp(40, 20, 0.25f);
   spot.at(33, 12).b = 0.75f;
-  write_image(run.picture(1), spot);
+  write_image(run.picture(1), spot, {});
   FigureRequest request = of_methods({"truth,near"});
   request.scenes = {"a"};
   const std::vector<Crop> crops = read_figure(run.run(), request).strips[0].crops;
@@ -163,7 +163,7 @@ TEST(UnitFigureContent, WhatIsWrongIsNamed) {
 
 TEST(UnitFigureContent, MissingPicturesAndOthersOfAnotherSizeAreNamed) {
   FigureRun run;
-  write_image(run.picture(1), testing::ramp(39, 20, 0));
+  write_image(run.picture(1), testing::ramp(39, 20, 0), {});
   EXPECT_THAT(refusal(run, {}), AllOf(HasSubstr("near.exr: 39×20"), HasSubstr("40×20")));
   std::filesystem::remove(run.picture(1));
   EXPECT_THAT(refusal(run, {}), HasSubstr("near.exr: is missing"));

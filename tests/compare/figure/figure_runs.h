@@ -48,7 +48,7 @@ class FigureRun {
     added.bytes = {{"list", 2000000}};
     const CellFiles files(run_.folder, added);
     files.make_folders();
-    write_image(files.picture(), ramp(scene == "a" ? 40 : 20, 20, blue));
+    write_image(files.picture(), ramp(scene == "a" ? 40 : 20, 20, blue), {});
   }
 
   pellucid::testing::TemporaryFolder folder_;

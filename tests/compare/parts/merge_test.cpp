@@ -35,7 +35,7 @@ class DeepFolder {
   fs::path write(const scene::Scene& scene, const scene::PartNumber& number,
                  const std::string& name) const {
     const groundtruth::ScenePart part = groundtruth::take_part(scene, number);
-    DeepOutputs outputs(deep_info(scene, number, fingerprint), {}, folder_ / name);
+    DeepOutputs outputs(deep_info(scene, number, {fingerprint, "", false}), {}, folder_ / name);
     trace_deep(part.scene, groundtruth::RayProbe(part),
                [&](int y, const DeepRow& row) { outputs.take(y, row); }, {});
     outputs.commit();
@@ -154,7 +154,7 @@ TEST_F(UnitMergeRefuses, PartsThatAreNotAllThereOnce) {
 }
 
 TEST_F(UnitMergeRefuses, PartsOfAnotherBuild) {
-  DeepInfo info = deep_info(scene_, {3, 3}, "f");
+  DeepInfo info = deep_info(scene_, {3, 3}, {"f", "", false});
   const std::unique_ptr<DeepWriter> rows = [&] {
     info.build = "another";
     return make_deep_writer(parts_[0], info);
@@ -174,10 +174,10 @@ TEST_F(UnitMergeRefuses, FilesThatAreCutOff) {
 }
 
 TEST_F(UnitMergeRefuses, FilesThatAreNoDeepPictures) {
-  write_image(folder_.folder_ / "flat.exr", Image(8, 8));
+  write_image(folder_.folder_ / "flat.exr", Image(8, 8), {});
   EXPECT_THAT(refusal({folder_.folder_ / "flat.exr"}),
               HasSubstr("flat.exr: cannot read the picture: it is not deep"));
-  write_image(folder_.folder_ / "flat.png", Image(8, 8));
+  write_image(folder_.folder_ / "flat.png", Image(8, 8), {});
   EXPECT_THAT(refusal({folder_.folder_ / "flat.png"}), HasSubstr("flat.png"));
   EXPECT_THAT(refusal({folder_.folder_ / "none.exr"}), HasSubstr("none.exr: cannot read"));
   folder_.write(scene_, {}, "whole.npz");
@@ -185,7 +185,7 @@ TEST_F(UnitMergeRefuses, FilesThatAreNoDeepPictures) {
 }
 
 TEST_F(UnitMergeRefuses, ADepthThatIsNone) {
-  const auto writer = make_deep_writer(parts_[0], deep_info(scene_, {3, 3}, "f"));
+  const auto writer = make_deep_writer(parts_[0], deep_info(scene_, {3, 3}, {"f", "", false}));
   for (int y = 0; y < 8; ++y)
     writer->add(
         {std::vector<std::uint32_t>(8, 1), std::vector<DeepLayer>(8, DeepLayer{std::nan("")})});

@@ -38,7 +38,7 @@ TEST(UnitImageFile, ExrKeepsEveryBit) {
   const TemporaryFolder folder;
   for (const auto& [width, height] : {std::pair(7, 5), std::pair(1, 1), std::pair(64, 33)}) {
     const Image image = colourful(width, height);
-    write_image(folder / "a.exr", image);
+    write_image(folder / "a.exr", image, {});
     const Image back = read_image(folder / "a.exr");
     EXPECT_EQ(back.width, width);
     EXPECT_EQ(back.pixels, image.pixels);
@@ -52,7 +52,7 @@ TEST(UnitImageFile, PngHoldsTheNearestBytesWithoutATransferCurve) {
     image.at(n, 0) = Rgba((float(n) + 0.4f) / 255.f);
     image.at(n, 1) = Rgba((float(n) - 0.4f) / 255.f);
   }
-  write_image(folder / "a.png", image);
+  write_image(folder / "a.png", image, {});
   const Image back = read_image(folder / "a.png");
   for (int n = 0; n < 256; ++n) {
     EXPECT_FLOAT_EQ(back.at(n, 0).g, float(n) / 255.f);
@@ -73,9 +73,9 @@ TEST(UnitImageFile, CountsSurvive) {
   CountImage counts(9, 4);
   for (std::size_t i = 0; i < counts.pixels.size(); ++i)
     counts.pixels[i] = std::uint32_t(i * 100003);
-  write_counts(folder / "n.exr", counts);
+  write_counts(folder / "n.exr", counts, {});
   EXPECT_EQ(read_counts(folder / "n.exr").pixels, counts.pixels);
-  write_counts(folder / "n.png", counts);
+  write_counts(folder / "n.png", counts, {});
   EXPECT_EQ(read_image(folder / "n.png").at(1, 0).r, 1);  // 100003 layers are shown as 255
 }
 
@@ -84,16 +84,16 @@ TEST(UnitImageFile, WrongFilesAreNamed) {
   EXPECT_THAT(input_error([&] { read_image(folder / "none.exr"); }), HasSubstr("none.exr"));
   write_text(folder / "text.png", "not a picture");
   EXPECT_THAT(input_error([&] { read_image(folder / "text.png"); }), HasSubstr("text.png"));
-  EXPECT_THAT(input_error([&] { write_image(folder / "a.bmp", Image(2, 2)); }),
+  EXPECT_THAT(input_error([&] { write_image(folder / "a.bmp", Image(2, 2), {}); }),
               HasSubstr("accepted: .exr, .png"));
-  EXPECT_THAT(input_error([&] { write_image(folder / "no/such/a.png", Image(2, 2)); }),
+  EXPECT_THAT(input_error([&] { write_image(folder / "no/such/a.png", Image(2, 2), {}); }),
               HasSubstr("a.png"));
 }
 
 TEST(PropertyImageFile, NoTruncationIsReadAsAPicture) {
   const TemporaryFolder folder;
   for (const char* name : {"a.exr", "a.png"}) {
-    write_image(folder / name, colourful(40, 30));
+    write_image(folder / name, colourful(40, 30), {});
     const std::string whole = read_text(folder / name);
     for (std::size_t part = 0; part < 16; ++part) {
       write_text(folder / ("cut-" + std::string(name)), whole.substr(0, whole.size() * part / 16));
@@ -106,8 +106,8 @@ TEST(PropertyImageFile, NoTruncationIsReadAsAPicture) {
 
 TEST(PropertyImageFile, NothingIsLeftBesideAPicture) {
   const TemporaryFolder folder;
-  write_image(folder / "a.png", Image(3, 3));
-  write_image(folder / "a.exr", Image(3, 3));
+  write_image(folder / "a.png", Image(3, 3), {});
+  write_image(folder / "a.exr", Image(3, 3), {});
   const std::filesystem::directory_iterator files(folder.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 2);
 }

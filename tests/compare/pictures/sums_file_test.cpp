@@ -72,7 +72,7 @@ class UnitSumsFile : public ::testing::Test {
 TEST_F(UnitSumsFile, HoldsAChannelForEachSum) {
   const scene::Scene scene = half_a_stack(1);
   const auto path = folder_ / "sums.exr";
-  write_sums(path, groundtruth::picture_sums(scene, groundtruth::RayProbe(scene), {}));
+  write_sums(path, groundtruth::picture_sums(scene, groundtruth::RayProbe(scene), {}), {});
   const readers::PictureFile file = readers::read_picture_file(path);
   std::map<std::string, std::span<const float>> values;
   for (const Block& channel : file.channels) values[channel.name] = channel.values<float>();
@@ -88,8 +88,8 @@ TEST_F(UnitSumsFile, HoldsAChannelForEachSum) {
 
 TEST_F(UnitSumsFile, RefusesAnotherEndingAndLeavesNothing) {
   const Raster<groundtruth::PixelSums> sums(2, 2);
-  EXPECT_THROW(write_sums(folder_ / "sums.png", sums), InputError);
-  EXPECT_THROW(write_sums(folder_ / "missing" / "sums.exr", sums), InputError);
+  EXPECT_THROW(write_sums(folder_ / "sums.png", sums, {}), InputError);
+  EXPECT_THROW(write_sums(folder_ / "missing" / "sums.exr", sums, {}), InputError);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 

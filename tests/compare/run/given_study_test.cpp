@@ -34,7 +34,7 @@ class UnitGivenStudy : public ::testing::Test {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) image.at(x, y) = Rgba(float(x * y % 64) / 128.f - by);
-    write_image(folder_ / (scene + ".exr"), image);
+    write_image(folder_ / (scene + ".exr"), image, {});
   }
 
   /// Why a study of these methods is refused.
@@ -186,7 +186,7 @@ TEST_F(UnitGivenStudy, WhatLooksWrongIsSaidInTheTablesAndKept) {
   Image image = read_image(folder_ / "one.exr");
   std::reverse(image.pixels.begin(), image.pixels.end());
   for (Rgba& p : image.pixels) p += 0.125f;
-  write_image(folder_ / "one.exr", image);
+  write_image(folder_ / "one.exr", image, {});
   const std::string entry = R"([{"picture": "{scene}.exr", "name": "theirs"}])";
   for (const bool resume : {false, true}) {
     const StudyOutcome outcome = run(folder_, entry, resume);

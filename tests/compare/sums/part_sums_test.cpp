@@ -42,7 +42,7 @@ class FromParts {
           call.row->make(part.scene, call.parameters, {.depths = &part.whole.depths});
       scene::PartialSums* const sums = renderer->partial_sums();
       phases_ = sums->phases();
-      const DeepInfo of = deep_info(part.scene, part.whole.part, "f");
+      const DeepInfo of = deep_info(part.scene, part.whole.part, {"f", "", false});
       adder.add("part", {{of, "", call.text(), phase, phases_, part.whole.depths},
                          sums->sum(phase - 1, earlier),
                          sums->behind()});
