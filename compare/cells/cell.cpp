@@ -60,10 +60,10 @@ std::vector<std::string> names_of_made(const CellFiles& files, const ResultRow& 
   return names;
 }
 
-/// A row that has lost a file is not finished, nor is one of a build that kept no list of them.
+/// A row that has lost a file is not finished. Builds before this one kept no list of them.
 bool is_complete(const CellFiles& files, const ResultRow& row, const json& made) {
-  if (!made.is_array() || !fs::exists(files.picture()) || !fs::exists(files.preview()))
-    return false;
+  if (!fs::exists(files.picture()) || !fs::exists(files.preview())) return false;
+  if (made.is_null()) return true;
   const std::vector<std::string> there = names_of_made(files, row);
   return std::ranges::all_of(made, [&](const json& name) {
     return std::ranges::find(there, name.get<std::string>()) != there.end();
