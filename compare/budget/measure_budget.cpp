@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <numeric>
+#include <set>
 
 #include "compare/budget/budget_stages.h"
 #include "compare/budget/split_error.h"
@@ -54,7 +57,8 @@ class BudgetDrawing {
 
   SplitError split() {
     const StageOrder order = stage_order();
-    for (const StageSet set : sets_to_draw(order)) pictures_.emplace(set, draw(plan_of(set)));
+    for (const StageSet set : sets_to_draw(order)) draw(set);
+    time_pictures(sets_to_time(order));
     SplitError result = split_error(order, pictures_);
     result.budget.lines = lines_with(result.budget.lines);
     return result;
@@ -82,32 +86,82 @@ class BudgetDrawing {
     return plan;
   }
 
-  DrawnPicture draw(const DrawPlan& plan) {
+  /// Its first picture warms the renderer up.
+  void draw(StageSet set) {
+    const DrawPlan plan = plan_of(set);
     MadeScene& made = scene_of(plan);
     made.scene.samples = plan.samples;
-    const Stopwatch watch;
-    const auto renderer = plan.call.row->make(made.scene, plan.call.parameters, context_);
-    Image image = renderer->render({}).image;
+    Drawing drawing{&made, plan.samples, {}, {}};
+    drawing.renderer = plan.call.row->make(made.scene, plan.call.parameters, context_);
+    Image image = drawing.renderer->render({}).image;
     if (plan.displayed) image = displayed_values(image);
-    return {std::move(image), made.seconds + watch.seconds()};
+    pictures_[set].image = std::move(image);
+    pictures_[set].scene = made.number;
+    drawings_.emplace(set, std::move(drawing));
+  }
+
+  /// As rows are timed: in turn, so that what disturbs the machine for a while disturbs all.
+  void time_pictures(const std::set<StageSet>& timed) {
+    std::erase_if(drawings_, [&](const auto& entry) { return !timed.contains(entry.first); });
+    for (int round = 0; round < rule.max; ++round)
+      for (auto& [set, drawing] : drawings_) drawing.time_once();
+    for (auto& [set, drawing] : drawings_) {
+      pictures_[set].drawing = spread_of(drawing.seconds, rule);
+      pictures_[set].making = time_of_making(plan_of(set));
+    }
+  }
+
+  Spread time_of_making(const DrawPlan& plan) {
+    MadeScene& made = scene_of(plan);
+    while (has_time(made.seconds)) {
+      const Stopwatch watch;
+      load(plan);
+      made.seconds.push_back(watch.seconds());
+    }
+    return spread_of(made.seconds, rule);
+  }
+
+  /// As few times as have an interval.
+  static constexpr TimingRule rule = {5, 5};
+  /// What takes so many seconds is timed no more, and has no interval if it was timed too seldom.
+  static constexpr double long_enough = 10;
+
+  static bool has_time(const std::vector<double>& seconds) {
+    return int(seconds.size()) < rule.max &&
+           std::accumulate(seconds.begin(), seconds.end(), 0.0) < long_enough;
   }
 
   /// A MadeScene is a scene with the seconds that making it took.
   struct MadeScene {
     scene::Scene scene;
-    double seconds = 0;
+    std::size_t number;
+    std::vector<double> seconds;
   };
 
-  /// Every geometry is made once, and with it its time is measured once.
+  /// A Drawing is a picture that is drawn again and again.
+  struct Drawing {
+    MadeScene* made;
+    scene::PixelSampling samples;
+    std::unique_ptr<scene::Renderer> renderer;
+    std::vector<double> seconds;
+
+    void time_once() {
+      if (!has_time(seconds)) return;
+      made->scene.samples = samples;  // which pictures of the same scene have changed
+      seconds.push_back(renderer->render({}).stats.seconds());
+    }
+  };
+
+  /// Every geometry is made once for all its pictures.
   MadeScene& scene_of(const DrawPlan& plan) {
     const std::string key =
         plan.scene.dump() + (plan.opacities ? plan.opacities->text() : std::string());
     const auto found = scenes_.find(key);
     if (found != scenes_.end()) return found->second;
     const Stopwatch watch;
-    MadeScene made{load(plan)};
-    made.seconds = watch.seconds();
-    return scenes_.emplace(key, std::move(made)).first->second;
+    scene::Scene made = load(plan);
+    return scenes_.emplace(key, MadeScene{std::move(made), scenes_.size(), {watch.seconds()}})
+        .first->second;
   }
 
   scene::Scene load(const DrawPlan& plan) const {
@@ -143,6 +197,7 @@ class BudgetDrawing {
   std::vector<ActiveStage> active_;
   std::map<StageSet, DrawnPicture> pictures_;
   std::map<std::string, MadeScene> scenes_;
+  std::map<StageSet, Drawing> drawings_;  // of the scenes, which outlive them
 };
 
 /// A mean of 256 samples in float may be off by some steps of 2^-24.

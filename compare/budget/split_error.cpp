@@ -75,6 +75,25 @@ Raster<double> amounts_of(const Difference& d) {
   return amounts;
 }
 
+/// What a picture takes beyond making the scene, if that costs another picture the same; nothing
+/// where a time has no interval.
+std::optional<Interval> time_interval(const DrawnPicture& picture, bool with_scene) {
+  const std::optional<Interval>&drawing = picture.drawing.interval,
+        &making = picture.making.interval;
+  if (!with_scene || !drawing) return drawing;
+  if (!making) return std::nullopt;
+  return Interval{drawing->low + making->low, drawing->high + making->high};
+}
+
+/// How much longer `b` takes; NaN where that is not told from chance.
+double seconds_between(const DrawnPicture& a, const DrawnPicture& b) {
+  const bool with_scene = a.scene != b.scene;
+  const auto of_a = time_interval(a, with_scene), of_b = time_interval(b, with_scene);
+  if (!of_a || !of_b || overlap(*of_a, *of_b)) return std::nan("");
+  const double drawing = b.drawing.median - a.drawing.median;
+  return with_scene ? drawing + b.making.median - a.making.median : drawing;
+}
+
 class Splitting {
  public:
   Splitting(const StageOrder& order, const std::map<StageSet, DrawnPicture>& pictures)
@@ -84,7 +103,7 @@ class Splitting {
         square_(product(error_, error_)) {}
 
   SplitError split() const {
-    SplitError result{{rms(error_), pictures_.at(0).seconds, square_ > 0 ? 1.0 : 0.0, {}}, {}};
+    SplitError result{{rms(error_), pictures_.at(0).seconds(), square_ > 0 ? 1.0 : 0.0, {}}, {}};
     for (std::size_t stage = 0; stage < order_.size(); ++stage) {
       result.budget.lines.push_back(line(stage, result.amounts));
       result.budget.interaction -= result.budget.lines.back().share;
@@ -109,7 +128,7 @@ class Splitting {
     line.share = 0.5 * (line.first + line.last);
     line.rmse = rms(mean);
     line.gain = rmse(first.from) - rmse(first.to);
-    line.seconds = pictures_.at(first.to).seconds - pictures_.at(first.from).seconds;
+    line.seconds = seconds_between(pictures_.at(first.from), pictures_.at(first.to));
     return line;
   }
 
@@ -128,6 +147,15 @@ std::set<StageSet> sets_to_draw(const StageOrder& order) {
       sets.insert(step.from);
       sets.insert(step.to);
     }
+  return sets;
+}
+
+std::set<StageSet> sets_to_time(const StageOrder& order) {
+  std::set<StageSet> sets{0};
+  for (std::size_t stage = 0; stage < order.size(); ++stage) {
+    const Step step = first_step(order, stage);
+    sets.insert({step.from, step.to});
+  }
   return sets;
 }
 

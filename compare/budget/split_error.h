@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "compare/results/error_budget.h"
+#include "compare/timing/timing_rule.h"
 #include "core/raster.h"
 
 namespace pellucid::compare {
@@ -34,14 +35,22 @@ using StageSet = unsigned;
 /// A StageOrder names, for each stage, the stage that has to be refined before it, if any.
 using StageOrder = std::vector<std::optional<std::size_t>>;
 
-/// A DrawnPicture is a picture with some stages refined, and the seconds that it took to make.
+/// A DrawnPicture is a picture with some stages refined, and the seconds that it takes: to draw it,
+/// and to make its scene. Times are needed of sets_to_time() alone.
 struct DrawnPicture {
   Image image;
-  double seconds = 0;
+  Spread drawing;
+  std::size_t scene = 0;  // which one of all scenes: making it costs pictures of one scene the same
+  Spread making;
+
+  double seconds() const { return drawing.median + making.median; }
 };
 
 /// Returns the sets of refined stages whose pictures split_error() needs.
 std::set<StageSet> sets_to_draw(const StageOrder& order);
+
+/// Returns the sets of refined stages whose pictures' times split_error() needs, 0 among them.
+std::set<StageSet> sets_to_time(const StageOrder& order);
 
 /// A SplitError is the budget, with a line for each stage without its texts, and how far each
 /// stage's mean difference picture differs from none, per pixel: the largest of red, green, blue.

@@ -64,7 +64,7 @@ std::optional<PictureChange> picture_change(const Image& before, const Image& af
 
 std::vector<PictureChange> picture_changes(const PastRun& before, const PastRun& after,
                                            const ResultRow& of_before, const ResultRow& of_after) {
-  const auto views = std::size_t(measure_of(of_before, "views").value_or(1));
+  const auto views = std::size_t(views_of({&of_before, 1}));
   std::vector<PictureChange> changes;
   for (std::size_t view = 0; view < views; ++view) {
     std::optional<PictureChange> change =

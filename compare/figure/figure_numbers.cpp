@@ -31,13 +31,16 @@ std::vector<TextRun> with_unit(const Column& column, const ResultRow& row) {
 }
 
 /// A cost's unit says what it is; all else has its name.
-std::vector<TextRun> number_runs(const Column& column, const ResultRow& row, bool is_bold) {
+std::vector<TextRun> number_runs(const Column& column, const ResultRow& row,
+                                 std::span<const ResultRow> rows) {
+  const bool is_bold = is_best_of_several(column, row, rows);
   std::vector<TextRun> runs;
   if (column.shown.role != TradeOff::cost) runs.push_back({column.title + " "});
   for (TextRun& run : with_unit(column, row)) {
     run.is_bold = is_bold;
     runs.push_back(std::move(run));
   }
+  if (is_bold && is_only_tied(column, row, rows)) runs.push_back({.text = "*", .is_raised = true});
   return runs;
 }
 
@@ -61,6 +64,10 @@ bool is_best_of_several(const Column& column, const ResultRow& row,
          std::ranges::count(rows, false, &ResultRow::reference) > 1;
 }
 
+bool is_only_tied(const Column& column, const ResultRow& row, std::span<const ResultRow> rows) {
+  return column.value(row) != column.value(*best_row(column, rows));
+}
+
 std::vector<FigureNumbers> figure_numbers(const FigureRows& scene,
                                           const std::vector<std::string>& names) {
   std::vector<FigureNumbers> numbers(scene.rows.size());
@@ -72,7 +79,7 @@ std::vector<FigureNumbers> figure_numbers(const FigureRows& scene,
       const ResultRow& row = scene.rows[i];
       if (row.reference && is_error(column)) continue;
       auto& list = is_error(column) ? numbers[i].errors : numbers[i].costs;
-      list.push_back(number_runs(column, row, is_best_of_several(column, row, scene.rows)));
+      list.push_back(number_runs(column, row, scene.rows));
     }
   }
   return numbers;

@@ -18,8 +18,8 @@ struct FigureNumbers {
 };
 
 /// Returns the numbers of these columns below each of a scene's pictures: "SSIM 0.981", "12.5 ms".
-/// Bold is the best of two or more, without the reference, and what its interval is not told from
-/// it. The reference has costs alone. Throws InputError for an unknown column.
+/// Bold is the best of two or more, without the reference, and, with a raised *, what its interval
+/// is not told from it. The reference has costs alone. Throws InputError for an unknown column.
 std::vector<FigureNumbers> figure_numbers(const FigureRows& rows,
                                           const std::vector<std::string>& columns);
 
@@ -33,5 +33,9 @@ bool is_error(const Column& column);
 /// Returns whether the row has the best number of two or more, or one that is not told from it.
 bool is_best_of_several(const Column& column, const ResultRow& row,
                         std::span<const ResultRow> rows);
+
+/// Returns whether a row among the best has another number than the best row, from which only its
+/// interval does not tell it. Some row has to have a number.
+bool is_only_tied(const Column& column, const ResultRow& row, std::span<const ResultRow> rows);
 
 }  // namespace pellucid::compare

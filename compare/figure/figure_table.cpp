@@ -32,11 +32,6 @@ std::string interval_text(const Column& column, const ResultRow& row) {
                      number_for_people(column.style, interval->high));
 }
 
-/// Another than the best, which it equals only as far as intervals tell.
-bool is_only_tied(const Column& column, const ResultRow& row, std::span<const ResultRow> rows) {
-  return column.value(row) != column.value(*best_row(column, rows));
-}
-
 std::string cell(const Column& column, const ResultRow& row, std::span<const ResultRow> rows) {
   if (row.reference && is_error(column)) return "--";
   const std::string number = latex_runs(plain_number(column, row));

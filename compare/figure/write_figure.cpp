@@ -13,6 +13,7 @@
 #include "compare/figure/figure_table.h"
 #include "compare/figure/sheet_drawing.h"
 #include "compare/figure/sheet_files.h"
+#include "compare/results/measure_columns.h"
 #include "core/error.h"
 #include "core/files/ending.h"
 #include "core/files/output_file.h"
@@ -54,6 +55,19 @@ std::string reference_name(const PastRun& run) {
   return row == run.rows.end() ? "the reference" : row->call();
 }
 
+/// The marks of the numbers, as far as there are any.
+std::string numbers_caption(const PastRun& run, const FigureContent& content) {
+  std::string text =
+      fmt::format(" Errors are against {}; the best numbers are bold", reference_name(run));
+  const auto is_tie = [](const TextRun& one) { return one.text == "*"; };
+  for (const FigureStrip& strip : content.strips)
+    for (const FigureNumbers& numbers : strip.numbers)
+      for (const auto* lines : {&numbers.errors, &numbers.costs})
+        for (const std::vector<TextRun>& line : *lines)
+          if (std::ranges::any_of(line, is_tie)) return text + ", * those tied with them.";
+  return text + '.';
+}
+
 /// What a reader has to know of the pictures and of their numbers.
 std::string caption_of(const PastRun& run, const FigureContent& content,
                        const FigureRequest& request) {
@@ -66,8 +80,10 @@ std::string caption_of(const PastRun& run, const FigureContent& content,
   std::string text =
       fmt::format("{}. From left to right: {}.", title_of(run), fmt::join(columns, "; "));
   if (strips.size() > 1) text += fmt::format(" From top to bottom: {}.", fmt::join(strips, "; "));
-  if (!request.numbers.empty())
-    text += fmt::format(" Errors are against {}; the best numbers are bold.", reference_name(run));
+  if (!request.numbers.empty()) text += numbers_caption(run, content);
+  if (const int views = views_of(run.rows); views > 1)
+    text += fmt::format(" Pictures are of view 1 of {}{}.", views,
+                        request.numbers.empty() ? "" : ", numbers means over the views");
   return text;
 }
 

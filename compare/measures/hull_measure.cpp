@@ -4,6 +4,7 @@
 #include "compare/measures/hull_distance.h"
 #include "compare/measures/study_measures.h"
 #include "compare/pictures/error_map.h"
+#include "compare/pictures/image_file.h"
 #include "core/parallel.h"
 #include "groundtruth/sums/picture_sums.h"
 
@@ -13,10 +14,37 @@ namespace {
 /// Half a step of an 8-bit channel: what is farther off than this can show.
 constexpr double visible = 0.5 / 255;
 
+/// Whether all values are steps of 8 bits, as of a picture from a PNG.
+bool is_of_bytes(const Image& image) {
+  const Image bytes = displayed_values(image);
+  return std::ranges::equal(image.pixels, bytes.pixels, [](const Rgba& a, const Rgba& b) {
+    return glm::all(glm::lessThan(glm::abs(glm::vec3(a) - glm::vec3(b)), glm::vec3(1e-6f)));
+  });
+}
+
+/// The colours, each moved by all that rounding may have added to a channel of the pixel: half a
+/// step of 8 bits either way, and whatever is cut off above 1. The pixel lies in their hull where a
+/// colour of the hull is rounded to it.
+std::vector<Vec3> before_rounding(std::span<const Vec3> colors, const Vec3& pixel) {
+  Vec3 most(visible);
+  for (int c = 0; c < 3; ++c)
+    if (pixel[c] > 1 - visible)
+      for (const Vec3& color : colors) most[c] = std::max(most[c], color[c] - pixel[c]);
+  std::vector<Vec3> moved;
+  for (const Vec3& color : colors)
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      Vec3 at = color;
+      for (int c = 0; c < 3; ++c) at[c] += corner & (1u << c) ? visible : -most[c];
+      moved.push_back(at);
+    }
+  return moved;
+}
+
 /// 0 where the method saw another number of layers than there are crossings: at the very edge of a
 /// triangle it may have drawn other colours than the ray's.
 Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& cell) {
   const groundtruth::RayProbe probe(scene);
+  const bool rounded = !cell.row.given.empty() && is_of_bytes(cell.image);
   Raster<double> distances(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y) {
     const std::vector<groundtruth::RaySums> rays = groundtruth::row_sums(scene, probe, y);
@@ -26,7 +54,9 @@ Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& 
       if (!same_layers) return;
       std::vector<Vec3> colors{scene.background};
       for (const groundtruth::RayLayer& layer : layers) colors.push_back(layer.color);
-      distances.at(x, y) = hull_distance(Vec3(cell.image.at(x, y)), colors);
+      const Vec3 pixel(cell.image.at(x, y));
+      if (rounded) colors = before_rounding(colors, pixel);
+      distances.at(x, y) = hull_distance(pixel, colors);
     });
   }
   return distances;

@@ -28,20 +28,26 @@ struct StyleRow {
 
 double as_it_is(double x) { return x; }
 std::string scientific(double x) { return x == 0 ? "0" : fmt::format("{:.2e}", x); }
-std::string four_decimals(double x) { return fmt::format("{:.4f}", x); }
+/// Four decimals; 1 is equality alone.
+std::string similarity(double x) {
+  if (x == 1) return "1";
+  return x > 0.99995 ? ">0.9999" : fmt::format("{:.4f}", x);
+}
 std::string one_decimal(double x) { return std::isinf(x) ? "∞" : fmt::format("{:.1f}", x); }
+/// One decimal; two digits of what is less than 1, so that nothing that is there is 0.0.
+std::string cost(double x) {
+  return x != 0 && std::abs(x) < 1 ? fmt::format("{:#.2g}", x) : one_decimal(x);
+}
 std::string whole(double x) { return fmt::format("{:.0f}", x); }
 
 constexpr StyleRow styles[] = {
     {NumberStyle::scientific, "scientific", "", as_it_is, scientific},
-    {NumberStyle::similarity, "similarity", "", as_it_is, four_decimals},
+    {NumberStyle::similarity, "similarity", "", as_it_is, similarity},
     {NumberStyle::decibels, "decibels", "dB", as_it_is, one_decimal},
-    {NumberStyle::milliseconds, "milliseconds", "ms", [](double s) { return s * 1e3; },
-     one_decimal},
-    {NumberStyle::megabytes, "megabytes", "MB", [](double bytes) { return bytes / 1e6; },
-     one_decimal},
+    {NumberStyle::milliseconds, "milliseconds", "ms", [](double s) { return s * 1e3; }, cost},
+    {NumberStyle::megabytes, "megabytes", "MB", [](double bytes) { return bytes / 1e6; }, cost},
     {NumberStyle::count, "count", "", as_it_is, whole},
-    {NumberStyle::plain_milliseconds, "plain_milliseconds", "ms", as_it_is, one_decimal}};
+    {NumberStyle::plain_milliseconds, "plain_milliseconds", "ms", as_it_is, cost}};
 
 const StyleRow& row_of(NumberStyle style) { return styles[std::size_t(style)]; }
 

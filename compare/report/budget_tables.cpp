@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compare/budget/budget_stages.h"
 #include "compare/report/tables.h"
@@ -13,7 +14,11 @@ namespace {
 
 bool has_budget(const ResultRow& row) { return row.budget.has_value(); }
 
-/// Nothing where the finer picture takes no longer: there the gain costs nothing.
+/// Whether the times with and without the stage are told apart.
+bool is_decided(const BudgetLine& line) { return !std::isnan(line.seconds); }
+
+/// Nothing where the finer picture takes no longer: there the gain costs nothing; nor where times
+/// are not told apart.
 std::string slope_text(const BudgetLine& line) {
   return line.seconds > 0 ? fmt::format("{:.3g}", line.gain / line.seconds) : "";
 }
@@ -22,8 +27,8 @@ std::string csv_line(const BudgetLine& line) {
   if (!line.why_not.empty())
     return fmt::format("{},,,,,,,,,{}\n", line.stage, csv_field(line.why_not));
   return fmt::format("{},{},{},{},{},{},{},{},{},\n", line.stage, csv_field(line.refinement),
-                     line.share, line.first, line.last, line.rmse, line.gain, line.seconds,
-                     slope_text(line));
+                     line.share, line.first, line.last, line.rmse, line.gain,
+                     is_decided(line) ? fmt::format("{}", line.seconds) : "", slope_text(line));
 }
 
 std::string csv_budget(const ResultRow& row) {
@@ -35,21 +40,30 @@ std::string csv_budget(const ResultRow& row) {
   return text + fmt::format("{}whole,,1,,,{},,{},,\n", cell, row.budget->rmse, row.budget->seconds);
 }
 
+/// What a gain costs, for people.
+std::string price_text(const BudgetLine& line) {
+  if (!is_decided(line)) return "undecided";
+  return line.seconds > 0 ? slope_text(line) : "free";
+}
+
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string markdown_line(const BudgetLine& line) {
-  return fmt::format("| {} | {} | {} … {} | {:.2e} | {:.2e} | {:+.3g} | {} | {} |\n",
+  return fmt::format("| {} | {} | {} … {} | {:.2e} | {:.2e} | {} | {} | {} |\n",
                      title_of_stage(line.stage), percent(line.share),
                      percent(std::min(line.first, line.last)),
-                     percent(std::max(line.first, line.last)), line.rmse, line.gain, line.seconds,
-                     line.seconds > 0 ? slope_text(line) : "free", line.refinement);
+                     percent(std::max(line.first, line.last)), line.rmse, line.gain,
+                     is_decided(line) ? fmt::format("{:+.3g}", line.seconds) : "undecided",
+                     price_text(line), line.refinement);
 }
 
 std::string markdown_budget(const ResultRow& row) {
   const ErrorBudget& budget = *row.budget;
   std::string text = fmt::format(
       "\n### Where the error of {}/{} comes from\n\n"
-      "RMSE {:.3e} against all stages refined; {:.3g} s as drawn.\n\n"
+      "RMSE {:.3e} against all stages refined; {:.3g} s as drawn. A gain's price is undecided "
+      "where "
+      "the intervals of the two times overlap, or one has none.\n\n"
       "| Stage | Share | alone … last | RMSE | Gain | More [s] | Gain per s | Refined to |\n"
       "|---|---:|---:|---:|---:|---:|---:|---|\n",
       row.scene, row.call(), budget.rmse, budget.seconds);

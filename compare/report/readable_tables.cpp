@@ -65,6 +65,10 @@ std::string markdown_ties(std::span<const ResultRow> rows) {
   std::string text;
   for (const Column& column : table_columns()) {
     const ResultRow* best = best_row(column, rows);
+    if (is_undecided(column, rows))
+      text += fmt::format(
+          "\n{}: not told apart: of fewer than five timed pictures there is no interval.\n",
+          column.title);
     std::vector<std::string> tied;
     for (const ResultRow& row : rows)
       if (best && interval_of(column, *best) && &row != best && is_among_best(column, row, rows))
@@ -84,6 +88,11 @@ std::string markdown_block(std::string_view scene, std::span<const ResultRow> ro
   }
   std::string text = fmt::format("\n## {}\n\n{}\n{}\n", markdown_escaped(scene), header, rule);
   for (const ResultRow& row : rows) text += markdown_line(row);
+  if (const int views = views_of(rows); views > 1)
+    text += fmt::format(
+        "\nNumbers are means over {} views; the pictures are of view 1, those of others named "
+        "so.\n",
+        views);
   return text + markdown_ties(rows);
 }
 
@@ -154,6 +163,7 @@ std::string markdown_ladders(const Study& study, std::span<const ResultRow> rows
 /// 1.23e-04 as $1.23\cdot10^{-4}$.
 std::string latex_number(const std::string& text) {
   if (text == "∞") return "$\\infty$";
+  if (text.starts_with('>')) return "$>$" + text.substr(1);
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text;
   return fmt::format("${}\\cdot10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
@@ -204,6 +214,9 @@ std::string latex_escaped(std::string_view text) {
     escaped += c == '\\'  ? "\\textbackslash{}"
                : c == '~' ? "\\textasciitilde{}"
                : c == '^' ? "\\textasciicircum{}"
+               : c == '<' ? "\\textless{}"
+               : c == '>' ? "\\textgreater{}"
+               : c == '|' ? "\\textbar{}"
                           : std::string(1, c);
   }
   return escaped;

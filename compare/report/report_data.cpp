@@ -37,6 +37,7 @@ json column_json(const Column& column) {
           {"better", name_of(column.better)},
           {"card", column.shown.card},
           {"sweeps", column.shown.sweeps},
+          {"timed", column.interval != nullptr},
           {"role", name_of(column.shown.role)}};
 }
 
@@ -62,13 +63,19 @@ json metrics_json() {
   return list;
 }
 
-/// What the page's table shows of a row. JSON has no infinity; the page knows which style has.
+/// JSON has no infinity: it is a text, as what is not known is null.
+json number_json(double value) {
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  return std::isnan(value) ? json() : json(value);
+}
+
+/// What the page's table shows of a row.
 json values_json(const ResultRow& row) {
   json values = json::object();
   for (const Column& column : columns()) {
     if (!column.shown.report) continue;
     const std::optional<double> value = column.value(row);
-    values[column.name] = value && std::isfinite(*value) ? json(*value) : json();
+    values[column.name] = value ? number_json(*value) : json();
   }
   return values;
 }

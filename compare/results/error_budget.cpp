@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/results/error_budget.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace pellucid::compare {
@@ -13,7 +14,7 @@ json line_json(const BudgetLine& line) {
   return {{"stage", line.stage}, {"refinement", line.refinement},
           {"share", line.share}, {"first", line.first},
           {"last", line.last},   {"rmse", line.rmse},
-          {"gain", line.gain},   {"seconds", line.seconds}};
+          {"gain", line.gain},   {"seconds", line.seconds}};  // NaN is null
 }
 
 BudgetLine line_from(const json& j) {
@@ -27,7 +28,7 @@ BudgetLine line_from(const json& j) {
   line.last = j.at("last");
   line.rmse = j.at("rmse");
   line.gain = j.at("gain");
-  line.seconds = j.at("seconds");
+  line.seconds = j.at("seconds").is_null() ? std::nan("") : j.at("seconds").get<double>();
   return line;
 }
 

@@ -18,14 +18,14 @@ struct BudgetLine {
   double last = 0;         // share where all others were refined before
   double rmse = 0;         // of the mean difference picture: how much it changes at all
   double gain = 0;         // by which the picture's RMSE falls when this stage alone is refined
-  double seconds = 0;      // more that the picture then takes; below 0: less
+  double seconds = 0;      // more that the picture then takes; NaN: not told apart
 };
 
 /// An ErrorBudget splits a picture's error into its stages' parts: shares and `interaction` add up
 /// to 1.
 struct ErrorBudget {
   double rmse = 0;         // of the picture, as drawn, against all stages refined
-  double seconds = 0;      // to make the picture as it is drawn: scene and picture, once
+  double seconds = 0;      // of the picture as drawn: to make its scene, and to draw it
   double interaction = 0;  // what no single stage accounts for: of three stages or more together
   std::vector<BudgetLine> lines;
 };

@@ -63,6 +63,12 @@ std::optional<double> measure_of(const ResultRow& row, std::string_view name) {
   return found == measures.end() ? std::nullopt : std::optional(found->value);
 }
 
+int views_of(std::span<const ResultRow> rows) {
+  double most = 1;
+  for (const ResultRow& row : rows) most = std::max(most, measure_of(row, "views").value_or(1));
+  return int(most);
+}
+
 std::string heading(const scene::Measure& measure) {
   return measure.unit.empty() ? measure.title : fmt::format("{} [{}]", measure.title, measure.unit);
 }

@@ -17,6 +17,10 @@ std::vector<scene::Measure> measure_columns(std::span<const ResultRow> rows);
 /// Nothing where the row has no such measure.
 std::optional<double> measure_of(const ResultRow& row, std::string_view name);
 
+/// Returns over how many views the rows' numbers are means: the most of them, 1 where none has
+/// views.
+int views_of(std::span<const ResultRow> rows);
+
 /// Returns the column of this name: one of columns(), or a measure that some row has, the worst of
 /// a metric over views written as the metric is. Throws InputError that lists the known names.
 Column column_named(std::string_view name, std::span<const ResultRow> rows);

@@ -2,11 +2,13 @@
 """A study's report in a browser: what its viewer shows and reads out, by mouse and by keys alone. Skipped (exit
 code 77) where Debian's python3-selenium and chromium-driver are not installed."""
 
+import base64
 import csv
 import io
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -61,13 +63,25 @@ def make_report_of_many(folder):
 
 
 def make_report_of_given(folder):
-    """A study of one picture that was made elsewhere, of which no costs are known."""
-    shutil.copy(folder / "file" / "images" / "sheets" / "weighted-average.exr", folder / "theirs.exr")
+    """A study of exact pictures that were made elsewhere: of one no costs are known, the other is said to cost nothing; a
+    command that fails; and few methods, timed once. Each picture is of two views."""
+    shutil.copy(folder / "file" / "images" / "sheets" / "raytrace.exr", folder / "exact.exr")
     (folder / "given.json").write_text(json.dumps({
-        "format": "pellucid-study", "version": 1, "title": "Given", "scenes": ["sheets.json"],
-        "reference": "raytrace", "methods": [{"picture": "theirs.exr", "name": "theirs"}], "repeats": 1}))
-    subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "given.json", "-o", folder / "given", "--quiet"], check=True)
+        "format": "pellucid-study", "version": 1, "title": "Given", "scenes": ["sheets.json"], "reference": "raytrace",
+        "methods": [{"picture": "exact.exr", "name": "theirs"}, {"picture": "exact.exr", "name": "free", "ms": 0, "bytes": 0},
+                    {"external": "fails", "command": ["/bin/false", "{output}"]}, "weighted-average", "weighted-blended", "mlab",
+                    {"method": "fourier", "bands": [1, 2]}], "repeats": 1}))
+    subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "given.json", "-o", folder / "given", "--quiet"])
     return folder / "given" / "report.html"
+
+
+def make_report_of_views(folder):
+    """A study of one method from two sides."""
+    (folder / "views.json").write_text(json.dumps({
+        "format": "pellucid-study", "version": 1, "title": "Views", "scenes": ["sheets.json"],
+        "reference": "raytrace", "methods": ["weighted-average"], "views": 2, "repeats": 1}))
+    subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "views.json", "-o", folder / "views", "--quiet"], check=True)
+    return folder / "views" / "report.html"
 
 
 def start_browser():
@@ -88,6 +102,7 @@ class ReportTest(unittest.TestCase):
         cls.pages = {form: make_report(cls.folder, form) for form in ("file", "folder")}
         cls.many = make_report_of_many(cls.folder)
         cls.given = make_report_of_given(cls.folder)
+        cls.views = make_report_of_views(cls.folder)
         cls.browser = start_browser()
 
     @classmethod
@@ -158,7 +173,168 @@ class ReportTest(unittest.TestCase):
         row = self.browser.find_element(By.XPATH, "//section[@id='table']//tr[td[starts-with(., 'theirs')]]").text
         self.assertIn("–", row)
         self.assertNotIn("0.0", row.split())
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".card")), 2)
+        choices = [row.text for row in self.browser.find_elements(By.CSS_SELECTOR, "#choices tbody tr")]
+        self.assertEqual(len(choices), 7)
+        for choice in choices:
+            self.assertIn("free; ", choice)  # which costs least of what is known
+            self.assertIn("of unknown time: theirs", choice)
+            self.assertIn("of unknown memory: theirs", choice)
+        for title in ("Error against time", "Error against memory"):
+            points = {line[0]: line[1:] for line in csv.reader(io.StringIO(self.saved(title, "CSV")))}
+            self.assertNotIn("theirs", points)
+            self.assertEqual(points["free"], ["0", "0", "true"])
+            svg = self.saved(title, "SVG")
+            self.assertRegex(svg, "Not drawn, of unknown error or [a-z]+: theirs")
+            self.assertNotIn("NaN", svg)
+        self.assertNotIn("theirs", self.saved("Where the time goes", "CSV"))
+
+    def test_times_of_few_pictures_decide_nothing(self):
+        self.browser.get(self.given.as_uri())
+        choice = self.browser.find_element(By.CSS_SELECTOR, "#choices tbody tr").text
+        self.assertIn("not told apart (fewer than five timed pictures): ", choice)
+        heads = [head.text for head in self.browser.find_elements(By.CSS_SELECTOR, "#table th")]
+        of = lambda name: {heads.index(cell.get_property("cellIndex") is not None and heads[cell.get_property("cellIndex")])
+                           for cell in self.browser.find_elements(By.CSS_SELECTOR, f"#table td.{name}")}
+        self.assertNotIn(heads.index("Time [ms]"), of("best"))
+        self.assertEqual(of("undecided"), {heads.index("Time [ms]")})
+        self.assertIn(heads.index("Memory [MB]"), of("best"))
+
+    def test_equal_costs_are_named_ties(self):
+        self.browser.get(self.many.as_uri())
+        memory = [row.find_elements(By.TAG_NAME, "td")[4].text for row in self.browser.find_elements(By.CSS_SELECTOR, "#choices tbody tr")]
+        sizes = {}
+        for row in json.loads((self.many.parent / "results.json").read_text())["rows"]:
+            call = row["method"] + (":" + row["parameters"] if row["parameters"] else "")
+            sizes[call] = row["bytes"]["total"]
+        best = memory[0].split("; ")[0]
+        equals = [call for call, size in sizes.items() if size == sizes[best] and call != best]
+        self.assertEqual(sizes[best], min(sizes.values()))
+        self.assertTrue(equals)
+        self.assertIn("tied: " + equals[0], memory[0])
+
+    def test_what_is_not_known_is_sorted_last_both_ways(self):
+        self.browser.get(self.given.as_uri())
+        button = [b for b in self.browser.find_elements(By.CSS_SELECTOR, "#table th button") if b.text.startswith("Time")][0]
+        for direction in ("ascending", "descending"):
+            button.send_keys(Keys.ENTER)
+            self.assertEqual(button.find_element(By.XPATH, "..").get_attribute("aria-sort"), direction)
+            names = [row.find_elements(By.TAG_NAME, "td")[1].text for row in self.browser.find_elements(By.CSS_SELECTOR, "#table tbody tr")]
+            self.assertEqual(set(names[-2:]), {"theirs (given)", "fails"})
+
+    def test_the_reference_is_not_headed_by_a_methods_errors(self):
+        self.open_viewer()
+        numbers = lambda: self.browser.find_element(By.CSS_SELECTOR, "dialog .heading span").text
+        self.assertIn("RMSE", numbers())
+        self.press("2")
+        self.wait_for("sheets · raytrace")
+        self.assertEqual(numbers(), "reference")
+
+    def test_the_split_has_a_dividing_line(self):
+        self.open_viewer()
+        self.press("s")
+        colors = self.browser.execute_script("""const c = document.querySelector("dialog canvas"), x = Math.round(c.width / 2);
+            return [x - 1, x, x + 1].map((at) => [...c.getContext("2d").getImageData(at, 5, 1, 1).data].slice(0, 3))""")
+        self.assertEqual(colors, [[255] * 3, [0] * 3, [255] * 3])
+
+    def test_with_views_it_says_of_which_pictures_and_numbers_are(self):
+        self.browser.get(self.views.as_uri())
+        self.assertIn("are of view 1 of 2; numbers are means over the views", self.browser.find_element(By.CSS_SELECTOR, "section .lead").text)
+        captions = [c.text for c in self.browser.find_elements(By.CSS_SELECTOR, "figcaption header")]
+        self.assertTrue(all("view 1 of 2" in caption for caption in captions), captions)
+        self.browser.find_elements(By.CSS_SELECTOR, ".enlarge")[1].send_keys(Keys.ENTER)
+        self.wait_for("sheets · weighted-average · view 1 of 2")
+        self.assertIn("means over 2 views: ", self.browser.find_element(By.CSS_SELECTOR, "dialog .heading span").text)
+        self.assertIn("of view 1 of 2", self.saved("Error over the number of layers", "SVG"))
+        self.assertIn("means over 2 views", (self.views.parent / "table.md").read_text())
+        figure = self.folder / "views.tex"
+        subprocess.run([os.environ["PELLUCID_PROGRAM"], "figure", self.views.parent, "-o", figure], check=True, stdout=subprocess.DEVNULL)
+        self.assertIn("Pictures are of view 1 of 2, numbers means over the views.", figure.read_text())
+
+    def test_what_is_far_away_waits(self):
+        self.browser.get(self.many.as_uri())
+        drawn = lambda: self.browser.execute_script("return document.querySelectorAll('.plot svg').length")
+        plots = self.browser.execute_script("return document.querySelectorAll('.plot').length")
+        self.assertLess(drawn(), plots)
+        for plot in self.browser.find_elements(By.CSS_SELECTOR, ".plot"):
+            self.browser.execute_script("arguments[0].scrollIntoView({ behavior: 'instant' })", plot)
+            WebDriverWait(self.browser, 5, 0.02).until(lambda _: plot.find_elements(By.TAG_NAME, "svg"))
+        images = self.browser.execute_script("""document.querySelector(".card:last-child").scrollIntoView({ behavior: "instant" });
+            return document.querySelectorAll(".card img").length""")
+        WebDriverWait(self.browser, 5, 0.02).until(lambda _: self.browser.execute_script(
+            "return [...document.querySelectorAll('.card:last-child img')].every((i) => i.naturalWidth > 0)"))
+        self.assertGreater(images, 0)
+
+    def test_each_plot_and_each_button_has_a_name_of_its_own(self):
+        self.browser.get(self.many.as_uri())
+        self.draw_all()
+        names = self.browser.execute_script("return [...document.querySelectorAll('.plot svg')].map((s) => s.getAttribute('aria-label'))")
+        self.assertEqual(len(names), len(set(names)))
+        self.assertIn("Error against time, sheets", names)
+        buttons = [b.accessible_name for b in self.browser.find_elements(By.CSS_SELECTOR, ".enlarge")]
+        self.assertEqual(len(buttons), len(set(buttons)))
+        self.assertIn("Enlarge fourier:bands=2", buttons)
+
+    def draw_all(self):
+        for plot in self.browser.find_elements(By.CSS_SELECTOR, ".plot"):
+            self.browser.execute_script("arguments[0].scrollIntoView({ behavior: 'instant' })", plot)
+            WebDriverWait(self.browser, 5, 0.02).until(lambda _: plot.find_elements(By.CSS_SELECTOR, "svg g"))
+
+    def test_labels_stand_at_their_own_points(self):
+        for page in (self.many, self.given):
+            self.browser.get(page.as_uri())
+            self.draw_all()
+            for title in ("Error against time", "Error against memory"):
+                labels, points = self.browser.execute_script("""
+                    const plot = [...document.querySelectorAll(".plot")].find((p) => p.querySelector("h3").firstChild.data === arguments[0]);
+                    const box = (e) => { const b = e.getBoundingClientRect(); return [b.left, b.top, b.right, b.bottom]; };
+                    const points = [...plot.querySelectorAll(".mark-symbol path")].map((p) => [p.getAttribute("aria-label"), box(p)]);
+                    const names = new Set(points.map(([tip]) => tip.split(": RMSE")[0]));
+                    const texts = [...plot.querySelectorAll(".mark-text text")].filter((t) => names.has(t.textContent));
+                    return [texts.map((t) => [t.textContent, box(t)]), points]""", title)
+                self.assertTrue(labels, title)
+                for name, (left, top, right, bottom) in labels:
+                    gaps = {}
+                    for tip, box in points:
+                        x, y = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
+                        gaps[tip] = (max(left - x, 0, x - right) ** 2 + max(top - y, 0, y - bottom) ** 2) ** 0.5
+                    own = [gap for tip, gap in gaps.items() if tip.startswith(f"{name}: RMSE")]
+                    others = [gap for tip, gap in gaps.items() if not tip.startswith(f"{name}: RMSE")]
+                    self.assertLess(own[0], 10, (title, name))
+                    # Text may be measured some pixels smaller than it is.
+                    self.assertTrue(all(gap > own[0] + 2 for gap in others), (title, name, gaps))
+
+    def test_of_many_curves_the_numbers_are_all_kept(self):
+        self.browser.get(self.many.as_uri())
+        rows = json.loads((self.many.parent / "results.json").read_text())["rows"]
+        of = {row["method"] + (":" + row["parameters"] if row["parameters"] else "") for row in rows if not row["reference"]}
+        title = "Error over the number of layers"
+        lines = list(csv.reader(io.StringIO(self.saved(title, "CSV"))))
+        self.assertEqual({line[0] for line in lines[1:]}, of)
+        self.assertIn(f"6 of {len(of)} curves are drawn; the CSV has all.", self.saved(title, "SVG"))
+
+    def test_nothing_is_cut_off_on_paper(self):
+        self.browser.get(self.many.as_uri())
+        heads = [head.text for head in self.browser.find_elements(By.CSS_SELECTOR, "#table th")]
+        names = {row.find_elements(By.TAG_NAME, "td")[1].text for row in self.browser.find_elements(By.CSS_SELECTOR, "#table tbody tr")}
+        pdf = self.folder / "many.pdf"
+        pdf.write_bytes(base64.b64decode(self.browser.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"]))
+        info = subprocess.run(["pdfinfo", pdf], check=True, capture_output=True, text=True).stdout
+        self.assertRegex(info, r"Page size: +59\d(\.\d+)? x 84\d")
+        words = [tuple(map(float, w)) for w in re.findall(r'xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)"', subprocess.run(
+            ["pdftotext", "-bbox", pdf, "-"], check=True, capture_output=True, text=True).stdout)]
+        self.assertLessEqual(max(x for _, _, x in words), 595.3 - 20)  # all within the margins
+        text = subprocess.run(["pdftotext", "-layout", pdf, "-"], check=True, capture_output=True, text=True).stdout
+        flat = " ".join(subprocess.run(["pdftotext", pdf, "-"], check=True, capture_output=True, text=True).stdout.split())
+        for head in heads:
+            self.assertIn(head.split(" [")[0].split(",")[0], flat, head)
+        self.assertGreaterEqual(flat.count(heads[-1].split()[0]), 1)
+        for name in names:  # in the first columns' lines, in those of the others, and below its picture or in a plot
+            self.assertGreaterEqual(text.count(name), 2, name)
+        images = subprocess.run(["pdfimages", "-list", pdf], check=True, capture_output=True, text=True).stdout.splitlines()[2:]
+        self.assertGreaterEqual(len(images), 3 * (len(names) - 1))
+        # Afterwards it is as it was.
+        self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".groups, .split"), [])
+        self.assertEqual(self.console(), [])
 
     def test_zoom_and_place_stay_while_pictures_are_flipped(self):
         self.open_viewer()
@@ -250,7 +426,7 @@ class ReportTest(unittest.TestCase):
                 for row in rows if not row["reference"]}
         lines = list(csv.reader(io.StringIO(self.saved("Error against time", "CSV"))))
         self.assertEqual(lines[0], ["name", "ms", "RMSE", "on the front"])
-        self.assertEqual({line[0]: float(line[2]) for line in lines[1:]}, {name: max(x, 1e-7) for name, x in rmse.items()})
+        self.assertEqual({line[0]: float(line[2]) for line in lines[1:]}, rmse)
         svg = xml.dom.minidom.parseString(self.saved("Error against time", "SVG"))
         self.assertEqual(svg.documentElement.tagName, "svg")
         # Of so many points only those of the front have their names.

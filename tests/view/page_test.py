@@ -4,6 +4,7 @@ it ends. Skipped (exit code 77) where Debian's python3-selenium and chromium-dri
 
 import http.client
 import json
+import math
 import os
 import pathlib
 import signal
@@ -149,6 +150,34 @@ class PageTest(unittest.TestCase):
         self.changed(plain)
         self.assertEqual(self.console(), [])
 
+    def test_sliders_reach_bounds_and_defaults(self):
+        Select(self.control("second method")).select_by_visible_text("fourier")
+        self.settle("fourier", "RMSE")
+        slider = self.control("clamp of fourier")
+        said = lambda: slider.get_attribute("aria-valuetext")
+        self.assertEqual(said(), "0.9999")
+        slider.send_keys(Keys.END)
+        self.settle("clamp=0.999999")
+        slider.send_keys(Keys.ARROW_LEFT)
+        WebDriverWait(self.browser, 8, 0.02).until(lambda _: said() == "0.9999" and "clamp" not in self.numbers())
+        slider.send_keys(Keys.HOME)
+        self.settle("clamp=0")
+        reset = self.control("Reset clamp of fourier")
+        reset.click()
+        self.assertEqual(said(), "0.9999")
+        WebDriverWait(self.browser, 8, 0.02).until(lambda _: "clamp" not in self.numbers())
+        self.assertFalse(reset.is_displayed())
+        # Near 0 the stops of a small default are as fine as it is.
+        Select(self.control("second method")).select_by_visible_text("raytrace")
+        self.settle("raytrace", "RMSE")
+        contrast = self.control("contrast of raytrace")
+        self.assertEqual(contrast.get_attribute("aria-valuetext"), "0.01")
+        contrast.send_keys(Keys.ARROW_LEFT)
+        self.assertGreater(float(contrast.get_attribute("aria-valuetext")), 0.009)
+        contrast.send_keys(Keys.ARROW_RIGHT)
+        self.assertEqual(contrast.get_attribute("aria-valuetext"), "0.01")
+        self.assertEqual(self.console(), [])
+
     def test_a_probe_is_that_of_render(self):
         Select(self.browser.find_element(By.CSS_SELECTOR, '[aria-label="Size of the pictures"]')).select_by_value("scene")
         self.settle("96 × 64")
@@ -224,6 +253,36 @@ class PageTest(unittest.TestCase):
         before = self.server.processor_seconds()
         time.sleep(1.5)
         self.assertLessEqual(self.server.processor_seconds() - before, 0.02)  # the clock ticks by hundredths
+
+
+class FarTest(unittest.TestCase):
+    def test_far_from_the_origin_a_camera_turns_as_near_to_it(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            scene = make_scene(folder)
+            text = json.loads(scene.read_text())
+            far = 1048576 + 0.3  # doubles have 2e-10 there
+            text["camera"].update(eye=[far, far, 3], target=[far, far, 0])
+            scene.write_text(json.dumps(text))
+            server, browser = Server(scene), start_browser()
+            try:
+                browser.get(server.address)
+                WebDriverWait(browser, 8, 0.02).until(lambda _: "16 samples" in browser.find_element(By.ID, "numbers").text)
+                canvas = browser.find_element(By.ID, "canvas")
+                canvas.send_keys(*[Keys.ARROW_LEFT] * 4)
+                ActionChains(browser, duration=20).key_down(Keys.SHIFT).click_and_hold(canvas).move_by_offset(40, 0).release().key_up(Keys.SHIFT).perform()
+                canvas.send_keys("+", "+")
+                browser.find_element(By.XPATH, "//button[.='print camera']").click()
+                said = WebDriverWait(browser, 8, 0.02).until(lambda _: browser.find_element(By.CSS_SELECTOR, ".said").text)
+                eye, target = ([float(x) for x in said.split(f"{of}=")[1].split(",")[:3]] for of in ("eye", "target"))
+                distance = math.dist(eye, target)
+                # Eye and target are rounded to a millionth of the distance each, some times.
+                self.assertAlmostEqual(distance, 3 / 1.1 ** 2, delta=3e-5)
+                angle = math.degrees(math.atan2(eye[0] - target[0], eye[2] - target[2]))
+                self.assertAlmostEqual(abs(angle), 20, delta=1e-3)
+            finally:
+                browser.quit()
+                self.assertEqual(server.end(), 0)
 
 
 class EndTest(unittest.TestCase):

@@ -12,14 +12,21 @@ function shareBar({ share, first, last }, low, high) {
                    first != null && make("b", { style: span(first, last) })));
 }
 
+const secondsText = (seconds) => seconds == null ? "undecided" : `${seconds < 0 ? "−" : ""}${fixed(Math.abs(seconds), 2)}`;
+
+/** What a gain costs, where the times are told apart. */
+function priceText({ gain, seconds }) {
+  if (seconds == null) return "undecided";
+  return seconds > 0 ? scientific(gain / seconds) : "free";
+}
+
 function budgetTable(budget) {
   const applying = budget.stages.filter((stage) => !stage.why_not);
   const ends = [0, budget.interaction, ...applying.flatMap(({ share, first, last }) => [share, first, last])];
   const low = Math.min(...ends), high = Math.max(...ends);
   const bars = applying.map((stage) =>
     make("tr", { title: `refined to ${stage.refinement}` }, make("td", {}, stage.title), shareBar(stage, low, high),
-         [shareText(stage.share), scientific(stage.gain), stage.seconds.toFixed(2),
-          stage.seconds > 0 ? scientific(stage.gain / stage.seconds) : "free"].map((text) => make("td", {}, text))));
+         [shareText(stage.share), scientific(stage.gain), secondsText(stage.seconds), priceText(stage)].map((text) => make("td", {}, text))));
   const rest = make("tr", {}, make("td", {}, "Interaction of three or more"), shareBar({ share: budget.interaction }, low, high),
                     make("td", {}, shareText(budget.interaction)), make("td", {}), make("td", {}), make("td", {}));
   const head = make("tr", {}, ["Stage", "Share of the error", "", "Gain in RMSE", "More [s]", "Gain per s"].map((text) => make("th", { scope: "col" }, text)));
@@ -29,7 +36,7 @@ function budgetTable(budget) {
 function rowBudget(row) {
   const absent = row.budget.stages.filter((stage) => stage.why_not).map((stage) => `${stage.title}: ${stage.why_not}`);
   return make("div", {}, make("h3", {}, row.name),
-              make("p", { class: "note" }, `RMSE ${scientific(row.budget.rmse)} against all stages refined; ${row.budget.seconds.toFixed(2)} s as drawn.`),
+              make("p", { class: "note" }, `RMSE ${scientific(row.budget.rmse)} against all stages refined; ${secondsText(row.budget.seconds)} s as drawn.`),
               budgetTable(row.budget), absent.length > 0 && make("p", { class: "note" }, `Not here: ${absent.join("; ")}.`));
 }
 
@@ -38,6 +45,6 @@ function budgetSection(rows) {
   const split = rows.filter((row) => row.budget);
   if (split.length === 0) return null;
   const lead = "The whole error, projected onto itself, is 100 %; each stage's bar is its part, the thin line its part when it is refined first and last. " +
-    "The largest gain per second is the knob to turn first.";
+    "The largest gain per second is the knob to turn first; it is undecided where the intervals of the times before and after overlap, or one has none.";
   return make("div", {}, make("h3", {}, "Where the error comes from"), make("p", { class: "lead" }, lead), split.map(rowBudget));
 }

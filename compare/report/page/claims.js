@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the study's source found, held against what was measured here.
 
-/** The first three of what is said, and how many more there are. */
-const shortened = (words) => (words.length > 3 ? [...words.slice(0, 3), `${words.length - 3} more`] : words).join("; ");
-
 function verdict({ against, undecided }) {
   if (against.length > 0) return make("td", { class: "error", title: against.join("\n") }, `otherwise here: ${shortened(against)}`);
   if (undecided.length > 0) return make("td", { title: undecided.join("\n") }, `undecided: ${shortened(undecided)}`);

@@ -11,28 +11,36 @@ const styles = () => ({
   megabytes: { write: megabytes, axis: {} },
   count: { write: count, axis: {} },
 });
-const directions = { lower: Math.min, higher: Math.max };
-
-/** PSNR of equal pictures is infinite, which JSON holds as null. */
-const missing = (style) => (style === "decibels" ? Infinity : null);
+/** Upwards or downwards to the best. */
+const directions = { lower: 1, higher: -1 };
 
 /** The 95 % interval of a row's number, [low, high]; undefined where it has none. */
 const intervalOf = (column, row) => row.intervals?.[column.name];
 const intervalText = (interval, write) => (interval ? ` (${write(interval[0])}–${write(interval[1])})` : "");
-/** Numbers whose intervals overlap are not told apart. */
-const overlap = (a, b) => Boolean(a && b && a[0] <= b[1] && b[0] <= a[1]);
+const overlap = (a, b) => a[0] <= b[1] && b[0] <= a[1];
+
+/** Why times without an interval decide nothing. */
+const tooFewTimes = "fewer than five timed pictures";
+
+/** Whether two rows' numbers are "apart" or "tied"; "undecided" where one of two times has no interval. */
+function verdictOf(column, a, b) {
+  if (!column.timed) return column.value(a) === column.value(b) ? "tied" : "apart";
+  const one = intervalOf(column, a), other = intervalOf(column, b);
+  if (!one || !other) return "undecided";
+  return overlap(one, other) ? "tied" : "apart";
+}
 
 /** A column with functions of a row: its value, that in the unit for people, and its text. */
 function columnOf(column) {
   const { write, axis } = styles()[column.style];
-  const value = (row) => row.values?.[column.name] ?? missing(column.style);
+  // JSON holds no infinity: it comes as a text.
+  const value = (row) => (row.values?.[column.name] == null ? null : Number(row.values[column.name]));
   return {
     ...column, axis, value,
     shown: (row) => (value(row) == null ? null : value(row) * column.factor),
     text: (row) => write(value(row)),
     textWithInterval: (row) => write(value(row)) + intervalText(intervalOf(column, row), write),
-    areTied: (a, b) => overlap(intervalOf(column, a), intervalOf(column, b)),
-    best: directions[column.better],
+    direction: directions[column.better],
   };
 }
 

@@ -33,10 +33,13 @@ function fixed(x, decimals) {
 const milliseconds = (seconds) => (seconds == null ? "–" : fixed(seconds * 1e3, 1));
 const megabytes = (bytes) => (bytes == null ? "–" : fixed(bytes / 1e6, 1));
 const similarity = (x) => (x == null ? "–" : x === 1 ? "1" : x > 0.99995 ? ">0.9999" : x.toFixed(4));
-/** JSON holds no infinity: the PSNR of equal pictures is null. */
-const decibels = (x) => (x == null || x === Infinity ? "∞" : x.toFixed(1));
+/** The PSNR of equal pictures is infinite. */
+const decibels = (x) => (x == null ? "–" : x === Infinity ? "∞" : x.toFixed(1));
 const count = (n) => (n == null ? "–" : n.toLocaleString("en").replaceAll(",", "\u202f"));
 const percent = (share) => (share === 0 ? "0 %" : `${(100 * share).toPrecision(2)} %`);
+
+/** The first three of what is said, and how many more there are. */
+const shortened = (words, separator = "; ") => (words.length > 3 ? [...words.slice(0, 3), `${words.length - 3} more`] : words).join(separator);
 
 /** "bands=5,clamp=1" as "bands = 5, clamp = 1". */
 const spaced = (parameters) => parameters.replaceAll("=", " = ").replaceAll(",", ", ");

@@ -16,6 +16,12 @@ function measureKinds(rows) {
   return [...kinds.values()];
 }
 
+/** Over how many views the numbers of a row are means. */
+const viewCount = (row) => row.measures?.find(({ name }) => name === "views")?.value ?? 1;
+
+/** Of which view a row's pictures are, where there are several. */
+const viewText = (row) => (viewCount(row) > 1 ? `view 1 of ${viewCount(row)}` : "");
+
 function bestMeasure({ better }, values) {
   if (better === "neither") return null;
   const known = values.filter((value) => value != null);

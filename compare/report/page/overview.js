@@ -7,6 +7,7 @@ const shadeOf = (error) => Math.min(1, Math.max(0, 1 + Math.log10(Math.max(error
 function overviewCell(row) {
   if (!row) return make("td", {}, "–");
   if (row.error) return make("td", { class: "error", title: row.error }, "failed");
+  if (!isKnown(errorColumn().value(row))) return make("td", {}, errorColumn().text(row));
   const style = `background: color-mix(in srgb, var(--warn) ${Math.round(45 * shadeOf(errorColumn().value(row)))}%, transparent)`;
   const others = numbersLine(qualityColumns().filter(({ role }) => role === "none"), row);
   return make("td", { style, title: others }, errorColumn().text(row));
@@ -27,25 +28,24 @@ function overviewSection(rows, scenes) {
 
 const errorBounds = [0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001];
 
-/** The row of least cost whose error is within the bound; the reference, which has none, competes. */
-function cheapest(rows, bound, cost) {
-  const within = rows.filter((row) => !row.error && errorColumn().value(row) <= bound);
-  return within.reduce((best, row) => (best && cost.value(best) <= cost.value(row) ? best : row), null);
+/** The best one, those that are not told from it, and those of which nothing is known. */
+function choiceText(best, known, unknown, cost) {
+  const names = (verdict) => known.filter((row) => row !== best && verdictOf(cost, row, best) === verdict).map((row) => row.name);
+  const parts = { tied: names("tied"), [`not told apart (${tooFewTimes})`]: names("undecided"), [`of unknown ${cost.title.toLowerCase()}`]: unknown };
+  const said = Object.entries(parts).filter(([, of]) => of.length > 0).map(([what, of]) => `${what}: ${shortened(of, ", ")}`);
+  return [best?.name ?? "none", ...said].join("; ");
 }
 
-/** Those within the bound whose cost is not told from the best one's. */
-function tiedWith(best, rows, bound, cost) {
-  const tied = rows.filter((row) => row !== best && !row.error && errorColumn().value(row) <= bound && cost.areTied(row, best));
-  return tied.length === 0 ? "" : `; tied: ${tied.map((row) => row.name).join(", ")}`;
+/** Within the bound on the error the row of least cost; the reference, which has none, competes. */
+function choice(rows, bound, cost) {
+  const within = rows.filter((row) => !row.error && isWithin(errorColumn().value(row), bound));
+  const known = ranked(within, cost.value), unknown = within.filter((row) => !known.includes(row)).map((row) => row.name);
+  const [best] = known;
+  return [make("td", {}, choiceText(best, known, unknown, cost)), make("td", {}, best ? `${cost.textWithInterval(best)} ${cost.unit}` : "")];
 }
 
-function choiceRow(rows, scene, bound) {
-  const choice = (cost) => {
-    const row = cheapest(rows, bound, cost);
-    return [make("td", {}, row ? row.name + tiedWith(row, rows, bound, cost) : "none"), make("td", {}, row ? `${cost.textWithInterval(row)} ${cost.unit}` : "")];
-  };
-  return make("tr", {}, make("td", {}, scene), make("td", {}, `≤ ${bound}`), costColumns().map(choice));
-}
+const choiceRow = (rows, scene, bound) =>
+  make("tr", {}, make("td", {}, scene), make("td", {}, `≤ ${bound}`), costColumns().map((cost) => choice(rows, bound, cost)));
 
 /** For a handful of pictures the plots are clearer than a table of choices. */
 const fewestChoices = 6;
@@ -58,7 +58,7 @@ function choicesSection(rows, scenes) {
     const here = rows.filter((row) => row.scene === scene.name);
     return errorBounds.map((bound) => choiceRow(here, scene.name, bound));
   });
-  const lead = "The method of least cost within each bound on the error, and those whose cost is not told from its own.";
+  const lead = `The method of least cost within each bound on the error; tied with it are those of the same cost, or whose 95 % intervals overlap. Times of ${tooFewTimes} have no interval, and decide nothing.`;
   return make("section", { id: "choices" }, make("h2", {}, "What to choose"), make("p", { class: "lead" }, lead),
               make("div", { class: "wide choices" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }

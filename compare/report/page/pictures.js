@@ -2,12 +2,12 @@
 // A card per method: picture, zoom-in and error map, its numbers below. A click flips the picture
 // and its zoom-in to the reference and back.
 
-const pictureOf = ({ width, height }, src, alt) => make("img", { src, alt, width, height, draggable: "false" });
+const pictureOf = ({ width, height }, source, alt) => distantImage(source, { alt, width, height });
 
 /** The crop of `scene` shown over the whole width of its frame, pixels as squares. */
 function zoomIn(scene, source, title) {
   const [x, y, width, height] = scene.crop;
-  const image = make("img", { src: source, alt: title, draggable: "false" });
+  const image = distantImage(source, { alt: title });
   image.style.width = `${(100 * scene.width) / width}%`;
   image.style.left = `${(-100 * x) / width}%`;
   image.style.top = `${(-100 * y) / height}%`;
@@ -50,7 +50,8 @@ function failedCard(row) {
 
 function caption(row, enlarge) {
   return make("header", {}, make("h3", { title: row.title }, row.method),
-    make("span", { class: "parameters" }, row.reference ? "reference" : row.given ? "given" : spaced(row.parameters)), enlarge);
+    make("span", { class: "parameters" }, row.reference ? "reference" : row.given ? "given" : spaced(row.parameters)),
+    viewText(row) && make("span", { class: "parameters" }, viewText(row)), enlarge);
 }
 
 /** One picture's frame; flipping sets its source. */
@@ -58,7 +59,7 @@ function flippable(row, reference, image, extra, onclick) {
   const label = row.reference ? "Reference" : `Flip ${row.name} and the reference`;
   const frame = make("button", { class: "frame", type: "button", "aria-label": label, onclick }, image,
                      make("span", { class: "badge" }, "reference"), extra);
-  return { frame, show: (flipped) => { image.src = flipped ? reference.picture : row.picture; } };
+  return { frame, show: (flipped) => changeSource(image, flipped ? reference.picture : row.picture) };
 }
 
 function pictureCard(scene, row, reference, enlarge) {
@@ -75,10 +76,11 @@ function pictureCard(scene, row, reference, enlarge) {
   const closer = zoomIn(scene, row.picture, `${row.name}, zoomed in`);
   views.push(flippable(row, reference, whole, cropBox(scene), () => flip()),
              flippable(row, reference, closer, null, () => flip()));
+  views[0].frame.style.aspectRatio = `${scene.width} / ${scene.height}`;
   const zoom = views[1].frame;
   zoom.classList.add("zoom");
   zoom.style.aspectRatio = `${scene.crop[2]} / ${scene.crop[3]}`;
-  const open = make("button", { class: "enlarge", type: "button", onclick: () => enlarge(row) }, "enlarge");
+  const open = make("button", { class: "enlarge", type: "button", "aria-label": `Enlarge ${row.name}`, onclick: () => enlarge(row) }, "enlarge");
   const pair = make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), maps);
   const notes = [numbers(row), coverageNote(row), droppedNote(row)];
   card.append(views[0].frame, pair, ...furtherPictures(scene, row), make("figcaption", {}, caption(row, open), notes));

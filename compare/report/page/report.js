@@ -36,7 +36,8 @@ function sceneLead(scene, reference) {
   const pixels = scene.width * scene.height;
   const average = (reference.fragments / pixels).toPrecision(3);
   return `${scene.width} × ${scene.height} pixels, ${average} layers per pixel on average, ` +
-    `${count(reference.max_layers)} at most. The frame in each picture marks its zoom-in.`;
+    `${count(reference.max_layers)} at most. The frame in each picture marks its zoom-in.` +
+    (viewCount(reference) > 1 ? ` Pictures, their maps and single pixels are of ${viewText(reference)}; numbers are means over the views, but for those that say otherwise.` : "");
 }
 
 function sceneSection(scene) {

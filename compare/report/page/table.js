@@ -20,28 +20,35 @@ function fragmentsTip({ fragments, stored, dropped, truncated_pixels }) {
   return `${count(fragments)} seen, ${count(stored)} kept apart, ${count(dropped)} dropped in ${count(truncated_pixels)} pixels`;
 }
 
-/** Whether a row has the best value of its scene, the reference left out, or one that is not told from it. */
-function isAmongBest(rows, row, column) {
-  if (!column.best || row.reference) return false;
-  const judged = rows.filter(({ scene, reference, error }) => scene === row.scene && !reference && !error);
-  const best = column.best(...judged.map(column.value).filter((value) => value != null));
-  return column.value(row) === best || judged.some((other) => column.value(other) === best && column.areTied(row, other));
+/** How a number stands to the best of its scene: "best" with those tied with it; "undecided" where it is the least of times that decide nothing. */
+function standingOf(column, row, judged) {
+  const [best] = judged;
+  if (row !== best) return verdictOf(column, row, best) === "tied" ? "best" : null;
+  return column.timed && judged.length > 1 && !intervalOf(column, best) ? "undecided" : "best";
 }
 
-function tableRow(rows, row) {
+/** Of each row its standings by column, the reference left out. */
+function standings(rows) {
+  const standing = new Map(rows.map((row) => [row, {}]));
+  const scenes = new Map();
+  for (const row of rows.filter(({ reference, error }) => !reference && !error)) scenes.set(row.scene, [...(scenes.get(row.scene) ?? []), row]);
+  for (const column of columns.filter(({ direction }) => direction))
+    for (const here of scenes.values()) {
+      const judged = ranked(here, column.value, column.direction);
+      for (const row of judged) standing.get(row)[column.name] = standingOf(column, row, judged);
+    }
+  return standing;
+}
+
+function tableCell(column, row, standing) {
+  const tip = standing === "undecided" ? `not told apart: ${tooFewTimes}` : row.given ? row.explanation.join("\n") : tips[column.name]?.(row);
+  return make("td", { class: standing, title: tip }, column.textWithInterval(row));
+}
+
+function tableRow(row, standing) {
   const names = nameColumns.map((column) => make("td", {}, column.text(row)));
   if (row.error) return make("tr", {}, names, make("td", { class: "error", colspan: columns.length }, row.error));
-  const cells = columns.map((column) => {
-    const best = isAmongBest(rows, row, column);
-    return make("td", { class: best && "best", title: row.given ? row.explanation.join("\n") : tips[column.name]?.(row) }, column.textWithInterval(row));
-  });
-  return make("tr", { class: row.reference && "reference" }, names, cells);
-}
-
-/** Numbers by size, names by the alphabet; what a row lacks comes last. */
-function compareValues(a, b) {
-  if (a == null || b == null) return (a == null) - (b == null);
-  return typeof a === "string" ? a.localeCompare(b) : a - b;
+  return make("tr", { class: row.reference && "reference" }, names, columns.map((column) => tableCell(column, row, standing[column.name])));
 }
 
 /** So few rows are seen at a glance. */
@@ -52,11 +59,13 @@ function sortableTable(rows) {
   const all = [...nameColumns, ...columns];
   const heads = all.map(({ heading }, i) =>
     make("th", { scope: "col" }, make("button", { type: "button", onclick: () => sortBy(i) }, heading)));
+  const standing = standings(rows);
+  const lines = new Map(rows.map((row) => [row, tableRow(row, standing.get(row))]));
   let shown = rows, words = [];
   const matches = (row) => words.every((word) => nameColumns.some(({ text }) => text(row).toLowerCase().includes(word)));
   const fill = (sorted) => {
     shown = sorted;
-    body.replaceChildren(...sorted.filter(matches).map((row) => tableRow(rows, row)));
+    body.replaceChildren(...sorted.filter(matches).map((row) => lines.get(row)));
   };
   const filter = make("input", { type: "search", placeholder: "filter by scene and method", "aria-label": "Filter by scene and method",
     oninput: () => { words = filter.value.toLowerCase().split(/\s+/).filter(Boolean); fill(shown); } });
@@ -65,7 +74,7 @@ function sortableTable(rows) {
     heads.forEach((head) => head.removeAttribute("aria-sort"));
     heads[i].setAttribute("aria-sort", direction > 0 ? "ascending" : "descending");
     const value = (row) => (row.error && i >= nameColumns.length ? null : all[i].value(row));
-    fill([...rows].sort((a, b) => direction * compareValues(value(a), value(b))));
+    fill([...rows].sort((a, b) => compareKnown(value(a), value(b), direction)));
   }
   fill(rows);
   const table = make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, heads)), body));
@@ -73,7 +82,8 @@ function sortableTable(rows) {
 }
 
 function tableSection(rows) {
-  const lead = "A click on a head sorts. The best of each scene, the reference left out, is in colour, with those whose 95 % interval overlaps its own.";
+  const lead = "A click on a head sorts. The best of each scene, the reference left out, is in colour, with those that equal it or whose 95 % interval overlaps its own; " +
+    `the least of times from ${tooFewTimes} is underlined: it decides nothing.`;
   return make("section", { id: "table" }, make("h2", {}, "All numbers"), make("p", { class: "lead" }, lead),
               sortableTable(rows));
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <cmath>
 
 namespace pellucid::compare {
 namespace {
@@ -31,6 +32,20 @@ TEST(UnitBudgetTables, ALineEachOfStagesInteractionAndWhole) {
   EXPECT_THAT(csv, HasSubstr("abc,fourier,\"bands=5,at=mid\",mesh,\"a, b\",0.75,0,0,0,0,0,,\n"));
   EXPECT_THAT(csv, HasSubstr("interaction,,0.25,,,,,,,\n"));
   EXPECT_THAT(csv, HasSubstr("whole,,1,,,0.5,,2,,\n"));
+}
+
+TEST(UnitBudgetTables, AGainHasAPriceWhereTimesAreToldApart) {
+  std::array<ResultRow, 1> rows = row_with_budget("abc");
+  BudgetLine& mesh = rows[0].budget->lines[0];
+  mesh.gain = 0.5;
+  mesh.seconds = std::nan("");
+  EXPECT_THAT(markdown_budgets(rows), HasSubstr("| undecided | undecided | a, b |"));
+  EXPECT_THAT(csv_budgets(rows), HasSubstr(",0.5,,,\n"));
+  mesh.seconds = 2;
+  EXPECT_THAT(markdown_budgets(rows), HasSubstr("| +2 | 0.25 | a, b |"));
+  EXPECT_THAT(csv_budgets(rows), HasSubstr(",0.5,2,0.25,\n"));
+  mesh.seconds = -2;
+  EXPECT_THAT(markdown_budgets(rows), HasSubstr("| -2 | free | a, b |"));
 }
 
 TEST(UnitBudgetTables, NoTextIsAFormulaToASpreadsheet) {

@@ -15,11 +15,16 @@ using ::testing::ElementsAre;
 
 bool has(StageSet set, std::size_t stage) { return set & (1u << stage); }
 
+/// Seconds that are known to a tenth.
+Spread about(double seconds) {
+  return {seconds, seconds - 0.1, seconds + 0.1, Interval{seconds - 0.1, seconds + 0.1}};
+}
+
 /// Pictures of one value each, which a function of the refined stages gives.
 SplitError split(const StageOrder& order, const std::function<double(StageSet)>& value) {
   std::map<StageSet, DrawnPicture> pictures;
   for (const StageSet set : sets_to_draw(order))
-    pictures[set] = {Image(3, 2, Rgba(glm::vec3(float(value(set))), 1.f)), double(set + 1)};
+    pictures[set] = {Image(3, 2, Rgba(glm::vec3(float(value(set))), 1.f)), about(set + 1), 0, {}};
   return split_error(order, pictures);
 }
 
@@ -137,6 +142,36 @@ TEST(PropertySplitError, PairsAddUpToTheWhole) {
     EXPECT_NEAR(result.budget.interaction, 0, 1e-5) << trial;
     EXPECT_NEAR(sum_of_shares(result.budget), 1, 1e-12) << trial;
   }
+}
+
+/// Whether the time of the one stage that there is counts as decided.
+bool is_decided(const DrawnPicture& drawn, const DrawnPicture& refined) {
+  const auto of_value = [](float value, DrawnPicture picture) {
+    picture.image = Image(1, 1, Rgba(value, value, value, 1));
+    return picture;
+  };
+  const SplitError result =
+      split_error(StageOrder(1), {{0, of_value(1, drawn)}, {1, of_value(0, refined)}});
+  return !std::isnan(result.budget.lines[0].seconds);
+}
+
+TEST(UnitSplitError, TimesDecideWhereTheirIntervalsAreApart) {
+  EXPECT_TRUE(is_decided({{}, about(1), 0, {}}, {{}, about(1.3), 0, {}}));
+  EXPECT_FALSE(is_decided({{}, about(1), 0, {}}, {{}, about(1.1), 0, {}}));
+  const Spread once{9, 9, 9, std::nullopt};
+  EXPECT_FALSE(is_decided({{}, about(1), 0, {}}, {{}, once, 0, {}}));
+}
+
+TEST(UnitSplitError, ASceneOfBothPicturesCostsThemTheSame) {
+  const Spread vague{50, 1, 99, Interval{1, 99}};
+  EXPECT_TRUE(is_decided({{}, about(1), 0, vague}, {{}, about(1.3), 0, vague}));
+  EXPECT_FALSE(is_decided({{}, about(1), 0, vague}, {{}, about(1.3), 1, vague}));
+  EXPECT_TRUE(is_decided({{}, about(1), 0, about(2)}, {{}, about(1), 1, about(3)}));
+}
+
+TEST(UnitSplitError, OnlyFirstStepsAreTimed) {
+  EXPECT_EQ(sets_to_time(StageOrder(2)), (std::set<StageSet>{0, 1, 2}));
+  EXPECT_EQ(sets_to_time({std::nullopt, 0}), (std::set<StageSet>{0, 1, 3}));
 }
 
 }  // namespace

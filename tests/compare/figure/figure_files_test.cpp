@@ -131,8 +131,10 @@ TEST_F(UnitFigureFiles, APngHasItsDotsAndPixelsWithHardEdges) {
 
 TEST_F(UnitFigureFiles, LatexIsEscaped) {
   const std::string text = read_text(draw("f.tex"));
-  EXPECT_THAT(text, HasSubstr(R"(50\% of <b>\&"x\_1\$\textasciicircum{}\textasciitilde{} )"
-                              R"(\textbackslash{}input\{a\})"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(R"(50\% of \textless{}b\textgreater{}\&"x\_1\$\textasciicircum{}\textasciitilde{} )"
+                R"(\textbackslash{}input\{a\})"));
   EXPECT_THAT(text, AllOf(HasSubstr(R"(\includegraphics[width=515.62\unitlength]{f-pictures.pdf})"),
                           HasSubstr(R"(\textbf{0.9900})"), HasSubstr(R"(\begin{figure*}[t])")));
   EXPECT_THAT(

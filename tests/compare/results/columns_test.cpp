@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "compare/report/tables.h"
+#include "compare/results/best_row.h"
 #include "core/options/names.h"
 
 namespace pellucid::compare {
@@ -155,6 +156,29 @@ TEST(UnitColumns, TimesWhoseIntervalsOverlapAreTied) {
   EXPECT_EQ(text_with_interval(seconds, b), "62.5");
 }
 
+TEST(UnitColumns, TimesWithoutAnIntervalDecideNothing) {
+  const Column& seconds = find_row("column", "seconds", columns());
+  std::vector<ResultRow> rows{filled_row(), filled_row()};
+  rows[1].seconds.median *= 2;
+  EXPECT_TRUE(is_among_best(seconds, rows[0], rows));
+  rows[0].seconds.interval.reset();
+  EXPECT_TRUE(is_undecided(seconds, rows));
+  EXPECT_FALSE(is_among_best(seconds, rows[0], rows));
+  EXPECT_TRUE(is_among_best(seconds, rows[0], {rows.data(), 1}));  // nothing beside it
+  EXPECT_TRUE(is_among_best(find_row("column", "bytes", columns()), rows[0], rows));
+}
+
+TEST(UnitColumns, OnlyEqualPicturesHaveASimilarityOf1) {
+  EXPECT_EQ(number_for_people(NumberStyle::similarity, 1), "1");
+  EXPECT_EQ(number_for_people(NumberStyle::similarity, 1 - 1e-9), ">0.9999");
+  EXPECT_EQ(number_for_people(NumberStyle::similarity, 0.99994), "0.9999");
+  EXPECT_EQ(number_for_people(NumberStyle::similarity, 0.98), "0.9800");
+}
+
+TEST(UnitColumns, LatexHasItsOwnSigns) {
+  EXPECT_EQ(latex_escaped("a<b>|c"), "a\\textless{}b\\textgreater{}\\textbar{}c");
+}
+
 // JSON has no infinity: it is a text, and a number that is not there is null.
 TEST(UnitColumns, WhatIsInfiniteOrMissingSurvivesJson) {
   ResultRow row = filled_row();
@@ -186,6 +210,8 @@ TEST(PropertyColumns, ARowWithoutAMetricIsReadAllTheSame) {
 TEST(UnitColumns, PeopleReadMillisecondsAndMegabytes) {
   EXPECT_EQ(number_for_people(NumberStyle::milliseconds, 0.0125), "12.5");
   EXPECT_EQ(number_for_people(NumberStyle::megabytes, 2.5e6), "2.5");
+  EXPECT_EQ(number_for_people(NumberStyle::megabytes, 7200), "0.0072");
+  EXPECT_EQ(number_for_people(NumberStyle::megabytes, 0), "0.0");
   EXPECT_EQ(number_for_people(NumberStyle::decibels, std::numeric_limits<double>::infinity()), "∞");
   EXPECT_EQ(heading("Time", NumberStyle::milliseconds), "Time [ms]");
   EXPECT_EQ(heading("RMSE", NumberStyle::scientific), "RMSE");

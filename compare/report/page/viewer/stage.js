@@ -46,6 +46,14 @@ class Stage {
     const at = Math.round(this.split * this.canvas.width);
     context.clearRect(0, 0, at, this.canvas.height);
     this.drawPicture(context, other, 0, at);
+    if (at > 0 && at < this.canvas.width) this.drawDivider(context, at);
+  }
+
+  drawDivider(context, at) {
+    for (const [color, width] of [["#fff", 3], ["#000", 1]]) {
+      context.fillStyle = color;
+      context.fillRect(at - (width - 1) / 2, 0, width, this.canvas.height);
+    }
   }
 
   drawCursor(context) {

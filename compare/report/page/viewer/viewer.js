@@ -94,8 +94,8 @@ class Viewer {
   describe(row) {
     const first = this.rows[0], { title } = views.find(({ what }) => what === this.what);
     const name = { picture: row.name, reference: first.name }[this.what] ?? `${title} of ${row.name}`;
-    this.title.textContent = `${row.scene} · ${name}`;
-    this.numbers.textContent = row.reference ? "reference" : numbersLine(qualityColumns(), row);
+    this.title.textContent = [row.scene, name, viewText(row)].filter(Boolean).join(" · ");
+    this.numbers.textContent = row.reference || this.what === "reference" ? "reference" : this.meansText(row) + numbersLine(qualityColumns(), row);
     this.canvas.setAttribute("aria-label", `${this.title.textContent}; ${this.numbers.textContent}`);
     this.live.textContent = `${this.title.textContent} · ${precisionText()}`;
     this.buttons.forEach((button, i) => button.setAttribute("aria-pressed", views[i].what === this.what));
@@ -104,6 +104,9 @@ class Viewer {
     this.ranges.picture.hidden = this.what !== "picture" && this.what !== "reference";
     this.legend.replaceChildren(...[colorBar(this.what, this.settings)].filter(Boolean));
   }
+
+  /** The numbers are not of the picture that is seen where there are several views. */
+  meansText(row) { return viewCount(row) > 1 ? `means over ${viewCount(row)} views: ` : ""; }
 
   draw() {
     if (this.picture) this.stage.draw(this.picture, this.other);

@@ -16,15 +16,8 @@ function csvField(value) {
   return /[,"\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** The numbers that a plot is drawn from, with all their digits; its coordinates have the names of their axes. */
-function plotCsv({ data, axes }) {
-  const titleOf = (orient) => axes.find((axis) => axis.orient === orient)?.title;
-  const titles = { x: titleOf("bottom"), cost: titleOf("bottom"), y: titleOf("left"), error: titleOf("left"), best: "on the front" };
-  const rows = data[0].values;
-  const keys = Object.keys(rows[0] ?? {}).filter((key) => key !== "tip");
-  const lines = [keys.map((key) => titles[key] ?? key), ...rows.map((row) => keys.map((key) => row[key]))];
-  return lines.map((line) => line.map(csvField).join(",") + "\n").join("");
-}
+/** Lines of fields: the numbers of a plot, with all their digits, below what they are called. */
+const csvText = (lines) => lines.map((line) => line.map(csvField).join(",") + "\n").join("");
 
 const plotSvg = (spec) => new vega.View(vega.parse(spec), { renderer: "none" }).toSVG();
 
@@ -35,5 +28,5 @@ function plotButtons(title, spec, width) {
   const button = (kind, act) => make("button", { type: "button", title: `Save this plot as ${kind}`, onclick: act }, kind);
   return make("span", { class: "saves" },
     button("SVG", async () => saveFile(`${name}.svg`, new Blob([await plotSvg(paperSpec())], { type: "image/svg+xml" }))),
-    button("CSV", () => saveFile(`${name}.csv`, new Blob([plotCsv(paperSpec())], { type: "text/csv" }))));
+    button("CSV", () => saveFile(`${name}.csv`, new Blob([csvText(paperSpec().usermeta.csv)], { type: "text/csv" }))));
 }

@@ -10,10 +10,18 @@ function spread(list, most) {
   return Array.from({ length: most }, (_, i) => list[Math.round((i * (list.length - 1)) / (most - 1))]);
 }
 
-const curveSymbols = ({ x, y }, label) => x.map((at, i) => ({ label, x: at, y: y[i] }));
+/** The known points of a curve. */
+const curvePoints = ({ label, x, y }) => x.map((at, i) => ({ label, x: at, y: y[i] })).filter((point) => isKnown(point.x) && isKnown(point.y));
 
-/** Curves `{label, x, y}`; that of the reference, if there is one, is drawn in ink. */
-function curvesSpec(curves, axes, reference, width, colors, { logarithmic, points, nominal, zero = true } = {}) {
+/** What of errors on a logarithmic axis is said below it. */
+const clampedNote = (points) => points.some(({ y }) => y < smallestError) && `Errors below 10${superscript("-7")} stand there.`;
+
+const curvesCsv = (curves, { x_title, y_title }) => [["label", x_title, y_title], ...curves.flatMap(curvePoints).map(({ label, x, y }) => [label, x, y])];
+
+/** Curves `{label, x, y}`; that of the reference, if there is one, is drawn in ink. `all` are those that the file of numbers has, `notes` stand below. */
+function curvesSpec(curves, axes, reference, width, colors, { logarithmic, points, nominal, zero = true, all = curves, notes = [] } = {}) {
+  const values = curves.flatMap(curvePoints);
+  const drawn = logarithmic ? values.map((point) => ({ ...point, y: Math.max(point.y, smallestError) })) : values;
   const labels = curves.map(({ label }) => label);
   const scheme = ["#3b6fb6", "#d1742c", "#3f9b62", "#8a5bb5", "#c2418a", "#7d8a2e", "#20a0a8"];
   const range = labels.map((label, i) => (label === reference ? colors.ink : scheme[i % scheme.length]));
@@ -23,20 +31,22 @@ function curvesSpec(curves, axes, reference, width, colors, { logarithmic, point
   const dots = mark("symbol", "series", { ...place, ...stroke, fill: { scale: "color", field: "label" }, size: { value: 24 } });
   const groups = { type: "group", from: { facet: { name: "series", data: "values", groupby: "label" } }, marks: nominal ? [dots] : points ? [line, dots] : [line] };
   const axis = { grid: true, tickCount: 5, labelOverlap: true };
-  const xs = curves.flatMap(({ x }) => x);
+  const xs = values.map(({ x }) => x), ys = drawn.map(({ y }) => y);
   const xScale = nominal ? { type: "point", padding: 0.5, domain: [...new Set(xs)] }
-                         : { type: "linear", domain: { data: "values", field: "x" }, zero: false };
+                         : { type: "linear", domain: linearDomain(xs, false), zero: false };
   // Between whole numbers, of bands or bins, there is nothing.
   const xAxis = xs.every(Number.isInteger) ? { ...axis, tickMinStep: 1 } : axis;
   // Of a linear scale a format would round to what tells its ticks apart: 100 as 1e+2.
   const yAxis = logarithmic ? { ...axis, format: "~g" } : axis;
-  const yScale = logarithmic ? { type: "log", nice: true } : { type: "linear", nice: true, zero };
+  const yScale = logarithmic ? { type: "log", domain: logarithmicDomain(ys, 0.05) } : { type: "linear", domain: linearDomain(ys, zero), nice: true, zero };
+  const title = notesBelow([...notes, logarithmic && clampedNote(values)].filter(Boolean), width, colors);
   return {
-    width, height: 300, autosize: { type: "fit", contains: "padding" }, config: plotConfig(colors),
-    data: [{ name: "values", values: curves.flatMap((curve) => curveSymbols(curve, curve.label)) }],
+    width, height: 300, autosize: { type: "fit", contains: "padding" }, config: plotConfig(colors), title: title.text.length > 0 ? title : undefined,
+    usermeta: { csv: curvesCsv(all, axes) },
+    data: [{ name: "values", values: drawn }],
     scales: [
       { name: "x", range: "width", ...xScale },
-      { name: "y", range: "height", domain: { data: "values", field: "y" }, ...yScale },
+      { name: "y", range: "height", ...yScale },
       { name: "color", type: "ordinal", domain: labels, range },
     ],
     axes: [
@@ -48,7 +58,7 @@ function curvesSpec(curves, axes, reference, width, colors, { logarithmic, point
   };
 }
 
-/** The curves of one name, the reference's first; of one label the last row's, which is the longest series. */
+/** The curves of one name, the reference's apart; of one label the last row's, which is the longest series. */
 function curvesNamed(rows, name) {
   const byLabel = new Map();
   for (const row of rows)
@@ -56,18 +66,20 @@ function curvesNamed(rows, name) {
       const label = curve.label || (row.reference ? "exact" : row.name);
       byLabel.set(label, { ...curve, label });
     }
-  const curves = [...byLabel.values()];
-  const exact = curves.filter(({ label }) => label === "exact");
-  return [...exact, ...spread(curves.filter(({ label }) => label !== "exact"), mostCurves)];
+  const curves = [...byLabel.values()], isExact = ({ label }) => label === "exact";
+  return { exact: curves.filter(isExact), others: curves.filter((curve) => !isExact(curve)) };
 }
 
 /** [title, spec of width and colours] for each name of a curve. */
 function curvePlots(rows) {
   const names = [...new Set(rows.flatMap((row) => (row.curves ?? []).map(({ name }) => name)))];
   return names.map((name) => {
-    const curves = curvesNamed(rows, name);
+    const { exact, others } = curvesNamed(rows, name);
+    const all = [...exact, ...others], curves = [...exact, ...spread(others, mostCurves)];
     const points = curves.some(({ x }) => x.length < 100);
-    return [curves[0].title, (width, colors) => curvesSpec(curves, curves[0], "exact", width, colors, { points })];
+    const notes = [all.length > curves.length && `${mostCurves} of ${others.length} curves are drawn; the CSV has all.`,
+                   !name.endsWith("over the views") && viewText(rows[0]) && `Of ${viewText(rows[0])}.`];
+    return [curves[0].title, (width, colors) => curvesSpec(curves, curves[0], "exact", width, colors, { points, all, notes })];
   });
 }
 
@@ -92,8 +104,7 @@ function sweepPlots(rows) {
     if (!sweep) return [];
     return columns.filter(({ sweeps }) => sweeps).map((column) => {
       const y_title = labelOf(column);
-      const value = column.axis.logarithmic ? (row) => Math.max(column.value(row), smallestError) : column.shown;
-      const curve = { label: method, x: sweep.rows.map(sweep.at), y: sweep.rows.map(value) };
+      const curve = { label: method, x: sweep.rows.map(sweep.at), y: sweep.rows.map(column.shown) };
       const spec = (width, colors) => curvesSpec([curve], { x_title: sweep.name, y_title }, null, width, colors, { ...column.axis, points: true, nominal: sweep.nominal });
       return [`${method}: ${y_title} over ${sweep.name}`, spec];
     });

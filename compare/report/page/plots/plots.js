@@ -2,6 +2,7 @@
 // The plots of a scene: error against each cost, where the time goes, and what sweeps and curves it has.
 
 function themeColors() {
+  if (document.documentElement.classList.contains("printing")) return paperColors;
   const style = getComputedStyle(document.documentElement);
   const names = ["ink", "soft", "faint", "line", "accent", "paper"];
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
@@ -21,10 +22,14 @@ function plotConfig({ soft, faint, line }) {
   };
 }
 
+const isTimed = (row) => row.seconds.steps.length > 0;
+
+/** Those whose steps were timed: of many the reference and the fastest. */
 function fastest(rows, most) {
-  if (rows.length <= most) return rows;
-  const others = rows.filter((row) => !row.reference).sort((a, b) => a.seconds.median - b.seconds.median);
-  return [...rows.filter((row) => row.reference), ...others].slice(0, most);
+  const timed = rows.filter(isTimed);
+  if (timed.length <= most) return timed;
+  const others = ranked(timed.filter((row) => !row.reference), (row) => row.seconds.median);
+  return [...timed.filter((row) => row.reference), ...others].slice(0, most);
 }
 
 function stepValues(rows) {
@@ -44,14 +49,18 @@ function stepsSpec(all, width, colors) {
     y: { scale: "y", field: "method" }, height: { scale: "y", band: 1 },
     fill: { scale: "color", field: "step" }, tooltip: { field: "tip" },
   };
+  const values = stepValues(rows), untimed = all.filter((row) => !isTimed(row)).map(({ name }) => name);
+  const title = notesBelow(untimed.length > 0 ? [`Of unknown time: ${untimed.join(", ")}.`] : [], width, colors);
+  const longest = rows.map((row) => row.seconds.steps.reduce((sum, { median }) => sum + median * 1e3, 0));
   const stack = { type: "stack", groupby: ["method"], field: "ms", as: ["from", "to"] };
   return {
     // 250 as its neighbours, unless the labels of many methods need more.
     width, height: Math.max(250, 110 + 15 * rows.length), autosize: { type: "fit", contains: "padding" },
-    config: plotConfig(colors),
-    data: [{ name: "steps", values: stepValues(rows), transform: [stack] }],
+    config: plotConfig(colors), title: untimed.length > 0 ? title : undefined,
+    usermeta: { csv: [["method", "step", "ms"], ...values.map(({ method, step, ms }) => [method, step, ms])] },
+    data: [{ name: "steps", values, transform: [stack] }],
     scales: [
-      { name: "x", type: "linear", range: "width", nice: true, domain: { data: "steps", field: "to" } },
+      { name: "x", type: "linear", range: "width", nice: true, domain: linearDomain(longest, true) },
       { name: "y", type: "band", range: "height", padding: 0.3, domain: rows.map((row) => row.name) },
       { name: "color", type: "ordinal", range: { scheme: "tableau20" }, domain: { data: "steps", field: "step" } },
     ],
@@ -64,19 +73,19 @@ function stepsSpec(all, width, colors) {
   };
 }
 
-function drawPlot(holder, spec) {
+function drawPlot(holder, title, spec) {
   holder.replaceChildren();
-  const view = new vega.View(vega.parse(spec), { renderer: "svg", container: holder, hover: true });
+  const view = new vega.View(vega.parse({ ...spec, description: title }), { renderer: "svg", container: holder, hover: true });
   view.tooltip((_handler, _event, _item, text) => { holder.title = text ?? ""; });
   view.runAsync();
 }
 
-/** Puts the plots of a scene's rows into `holder`; returns what draws them for the current width and theme. */
+/** Puts the plots of a scene's rows into `holder`; returns what draws them, when they are near, for the current width and theme. */
 function plotsOf(rows, holder) {
   const plots = [
     ...costColumns().map((cost) =>
       [`Error against ${cost.title.toLowerCase()}`, (width, colors) => tradeOffSpec(rows, cost, width, colors)]),
-    [rows.length > mostBars ? `Where the time goes, of the fastest ${mostBars}` : "Where the time goes", (width, colors) => stepsSpec(rows, width, colors)],
+    [rows.filter(isTimed).length > mostBars ? `Where the time goes, of the fastest ${mostBars}` : "Where the time goes", (width, colors) => stepsSpec(rows, width, colors)],
     ...sweepPlots(rows),
     ...curvePlots(rows),
   ].map(([title, spec]) => ({ title, spec, place: make("div") }));
@@ -85,6 +94,6 @@ function plotsOf(rows, holder) {
     return make("div", { class: "plot" }, make("h3", {}, title, buttons), place);
   }));
   return () => {
-    for (const { spec, place } of plots) drawPlot(place, spec(place.clientWidth, themeColors()));
+    for (const { title, spec, place } of plots) whenNear(place, () => drawPlot(place, `${title}, ${rows[0].scene}`, spec(place.clientWidth, themeColors())));
   };
 }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page on paper: what waits is made, and tables wider than a sheet are split into groups of columns, each with the names before it.
+
+/** Pixels between the margins of an A4 sheet: 210 mm less 2 × 12 mm, at 96 to the inch; letter paper is wider. */
+const sheetWidth = Math.floor((186 / 25.4) * 96);
+
+/** [first, end] of groups of columns that fit beside the first `names` columns; a column wider than the sheet is a group. */
+function columnGroups(widths, names, most) {
+  const sum = (list) => list.reduce((total, width) => total + width, 0);
+  const room = most - sum(widths.slice(0, names)), groups = [];
+  for (let first = names, end; first < widths.length; first = end) {
+    end = first + 1;
+    while (end < widths.length && sum(widths.slice(first, end + 1)) <= room) ++end;
+    groups.push([first, end]);
+  }
+  return groups;
+}
+
+/** A row's names and the columns of a group; a cell over all columns stays whole. */
+function groupRow(row, names, [first, end]) {
+  const cells = [...row.cells].filter((cell, i) => i < names || cell.colSpan > 1 || (i >= first && i < end));
+  const copy = row.cloneNode(false);
+  copy.append(...cells.map((cell) => cell.cloneNode(true)));
+  for (const cell of copy.cells) if (cell.colSpan > 1) cell.colSpan = end - first;
+  return copy;
+}
+
+function groupTable(table, names, group) {
+  const copy = table.cloneNode(false);
+  for (const part of table.children) {
+    const same = part.cloneNode(false);
+    same.append(...[...part.rows].map((row) => groupRow(row, names, group)));
+    copy.append(same);
+  }
+  return copy;
+}
+
+/** How many columns name a row: the table's own columns are not to be read without them. */
+const nameCount = (holder) => (holder.matches(".overview, .budget, .measures, .metric-card") ? 1 : 2);
+
+/** Puts a copy in groups of columns beside a table that is too wide. */
+function splitTable(holder) {
+  const [table] = holder.children;
+  const widths = [...table.rows[0].cells].map((cell) => cell.getBoundingClientRect().width);
+  if (widths.reduce((sum, width) => sum + width, 0) <= sheetWidth) return;
+  const names = nameCount(holder);
+  const groups = columnGroups(widths, names, sheetWidth).map((group) => groupTable(table, names, group));
+  holder.after(make("div", { class: `${holder.className} groups` }, groups));
+  holder.classList.add("split");
+}
+
+function preparePrint() {
+  document.documentElement.classList.add("printing");
+  redraw();
+  makeAll();
+  for (const holder of document.querySelectorAll(".wide")) splitTable(holder);
+}
+
+function endPrint() {
+  for (const copy of document.querySelectorAll(".groups")) copy.remove();
+  for (const holder of document.querySelectorAll(".split")) holder.classList.remove("split");
+  document.documentElement.classList.remove("printing");
+  redraw();
+}
+
+addEventListener("beforeprint", preparePrint);
+addEventListener("afterprint", endPrint);
