@@ -24,15 +24,23 @@ function makeAll() {
   for (const element of [...waiting.keys()]) makeNow(element);
 }
 
-/** A picture that is read when it comes near. */
+const unread = new Map(); // of each picture where it is read from
+
+/** A picture that showImages() shows. */
 function distantImage(source, attributes) {
   const image = make("img", { ...attributes, draggable: "false" });
-  whenNear(image, () => { image.src = source; });
+  unread.set(image, source);
   return image;
 }
 
+function showImages(element) {
+  for (const image of element.querySelectorAll("img")) {
+    if (unread.has(image)) image.src = unread.get(image);
+    unread.delete(image);
+  }
+}
+
 function changeSource(image, source) {
-  const act = () => { image.src = source; };
-  if (waiting.has(image)) waiting.set(image, act);
-  else act();
+  if (unread.has(image)) unread.set(image, source);
+  else image.src = source;
 }

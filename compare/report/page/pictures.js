@@ -84,6 +84,7 @@ function pictureCard(scene, row, reference, enlarge) {
   const pair = make("div", { class: "pair" }, make("div", {}, zoom, make("small", {}, "zoom-in")), maps);
   const notes = [numbers(row), coverageNote(row), droppedNote(row)];
   card.append(views[0].frame, pair, ...furtherPictures(scene, row), make("figcaption", {}, caption(row, open), notes));
+  whenNear(card, () => showImages(card));
   return { card, flip };
 }
 

@@ -4,13 +4,14 @@
 /** Pixels between the margins of an A4 sheet: 210 mm less 2 × 12 mm, at 96 to the inch; letter paper is wider. */
 const sheetWidth = Math.floor((186 / 25.4) * 96);
 
+const total = (list) => list.reduce((sum, x) => sum + x, 0);
+
 /** [first, end] of groups of columns that fit beside the first `names` columns; a column wider than the sheet is a group. */
 function columnGroups(widths, names, most) {
-  const sum = (list) => list.reduce((total, width) => total + width, 0);
-  const room = most - sum(widths.slice(0, names)), groups = [];
+  const room = most - total(widths.slice(0, names)), groups = [];
   for (let first = names, end; first < widths.length; first = end) {
     end = first + 1;
-    while (end < widths.length && sum(widths.slice(first, end + 1)) <= room) ++end;
+    while (end < widths.length && total(widths.slice(first, end + 1)) <= room) ++end;
     groups.push([first, end]);
   }
   return groups;
@@ -41,9 +42,11 @@ const nameCount = (holder) => (holder.matches(".overview, .budget, .measures, .m
 /** Puts a copy in groups of columns beside a table that is too wide. */
 function splitTable(holder) {
   const [table] = holder.children;
-  const widths = [...table.rows[0].cells].map((cell) => cell.getBoundingClientRect().width);
-  if (widths.reduce((sum, width) => sum + width, 0) <= sheetWidth) return;
-  const names = nameCount(holder);
+  const names = nameCount(holder), widthsOf = () => [...table.rows[0].cells].map((cell) => cell.getBoundingClientRect().width);
+  const nameWidth = total(widthsOf().slice(0, names));
+  holder.classList.toggle("long", nameWidth > sheetWidth / 2); // names are not broken unless they take the others' room
+  const widths = widthsOf();
+  if (total(widths) <= sheetWidth) return;
   const groups = columnGroups(widths, names, sheetWidth).map((group) => groupTable(table, names, group));
   holder.after(make("div", { class: `${holder.className} groups` }, groups));
   holder.classList.add("split");

@@ -61,14 +61,13 @@ function sortableTable(rows) {
     make("th", { scope: "col" }, make("button", { type: "button", onclick: () => sortBy(i) }, heading)));
   const standing = standings(rows);
   const lines = new Map(rows.map((row) => [row, tableRow(row, standing.get(row))]));
-  let shown = rows, words = [];
-  const matches = (row) => words.every((word) => nameColumns.some(({ text }) => text(row).toLowerCase().includes(word)));
+  let shown = rows, matches = () => true;
   const fill = (sorted) => {
     shown = sorted;
     body.replaceChildren(...sorted.filter(matches).map((row) => lines.get(row)));
   };
-  const filter = make("input", { type: "search", placeholder: "filter by scene and method", "aria-label": "Filter by scene and method",
-    oninput: () => { words = filter.value.toLowerCase().split(/\s+/).filter(Boolean); fill(shown); } });
+  const filter = make("input", { type: "search", placeholder: "filter: fourier rmse<0.01", "aria-label": "Filter by scene, method and bounds on numbers",
+    title: "words of scene and method, and bounds on columns: rmse<0.01 ms<=5 psnr>30", oninput: () => { matches = filterOf(filter.value); fill(shown); } });
   function sortBy(i) {
     const direction = heads[i].getAttribute("aria-sort") === "ascending" ? -1 : 1;
     heads.forEach((head) => head.removeAttribute("aria-sort"));
@@ -78,7 +77,8 @@ function sortableTable(rows) {
   }
   fill(rows);
   const table = make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, heads)), body));
-  return rows.length > fewestFiltered ? [make("p", { class: "filter" }, filter), table] : [table];
+  const copies = copyButtons(() => shown.filter(matches), standing);
+  return [make("p", { class: "filter" }, rows.length > fewestFiltered && filter, copies), table];
 }
 
 function tableSection(rows) {
