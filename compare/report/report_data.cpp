@@ -9,6 +9,7 @@
 #include "compare/budget/budget_stages.h"
 #include "compare/cells/cell.h"
 #include "compare/pictures/error_map.h"
+#include "compare/pictures/exr_file.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/crop.h"
 #include "compare/report/page_texts.h"
@@ -158,7 +159,8 @@ json scene_json(const Study& study, std::span<const ReportCell> cells,
   return {{"name", first.cell.scene},
           {"width", reference.width},
           {"height", reference.height},
-          {"crop", {crop.x, crop.y, crop.width, crop.height}}};
+          {"crop", {crop.x, crop.y, crop.width, crop.height}},
+          {"camera", text_of_exr(first.files.picture(), "Camera").value_or("")}};
 }
 
 /// The parameters that are one of several names, which have no order.
@@ -210,6 +212,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
           {"claims", claims_json(study, rows)},
           {"ladders", ladders_json(study, rows)},
           {"costs", costs_json(study, rows)},
+          {"inputs", inputs_json(study)},
           {"error_scale", error_scale_json()}};
 }
 

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/files/output_file.h"
+
 namespace pellucid::compare {
 namespace {
 
@@ -39,6 +41,18 @@ json study_json(const Study& study) {
          {"notes", study.notes}};
   if (study.opacities) j["opacities"] = study.opacities->text();
   return j;
+}
+
+json inputs_json(const Study& study) {
+  std::vector<std::filesystem::path> files{study.file};
+  files.insert(files.end(), study.scenes.begin(), study.scenes.end());
+  if (study.reference_scene) files.push_back(*study.reference_scene);
+  json inputs = json::array();
+  for (const std::filesystem::path& file : files)
+    if (std::filesystem::is_regular_file(file))
+      inputs.push_back({{"file", std::filesystem::absolute(file).lexically_normal().string()},
+                        {"text", read_text(file)}});
+  return inputs;
 }
 
 json claims_json(const Study& study, std::span<const ResultRow> rows) {

@@ -14,6 +14,10 @@ namespace pellucid::compare {
 /// Returns {"name", "title", "source", "notes"}, and "opacities" where a call optimizes them.
 nlohmann::json study_json(const Study& study);
 
+/// Returns the texts of the study's file and of its scenes': [{"file", "text"}]; those that can no
+/// longer be read are left out.
+nlohmann::json inputs_json(const Study& study);
+
 /// Returns each claim with its checks: [{"text", "by", "checks": [{"of", "values": [{"of",
 /// "text"}], "against", "undecided"}]}].
 nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);

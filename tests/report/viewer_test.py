@@ -4,6 +4,7 @@ code 77) where Debian's python3-selenium and chromium-driver are not installed."
 
 import base64
 import csv
+import datetime
 import io
 import json
 import os
@@ -474,6 +475,24 @@ class ReportTest(unittest.TestCase):
         field.clear()
         field.send_keys("memory<0")
         self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, "#table tbody tr"), [])
+
+    def test_provenance_has_texts_hashes_dates_and_cameras(self):
+        self.browser.get(self.pages["file"].as_uri())
+        section = self.browser.find_element(By.ID, "provenance")
+        texts = self.browser.execute_script("return [...document.querySelectorAll('#provenance pre')].map((e) => e.textContent)")
+        self.assertEqual(texts, [(self.folder / name).read_text() for name in ("study.json", "sheets.json")])
+        rows = json.loads((self.pages["file"].parent / "results.json").read_text())["rows"]
+        for file, content in rows[0]["files_read"].items():
+            self.assertIn(content, section.find_element(By.XPATH, f".//dt[.='{file}']/following-sibling::dd").text)
+        measured = section.find_element(By.XPATH, ".//dt[.='measured']/following-sibling::dd").text
+        at = rows[0]["seconds"]["calibrations"][0]["at"]
+        self.assertIn(datetime.datetime.fromtimestamp(at, datetime.timezone.utc).strftime("%Y-%m-%d %H:%M"), measured)
+        camera = section.find_element(By.XPATH, ".//dt[.='--camera']/following-sibling::dd").text
+        again = self.folder / "again.exr"
+        subprocess.run([os.environ["PELLUCID_PROGRAM"], "render", self.folder / "sheets.json", "-m", "raytrace", "-o", again,
+                        "--camera", camera, "--quiet"], check=True)
+        first = exr.read(self.pages["file"].parent / "images" / "sheets" / "raytrace.exr")
+        self.assertLess(abs(exr.read(again) - first).max(), 1e-5)
 
     def copied(self, kind):
         return self.browser.execute_async_script("""const [kind, done] = arguments;

@@ -56,12 +56,14 @@ function preparePrint() {
   document.documentElement.classList.add("printing");
   redraw();
   makeAll();
+  for (const details of document.querySelectorAll("details:not([open])")) Object.assign(details, { open: true, className: "closed" });
   for (const holder of document.querySelectorAll(".wide")) splitTable(holder);
 }
 
 function endPrint() {
   for (const copy of document.querySelectorAll(".groups")) copy.remove();
   for (const holder of document.querySelectorAll(".split")) holder.classList.remove("split");
+  for (const details of document.querySelectorAll("details.closed")) Object.assign(details, { open: false, className: "" });
   document.documentElement.classList.remove("printing");
   redraw();
 }

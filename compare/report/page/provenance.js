@@ -42,9 +42,31 @@ function machineFacts(rows) {
   return facts([...values].map(([name, set]) => [name.replaceAll("_", " "), [...set].join("; ")]));
 }
 
-function sceneFacts(rows) {
+/** With the camera of view 1 as --camera takes it. */
+function sceneFacts({ rows, scenes }) {
   const known = rows.filter((row) => row.reference && row.scene_provenance);
-  return known.map((row) => [make("h3", {}, row.scene), facts(Object.entries(row.scene_provenance))]);
+  const camera = (row) => scenes.find(({ name }) => name === row.scene)?.camera;
+  return known.map((row) => [make("h3", {}, row.scene), facts([...Object.entries(row.scene_provenance), ...(camera(row) ? [["--camera", camera(row)]] : [])])]);
+}
+
+/** The texts of the study and its scenes, as they were. */
+const inputTexts = (inputs) => inputs.map(({ file, text }) =>
+  make("details", {}, make("summary", {}, file), make("pre", { tabindex: 0 }, text)));
+
+/** Each file that some cell has read, with the hash of its content; several where it has changed between cells. */
+function fileFacts(rows) {
+  const hashes = new Map();
+  for (const [file, hash] of rows.flatMap((row) => Object.entries(row.files_read ?? {}))) hashes.set(file, (hashes.get(file) ?? new Set()).add(hash));
+  return facts([...hashes].map(([file, set]) => [file, [...set].join("; ")]));
+}
+
+/** When the first and last cell were measured: the machine's speed is looked at around each of them. */
+function measuredFacts(rows) {
+  const times = rows.flatMap((row) => row.seconds?.calibrations ?? []).map(({ at }) => at);
+  if (times.length === 0) return null;
+  const date = (seconds) => `${new Date(seconds * 1000).toISOString().slice(0, 19).replace("T", " ")} UTC`;
+  const ends = [Math.min(...times), Math.max(...times)].map(date);
+  return facts([["measured", [...new Set(ends)].join(" to ")]]);
 }
 
 const measures = `Times are medians of wall-clock seconds around finished work, after one warm-up. Memory is
@@ -57,8 +79,9 @@ function provenanceSection(data) {
     make("h3", {}, "Methods"), methodFacts(data.methods),
     make("h3", {}, "Numbers"), metricCard(data.metrics), make("p", { class: "note" }, metricNote),
     metricFacts(data.metrics),
-    sceneFacts(data.rows),
-    make("h3", {}, "Machine"), machineFacts(data.rows),
+    make("h3", {}, "Study and scenes"), inputTexts(data.inputs), fileFacts(data.rows),
+    sceneFacts(data),
+    make("h3", {}, "Machine"), measuredFacts(data.rows), machineFacts(data.rows),
     data.command && facts([["command", data.command]]),
     make("p", { class: "note" }, measures));
 }
