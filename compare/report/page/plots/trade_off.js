@@ -95,7 +95,8 @@ const tradeOffCsv = (points, cost) =>
 
 /** The error over `cost`, a column. */
 function tradeOffSpec(rows, cost, width, colors) {
-  const size = { width: width - 66, height: 230 };
+  const margin = { left: 68, right: 10 }; // of the longest label of a tick, 0.00005, and the axis's title
+  const size = { width: width - margin.left - margin.right, height: 230 };
   const { points, front, unknown } = tradeOffPoints(rows, cost);
   const references = rows.filter((row) => row.reference && isKnown(cost.value(row))).map((row) => ({ name: row.name, cost: cost.shown(row) }));
   const x = railedAxis([...points, ...references].map((point) => point.cost), 0, size.width);
@@ -108,7 +109,7 @@ function tradeOffSpec(rows, cost, width, colors) {
   const title = notesBelow(notes, width - 20, colors);
   const axis = { grid: true, format: "~g", tickCount: 5, labelOverlap: true };
   return {
-    ...size, padding: { left: 56, right: 10, top: 10, bottom: 42 + 14 * title.text.length }, autosize: "none",
+    ...size, padding: { ...margin, top: 10, bottom: 42 + 14 * title.text.length }, autosize: "none",
     config: plotConfig(colors), title: notes.length > 0 ? title : undefined,
     usermeta: { csv: tradeOffCsv(points, cost) },
     data: Object.entries({ points, front, reference, labels, rails: railsOf(x, y, size) }).map(([name, values]) => ({ name, values })),
