@@ -490,7 +490,7 @@ class ReportTest(unittest.TestCase):
         camera = section.find_element(By.XPATH, ".//dt[.='--camera']/following-sibling::dd").text
         again = self.folder / "again.exr"
         subprocess.run([os.environ["PELLUCID_PROGRAM"], "render", self.folder / "sheets.json", "-m", "raytrace", "-o", again,
-                        "--camera", camera, "--quiet"], check=True)
+                        "--camera", camera, "--quiet"], check=True, stdout=subprocess.DEVNULL)
         first = exr.read(self.pages["file"].parent / "images" / "sheets" / "raytrace.exr")
         self.assertLess(abs(exr.read(again) - first).max(), 1e-5)
 
