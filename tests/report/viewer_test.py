@@ -309,12 +309,29 @@ class ReportTest(unittest.TestCase):
         self.assertEqual({line[0] for line in lines[1:]}, of)
         self.assertIn(f"6 of {len(of)} curves are drawn; the CSV has all.", self.saved(title, "SVG"))
 
+    def printed(self, name):
+        """The page that is open, on paper."""
+        pdf = self.folder / f"{name}.pdf"
+        pdf.write_bytes(base64.b64decode(self.browser.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"]))
+        return pdf
+
+    @staticmethod
+    def images_of(pdf):
+        return len(subprocess.run(["pdfimages", "-list", pdf], check=True, capture_output=True, text=True).stdout.splitlines()) - 2
+
+    def test_pictures_beside_the_page_are_printed_too(self):
+        counts = {}
+        for form, page in self.pages.items():
+            self.browser.get(page.as_uri())
+            counts[form] = self.images_of(self.printed(form))
+        self.assertGreaterEqual(counts["file"], 8)  # of two methods picture, zoom-in and maps
+        self.assertEqual(counts["file"], counts["folder"])
+
     def test_nothing_is_cut_off_on_paper(self):
         self.browser.get(self.many.as_uri())
         heads = [head.text for head in self.browser.find_elements(By.CSS_SELECTOR, "#table th")]
         names = {row.find_elements(By.TAG_NAME, "td")[1].text for row in self.browser.find_elements(By.CSS_SELECTOR, "#table tbody tr")}
-        pdf = self.folder / "many.pdf"
-        pdf.write_bytes(base64.b64decode(self.browser.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"]))
+        pdf = self.printed("many")
         info = subprocess.run(["pdfinfo", pdf], check=True, capture_output=True, text=True).stdout
         self.assertRegex(info, r"Page size: +59\d(\.\d+)? x 84\d")
         words = [tuple(map(float, w)) for w in re.findall(r'xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)"', subprocess.run(
@@ -327,8 +344,7 @@ class ReportTest(unittest.TestCase):
         self.assertGreaterEqual(flat.count(heads[-1].split()[0]), 1)
         for name in names:  # in the first columns' lines, in those of the others, and below its picture or in a plot
             self.assertGreaterEqual(text.count(name), 2, name)
-        images = subprocess.run(["pdfimages", "-list", pdf], check=True, capture_output=True, text=True).stdout.splitlines()[2:]
-        self.assertGreaterEqual(len(images), 3 * (len(names) - 1))
+        self.assertGreaterEqual(self.images_of(pdf), 3 * (len(names) - 1))
         # Afterwards it is as it was.
         self.assertEqual(self.browser.find_elements(By.CSS_SELECTOR, ".groups, .split"), [])
         self.assertEqual(self.console(), [])
