@@ -321,9 +321,15 @@ class ReportTest(unittest.TestCase):
 
     def test_pictures_beside_the_page_are_printed_too(self):
         counts = {}
-        for form, page in self.pages.items():
-            self.browser.get(page.as_uri())
-            counts[form] = self.images_of(self.printed(form))
+        # Cards below each other, of which the last ones are far away.
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                     {"width": 390, "height": 300, "deviceScaleFactor": 1, "mobile": False})
+        try:
+            for form, page in self.pages.items():
+                self.browser.get(page.as_uri())
+                counts[form] = self.images_of(self.printed(form))
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.assertGreaterEqual(counts["file"], 8)  # of two methods picture, zoom-in and maps
         self.assertEqual(counts["file"], counts["folder"])
 

@@ -26,9 +26,8 @@ function makeAll() {
 
 const unread = new Map(); // of each picture where it is read from
 
-/** A picture that showImages() shows; of files beside the page the browser knows itself what is near, and waits for them before it prints. */
+/** A picture that showImages() shows. */
 function distantImage(source, attributes) {
-  if (data.pixels.in_folder) return make("img", { ...attributes, loading: "lazy", src: source, draggable: "false" });
   const image = make("img", { ...attributes, draggable: "false" });
   unread.set(image, source);
   return image;
