@@ -151,11 +151,9 @@ std::set<StageSet> sets_to_draw(const StageOrder& order) {
 }
 
 std::set<StageSet> sets_to_time(const StageOrder& order) {
-  std::set<StageSet> sets{0};
-  for (std::size_t stage = 0; stage < order.size(); ++stage) {
-    const Step step = first_step(order, stage);
-    sets.insert({step.from, step.to});
-  }
+  std::set<StageSet> sets{0};  // where a first step begins, if not where another one ends
+  for (std::size_t stage = 0; stage < order.size(); ++stage)
+    sets.insert(first_step(order, stage).to);
   return sets;
 }
 
