@@ -168,6 +168,7 @@ TEST(SlowReport, ABrowserShowsItWithoutErrorsOrRequests) {
   const auto [dom, worked] = output_of(
       "timeout 90 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
       "--disable-background-networking --disable-component-update --disable-sync "
+      "--window-size=1400,8000 "  // as far as plots are drawn
       "--enable-logging=stderr --v=0 --virtual-time-budget=5000 --user-data-dir=" +
       (folder / "profile").string() + " --dump-dom file://" +
       (folder / "results/report.html").string() + " 2>" + log);
