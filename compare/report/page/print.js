@@ -23,6 +23,7 @@ function groupRow(row, names, [first, end]) {
   const copy = row.cloneNode(false);
   copy.append(...cells.map((cell) => cell.cloneNode(true)));
   for (const cell of copy.cells) if (cell.colSpan > 1) cell.colSpan = end - first;
+  for (const button of copy.querySelectorAll("button")) button.replaceWith(button.textContent); // heads with buttons are not repeated on further sheets
   return copy;
 }
 
