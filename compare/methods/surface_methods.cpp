@@ -12,6 +12,7 @@
 #include "integrators/paths/backward.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
+#include "scene/elements/opacity_source.h"
 
 namespace pellucid::compare {
 namespace {
@@ -21,8 +22,14 @@ constexpr std::uint64_t distance_samples = 4000;
 
 using Better = scene::Measure::Better;
 
-/// The one object that was integrated. Throws InputError.
+/// The one object that was integrated. Throws InputError, also where its opacities were optimized:
+/// they are those of its mesh's vertices, and another mesh has others.
 scene::SceneObject& integrated_object(scene::Scene& scene) {
+  if (scene::has_optimized_opacities(scene))
+    throw InputError(fmt::format(
+        "scene {}: its opacities were optimized for the meshes that it has; accepted by "
+        "surface integrators, which make another: a scene's own opacities",
+        scene.name));
   scene::SceneObject* found = nullptr;
   int count = 0;
   for (scene::SceneObject& object : scene.objects)

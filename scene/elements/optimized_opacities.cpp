@@ -4,8 +4,12 @@
 #include <cassert>
 #include <span>
 
+#include "scene/elements/opacity_source.h"
+
 namespace pellucid::scene {
 namespace {
+
+constexpr const char* made_by = "opacities";  // in the provenance
 
 /// Takes the vertices' opacities from the front of `opacities`.
 void take(std::span<const float>& opacities, geometry::Vertices& vertices) {
@@ -31,7 +35,9 @@ struct Take {
 void apply(const OptimizedOpacities& opacities, const std::string& by, Scene& scene) {
   Take take{opacities.of_meshes, opacities.of_lines, opacities.of_points};
   for (SceneObject& object : scene.objects) std::visit(take, object.shape);
-  scene.provenance["opacities"] = by;
+  scene.provenance[made_by] = by;
 }
+
+bool has_optimized_opacities(const Scene& scene) { return scene.provenance.contains(made_by); }
 
 }  // namespace pellucid::scene

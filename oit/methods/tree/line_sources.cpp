@@ -46,16 +46,17 @@ scene::SceneObject some_lines(const scene::SceneObject& object, std::uint64_t fi
 
 }  // namespace
 
-void LineSources::add_surface(const scene::FlowSource& source, const scene::Scene& scene,
-                              const scene::DepthRange& range, std::uint64_t lines,
-                              const StripOptions& options, const PrimitiveRange& place) {
-  const auto strips = std::make_shared<SurfaceStrips>(source, scene, range, lines, options);
+std::uint64_t LineSources::add_surface(const scene::SceneObject& object, const scene::Scene& scene,
+                                       const scene::DepthRange& range, std::uint64_t lines,
+                                       const StripOptions& options, const PrimitiveRange& place) {
+  const auto strips = std::make_shared<SurfaceStrips>(object, scene, range, lines, options);
   sources_.push_back({lines, [strips](std::uint64_t first, std::uint64_t count) {
-                        scene::SceneObject object;
-                        object.shape = strips->lines(first, count);
-                        return object;
+                        scene::SceneObject made;
+                        made.shape = strips->lines(first, count);
+                        return made;
                       }});
   places_.push_back(place);
+  return strips->bytes();
 }
 
 void LineSources::add_lines(const scene::SceneObject& object, const PrimitiveRange& place) {

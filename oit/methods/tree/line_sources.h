@@ -14,10 +14,11 @@ namespace pellucid::oit {
 /// proportion to what it has.
 class LineSources {
  public:
-  /// Takes the surface that an object was integrated from; `scene` and `source` have to outlive it.
-  void add_surface(const scene::FlowSource& source, const scene::Scene& scene,
-                   const scene::DepthRange& range, std::uint64_t lines, const StripOptions& options,
-                   const PrimitiveRange& place);
+  /// Takes the surface that an object was integrated from; `scene` and `object` have to outlive it.
+  /// Returns the bytes that it keeps.
+  std::uint64_t add_surface(const scene::SceneObject& object, const scene::Scene& scene,
+                            const scene::DepthRange& range, std::uint64_t lines,
+                            const StripOptions& options, const PrimitiveRange& place);
   /// Takes the lines of an object, which has to outlive it. They come in an order that spreads over
   /// the object from the first ones on: neighbours in a file are often neighbours in space.
   void add_lines(const scene::SceneObject& object, const PrimitiveRange& place);

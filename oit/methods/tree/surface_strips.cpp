@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "integrators/front/front_particle.h"
 #include "integrators/paths/backward.h"
+#include "scene/elements/opacity_source.h"
 
 namespace pellucid::oit {
 namespace {
@@ -93,10 +94,10 @@ const OptionTable<StripOptions>& strip_options() {
   return table;
 }
 
-SurfaceStrips::SurfaceStrips(const scene::FlowSource& source, const scene::Scene& scene,
+SurfaceStrips::SurfaceStrips(const scene::SceneObject& object, const scene::Scene& scene,
                              const scene::DepthRange& range, std::uint64_t lines,
                              const StripOptions& options)
-    : source_(source),
+    : source_(*object.source),
       line_count_(lines),
       options_(options),
       frame_(scene::camera_frame(scene.camera)),
@@ -106,11 +107,13 @@ SurfaceStrips::SurfaceStrips(const scene::FlowSource& source, const scene::Scene
       pixel_(2 * half_height_ / scene.height),
       nearest_(0.01 * range.far),
       lit_(scene.lighting != scene::Lighting::none),
-      request_(request_of(source)),
+      request_(request_of(source_)),
       integration_(integrators::surface_setup(request_, integrators::SurfaceOptions{})),
       particles_(request_, integration_) {
   if (options.seeding == LineSeeding::separation)
     seeds_ = integrators::LineSeeds([&](double s) { return largest_separation(s); });
+  if (scene::has_optimized_opacities(scene))
+    mesh_opacity_.emplace(object.mesh(), source_.seed.closed);
 }
 
 double SurfaceStrips::pixel_size(const Vec3& x) const {
@@ -166,6 +169,9 @@ geometry::TriangleMesh SurfaceStrips::line(const integrators::LineSeeds::Seed& s
   geometry::TriangleMesh mesh = strip.take();
   integrators::turn_back(mesh, *source_.field);
   scene::apply_appearance(source_.appearance, mesh);
+  if (mesh_opacity_)
+    for (std::size_t i = 0; i < mesh.colors.size(); ++i)
+      mesh.colors[i].a = mesh_opacity_->at(seed.s, mesh.scalars["t"][i]);
   return mesh;
 }
 

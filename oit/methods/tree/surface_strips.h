@@ -4,6 +4,7 @@
 #include "core/options/option_table.h"
 #include "integrators/front/surface_particles.h"
 #include "integrators/lines/line_seeds.h"
+#include "oit/methods/tree/mesh_opacity.h"
 #include "scene/scene.h"
 #include "scene/view_depth.h"
 
@@ -32,16 +33,23 @@ const OptionTable<StripOptions>& strip_options();
 /// the surface's up to the surface's bending within half a strip; a strip that faced the eye would
 /// be off by the surface's slope.
 ///
+/// A strip's colour and opacity are those of the surface's appearance, at its own scalars. Where
+/// the scene's opacities were optimized, which the appearance knows nothing of, its opacity is that
+/// of the surface's mesh at the strip's (s, t).
+///
 /// Lines of any numbers can be made in any order and always come out the same.
 class SurfaceStrips {
  public:
-  /// `lines` is how many there will be, for the distance between them. What it is given has to
-  /// outlive it.
-  SurfaceStrips(const scene::FlowSource& source, const scene::Scene& scene,
+  /// Takes an object that has a source. `lines` is how many there will be, for the distance between
+  /// them. What it is given has to outlive it.
+  SurfaceStrips(const scene::SceneObject& object, const scene::Scene& scene,
                 const scene::DepthRange& range, std::uint64_t lines, const StripOptions& options);
 
   /// Lines first … first + count - 1 of LineSeeds.
   geometry::TriangleMesh lines(std::uint64_t first, std::uint64_t count);
+
+  /// Returns what it keeps of the mesh; 0 where opacities are the appearance's.
+  std::uint64_t bytes() const { return mesh_opacity_ ? mesh_opacity_->bytes() : 0; }
 
  private:
   template <class Visit>
@@ -64,6 +72,7 @@ class SurfaceStrips {
   integrators::SurfaceSetup integration_;
   integrators::ParticleSource particles_;
   integrators::LineSeeds seeds_;
+  std::optional<MeshOpacity> mesh_opacity_;  // where opacities are not the appearance's
 };
 
 }  // namespace pellucid::oit

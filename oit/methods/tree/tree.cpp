@@ -121,9 +121,10 @@ class Tree final : public OitMethod {
   void add_lines(const scene::SceneObject& object, const PrimitiveRange& place,
                  std::uint64_t surfaces) {
     if (!object.source) return lines_.add_lines(object, place);
-    lines_.add_surface(*object.source, stage_.scene(), range_,
-                       std::max<std::uint64_t>(options_.budget.lines / surfaces, 1),
-                       options_.strips, place);
+    const std::uint64_t bytes = lines_.add_surface(
+        object, stage_.scene(), range_,
+        std::max<std::uint64_t>(options_.budget.lines / surfaces, 1), options_.strips, place);
+    if (bytes > 0) stage_.record("opacities of the mesh", bytes);
   }
 
   void draw_lines(Frame& frame) {
