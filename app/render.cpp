@@ -181,7 +181,8 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   if (!options.deep.empty()) check_deep(scene);
   if (opacities) {
     report(progress, 0.3, "optimizing opacities");
-    compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
+    compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene,
+                                compare::further_samplings({&call, 1}));
   }
   // Whatever may refuse the call comes before the first file.
   std::optional<DrawnPicture> drawn;

@@ -152,10 +152,11 @@ class BudgetDrawing {
     }
   };
 
-  /// Every geometry is made once for all its pictures.
+  /// Every geometry is made once for all its pictures; with optimized opacities once for each
+  /// sampling, at which they are found.
   MadeScene& scene_of(const DrawPlan& plan) {
-    const std::string key =
-        plan.scene.dump() + (plan.opacities ? plan.opacities->text() : std::string());
+    std::string key = plan.scene.dump();
+    if (plan.opacities) key += plan.opacities->text() + scene::describe(plan.samples);
     const auto found = scenes_.find(key);
     if (found != scenes_.end()) return found->second;
     const Stopwatch watch;
@@ -170,7 +171,9 @@ class BudgetDrawing {
     scene.name = drawn_.name;
     scene.camera = drawn_.camera;
     scene::place_halos(scene);
-    if (plan.opacities) optimize_opacities(*plan.opacities, context_, scene);
+    scene.samples = plan.samples;
+    if (plan.opacities)
+      optimize_opacities(*plan.opacities, context_, scene, cell_.further_samplings);
     return scene;
   }
 

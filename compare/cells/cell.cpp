@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/methods/optimize_opacities.h"
 #include "compare/results/measure_columns.h"
 #include "core/error.h"
 #include "core/files/json_node.h"
@@ -82,6 +83,13 @@ bool are_unchanged(const std::map<std::string, std::string>& files, ContentHashe
 
 }  // namespace
 
+std::vector<scene::PixelSampling> further_samplings(const Study& study) {
+  if (!study.opacities) return {};
+  std::vector<MethodCall> calls = study.methods;
+  calls.push_back(study.reference);
+  return further_samplings(calls);
+}
+
 std::vector<Cell> expand_cells(const Study& study) {
   std::vector<Cell> cells;
   for (const fs::path& scene : study.scenes) {
@@ -90,6 +98,7 @@ std::vector<Cell> expand_cells(const Study& study) {
     Cell cell{reference_scene(study, scene), name, study.reference, true, study.measures};
     if (probes != study.probes.end()) cell.probes = probes->second;
     cell.opacities = study.opacities;
+    cell.further_samplings = further_samplings(study);
     cell.views = study.views;
     cell.budget = study.budget;
     cells.push_back(cell);
@@ -171,6 +180,8 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
   if (cell.call.given) hash.add(cell.call.given->fingerprint(cell.scene, cell.place.view));
   add_call(reference, hash);
   if (cell.opacities) add_call(*cell.opacities, hash);
+  for (const scene::PixelSampling& sampling : cell.further_samplings)
+    hash.add(scene::describe(sampling));
   hash.add(fmt::format("{} {} {}", timing.min, timing.max, timing.relative.value_or(0)));
   hash.add(context.gl);
   for (const std::string& measure : cell.measures) hash.add(measure);

@@ -22,13 +22,19 @@ struct Cell {
   std::vector<std::string> measures = {};              // names of StudyMeasure
   std::vector<Pixel> probes = {};                      // rays to look along
   std::optional<MethodCall> opacities = std::nullopt;  // see Study
-  GivenPlace place = {};                               // of a picture from elsewhere
+  /// Where there are such: those of all calls of the study, see further_samplings().
+  std::vector<scene::PixelSampling> further_samplings = {};
+  GivenPlace place = {};  // of a picture from elsewhere
   Views views = {};
   std::optional<BudgetOptions> budget = std::nullopt;
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }
 };
+
+/// Returns further_samplings() of all calls of a study that composite optimized opacities; of
+/// another study none.
+std::vector<scene::PixelSampling> further_samplings(const Study& study);
 
 /// Returns the cells of a study, scene by scene, in each the reference first.
 std::vector<Cell> expand_cells(const Study& study);
@@ -73,9 +79,9 @@ class CellFiles {
 ResultRow identity_row(const Cell& cell);
 
 /// Returns a hash of what a cell is asked to do: the scene's text, the method and the reference
-/// with all their parameters, what optimizes opacities, its measures and probes, its views, how
-/// often it is timed, and where OpenGL runs. What it reads beside the scene's file, its row lists.
-/// Throws InputError when the scene's file cannot be read.
+/// with all their parameters, what optimizes opacities and for which samples, its measures and
+/// probes, its views, how often it is timed, and where OpenGL runs. What it reads beside the
+/// scene's file, its row lists. Throws InputError when the scene's file cannot be read.
 std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
                              const TimingRule& timing, const scene::RenderContext& context);
 

@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <utility>
-#include <vector>
+#include <algorithm>
+#include <set>
 
 #include "compare/methods/methods.h"
 #include "core/error.h"
+#include "scene/elements/frame_memory.h"
 
 namespace pellucid::compare {
 namespace {
@@ -34,18 +35,39 @@ std::optional<MethodCall> parse_opacities(const std::string& text) {
   return checked_opacities(parse_call(text, methods()));
 }
 
+std::vector<scene::PixelSampling> further_samplings(std::span<const MethodCall> calls) {
+  std::set<int> per_axis;
+  for (const MethodCall& call : calls)
+    if (std::ranges::find(call.row->parameters, "adaptive", &ParameterSpec::name) !=
+        call.row->parameters.end())
+      per_axis.insert(int(call.parameters.real("adaptive")));
+  per_axis.erase(1);  // not adaptive: the scene's own samples alone
+  std::vector<scene::PixelSampling> samplings;
+  for (const int n : per_axis) samplings.push_back({.per_axis = n});
+  return samplings;
+}
+
 void optimize_opacities(const MethodCall& call, const scene::RenderContext& context,
-                        scene::Scene& scene) {
+                        scene::Scene& scene, std::span<const scene::PixelSampling> further) {
   if (!scene::has_importance(scene))
     throw InputError(
         fmt::format("{}: opacities cannot be optimized: nothing in the scene has "
                     "importance above 0",
                     scene.name));
-  const scene::PixelSampling samples = std::exchange(scene.samples, {});
-  const auto renderer = call.row->make(scene, call.parameters, context);
+  scene::FrameMemory of_this_alone;
+  scene::RenderContext gathering = context;
+  if (!gathering.memory) gathering.memory = &of_this_alone;
+  gathering.memory->one_for_all_samples = true;
+  const auto renderer = call.row->make(scene, call.parameters, gathering);
   renderer->render({});
+  const scene::PixelSampling own = scene.samples;
+  for (const scene::PixelSampling& sampling : further) {
+    if (sampling == own) continue;
+    scene.samples = sampling;  // the renderer takes it as it is now
+    renderer->render({});
+  }
+  scene.samples = own;
   const std::optional<scene::OptimizedOpacities> found = renderer->optimized_opacities();
-  scene.samples = samples;
   if (!found)
     throw InputError(
         fmt::format("opacities: '{}' finds those of fragments, which no other method "

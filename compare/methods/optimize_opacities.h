@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "compare/methods/method_call.h"
 
@@ -16,9 +18,15 @@ MethodCall checked_opacities(MethodCall call);
 /// none. Throws InputError for an unknown name or parameter, and as checked_opacities() does.
 std::optional<MethodCall> parse_opacities(const std::string& text);
 
+/// Returns the samplings of pixels by which calls draw a scene beside its own: those of adaptive
+/// ones, each once, the coarsest first.
+std::vector<scene::PixelSampling> further_samplings(std::span<const MethodCall> calls);
+
 /// Makes the opacities of least energy those of the scene, as `call`, a method that optimizes those
-/// of vertices, finds them for the scene's camera and size, at the pixels' centres: what any other
-/// method then composites is the same. Importance is gone from the scene after it.
+/// of vertices, finds them for the scene's camera and size: what any other method then composites
+/// is the same. An element's opacity is the least that it has at any sample of a pixel, of the
+/// scene's own samples and of those of `further`, by which it will be drawn, too: what none of them
+/// sees is opaque, and is not drawn. Importance is gone from the scene after it.
 ///
 /// This is opacity optimization as a stage of its own (Baeza Rojo et al. 2019, section 4.2, steps 1
 /// to 3), before whichever compositing (step 5).
@@ -26,6 +34,6 @@ std::optional<MethodCall> parse_opacities(const std::string& text);
 /// Throws InputError for a scene without importance and a call whose opacities are those of single
 /// fragments; and what the method throws.
 void optimize_opacities(const MethodCall& call, const scene::RenderContext& context,
-                        scene::Scene& scene);
+                        scene::Scene& scene, std::span<const scene::PixelSampling> further = {});
 
 }  // namespace pellucid::compare

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "compare/methods/optimize_opacities.h"
 #include "scene/elements/frame_memory.h"
@@ -46,7 +47,10 @@ Drawn draw_frame(const scene::Scene& scene, const MethodCall& method,
   };
   if (!opacities) return draw_both(scene, context);
   scene::Scene optimized = scene;
-  optimize_opacities(*opacities, context, optimized);
+  std::vector<MethodCall> calls;
+  calls.push_back(method);
+  if (reference) calls.push_back(*reference);
+  optimize_opacities(*opacities, context, optimized, further_samplings(calls));
   return draw_both(optimized, forgetful);
 }
 

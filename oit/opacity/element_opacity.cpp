@@ -85,11 +85,19 @@ ElementOpacity::ElementOpacity(Stage& stage, const ElementOptions& options)
                                textures_.of_segment.bytes() + textures_.opacities.bytes());
 }
 
+void ElementOpacity::begin() const {
+  const Buffer& opacities = textures_.opacities.buffer();
+  opacities.clear(opaque_bits);
+  if (stage_.memory() && !stage_.memory()->least.empty())
+    opacities.write<float>([&](float* to) { std::ranges::copy(stage_.memory()->least, to); });
+}
+
 void ElementOpacity::smooth_and_interpolate() {
   stage_.gl().MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<float> opacities(patches_->count() + segments_->count() +
                                (stage_.memory() ? points_ : 0));
   textures_.opacities.buffer().read(opacities.size() * sizeof(float), opacities.data());
+  if (stage_.memory() && stage_.memory()->one_for_all_samples) stage_.memory()->least = opacities;
   smooth_found(opacities);
   if (stage_.memory()) blend_with_last(opacities);
   opacities.resize(smoothed_.size());  // points have theirs where they were found

@@ -40,6 +40,9 @@ auto opacity_unit_option(OpacityUnit Options::*member) {
 /// optimization (Baeza Rojo et al. 2019, section 4.2, end of step 2 and step 3). What no
 /// fragment of is seen is opaque.
 ///
+/// Where FrameMemory asks for one opacity for all samples, it is the least over all of them, and
+/// what has no fragment at any is what is opaque.
+///
 /// Along a camera path, frames after the first show keep · last + (1 - keep) · found, `last` of the
 /// frame before: temporal smoothing, for which the paper has no formula.
 ///
@@ -50,7 +53,7 @@ class ElementOpacity {
   ElementOpacity(Stage& stage, const ElementOptions& options);
 
   /// Before the pass that calls lower_opacity() of element.glsl for every fragment.
-  void begin() const { textures_.opacities.buffer().clear(opaque_bits); }
+  void begin() const;
   /// After it: for programs whose fragments have these opacities.
   void smooth_and_interpolate();
   /// Returns what that pass finds bound, for element_opacity.glsl.

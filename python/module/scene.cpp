@@ -105,7 +105,8 @@ Rendering render_asked(const scene::Scene& scene, const RenderRequest& request,
                        const Progress& progress) {
   if (!request.opacities) return render_now(scene, request, progress);
   scene::Scene optimized = scene;
-  compare::optimize_opacities(*request.opacities, {.gl = request.gl}, optimized);
+  compare::optimize_opacities(*request.opacities, {.gl = request.gl}, optimized,
+                              compare::further_samplings({&request.call, 1}));
   return render_now(optimized, request, progress);
 }
 

@@ -18,10 +18,18 @@ struct FrameMemory {
   /// where nothing is optimized.
   std::vector<float> last, now;
 
+  /// Says whether an element has one opacity for all that is drawn of a frame, as a scene's own
+  /// opacities are: the least over all samples of a pixel, in all pictures of the frame until now.
+  /// Otherwise every sample finds its own.
+  bool one_for_all_samples = false;
+  /// These are the least ones until now, before they are smoothed; empty until there are some.
+  std::vector<float> least;
+
   /// Ends a frame: its opacities become the last ones.
   void next_frame() {
     last = std::move(now);
     now.clear();
+    least.clear();
   }
 };
 

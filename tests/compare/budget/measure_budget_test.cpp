@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/budget/measure_budget.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -65,6 +66,34 @@ class UnitMeasureBudget : public ::testing::Test {
 
   testing::TemporaryFolder folder_;
 };
+
+// Over an important sheet, opaque points that one of 16 samples of each pixel meets, at an eighth
+// of it, and its centre does not: by q = 3 they have a quarter of their opacity where they are met.
+TEST_F(UnitMeasureBudget, OpacitiesAreOptimizedForTheSamplesThatAreDrawn) {
+  std::string points =
+      "ply\nformat ascii 1.0\nelement vertex 48\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float red\nproperty float green\nproperty float blue\n"
+      "property float alpha\nend_header\n";
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 8; ++x)
+      points += fmt::format("{} {} 1 1 0 0 1\n", (x - 4 + 0.125) / 3, (y - 3 + 0.125) / 3);
+  write_text(folder_ / "points.ply", points);
+  write_text(folder_ / "sheet.ply", ply(sheet("0", "0 0 1 1"), 1));
+  write_text(folder_ / "scene.json",
+             R"({"format": "pellucid-scene", "version": 1, "resolution": [8, 6],
+                 "camera": {"type": "orthographic", "eye": [0, 0, 5], "height": 2},
+                 "energy": {"q": 3, "r": 0}, "objects": [
+                   {"points": "points.ply", "radius": 0.01},
+                   {"mesh": "sheet.ply", "importance": 1}]})");
+  const scene::Scene scene = scene::load_scene(folder_ / "scene.json");
+  Cell cell{.scene_file = folder_ / "scene.json", .scene = "scene", .call = call("raytrace")};
+  cell.budget = BudgetOptions{};
+  cell.opacities = call("decoupled-lists");
+  CellMeasurement found;
+  add_budget(cell, call("raytrace"), scene, {}, found);
+  // The mean is (1, 0, 63) / 64 where the centre is blue.
+  EXPECT_NEAR(found.row.budget->rmse, std::sqrt(2.0 / 3) / 64, 1e-6);
+}
 
 double byte_of(double value) { return std::round(255 * value) / 255; }
 

@@ -4,9 +4,13 @@
 #include <gmock/gmock.h>
 
 #include "compare/methods/optimize_opacities.h"
+#include "compare/methods/surface_methods.h"
 #include "core/error.h"
+#include "core/files/output_file.h"
+#include "scene/files/scene_file.h"
 #include "tests/compare/methods/opacity_scenes.h"
 #include "tests/compare/methods/promise_scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pellucid::compare {
 namespace {
@@ -104,6 +108,95 @@ TEST(PropertyOptimizedScene, RowsThatPromiseOpacitiesOfVerticesHaveThem) {
   }
 }
 
+/// The square that the flow along y sweeps at z.
+std::string swept_square(const std::string& z, const std::string& look) {
+  return R"({"surface": {"field": "formula:u=0,v=1,w=0", "duration": 2,
+                         "integrator": "hultquist:threshold=0.05",
+                         "seed": {"from": [-1, -1, )" +
+         z + R"(], "to": [1, -1, )" + z + R"(]}}, "opacity": 0.9, )" + look + "}";
+}
+
+/// A red square, and in a picture of 32 × 32 pixels behind it a blue one, if any, whose importance
+/// grows from 0 at x = -1 to 1 at x = 1.
+scene::Scene integrated_squares(bool with_blue) {
+  const TemporaryFolder folder;
+  write_text(folder / "scene.json",
+             R"({"format": "pellucid-scene", "version": 1, "resolution": [32, 32],
+                 "camera": {"type": "orthographic", "eye": [0, 0, 5], "height": 2.4},
+                 "energy": {"q": 50, "r": 100, "lambda": 2}, "objects": [)" +
+                 swept_square("1", R"("color": "#ff0000", "importance": 0.1)") +
+                 (with_blue ? "," + swept_square("-1", R"("color": "#0000ff", "importance": "s")")
+                            : std::string()) +
+                 "]}");
+  return scene::load_scene(folder / "scene.json");
+}
+
+// A strip lies in one column of pixels, over which the mesh's opacity changes linearly: what
+// differs from the ray at the pixel's centre is a mean over places of some pixels' width, half of
+// which is the change of an opacity from pixel to pixel.
+TEST(AgreementOptimizedScene, LinesOfIntegratedSurfacesHaveTheOpacitiesOfTheirMesh) {
+  const scene::Scene own = integrated_squares(true);
+  const scene::Scene scene = optimized(own, "decoupled-lists:patches=50");
+  const Image exact = draw("raytrace", scene).image;
+  const Image tree = draw("tree", scene, {{"lines", "2000"}}).image;
+  EXPECT_GT(largest_difference(exact, draw("raytrace", own).image), 0.5);
+  for (int y = 4; y < 28; ++y)
+    for (int x = 4; x < 28; ++x) {
+      float change = 0;
+      for (int side : {-1, 1})
+        change = std::max({change, glm::length(exact.at(x + side, y) - exact.at(x, y)),
+                           glm::length(exact.at(x, y + side) - exact.at(x, y))});
+      EXPECT_LE(glm::length(exact.at(x, y) - tree.at(x, y)), change + float_composite)
+          << x << ' ' << y;
+    }
+}
+
+/// Opaque points of radius 0.03 in front of an important blue sheet, in a picture of 4 × 4 pixels
+/// of 1/2: at the centre of the first pixel, at the first of the next one's four samples, and at
+/// the second of another one's frames (1/4 and 2/3 of the pixel from its top left corner).
+scene::Scene points_between_samples() {
+  scene::Scene scene = orthographic_scene(4, 4);
+  scene::PointObject points;
+  points.radius = 0.03;
+  points.set.positions = {{-0.75, 0.75, 1}, {-0.375, 0.875, 1}, {0.125, 1 - 1.0 / 3, 1}};
+  points.set.colors.assign(3, {1, 0, 0, 1});
+  geometry::TriangleMesh sheet = full_layer(-1, Rgba(0, 0, 1, 1));
+  sheet.importance.assign(4, 1);
+  scene.objects = {{"points", points}, {"important", sheet}};
+  return scene;
+}
+
+std::vector<float> opacities_of_points(const std::string& call, const scene::PixelSampling& own,
+                                       const std::vector<scene::PixelSampling>& further) {
+  scene::Scene scene = points_between_samples();
+  scene.samples = own;
+  optimize_opacities(*parse_opacities(call), {}, scene, further);
+  EXPECT_EQ(scene.samples, own);
+  std::vector<float> found;
+  for (const Rgba& color : scene.objects[0].vertices().colors) found.push_back(color.a);
+  return found;
+}
+
+// What is seen has by q = 3 a quarter of its opacity, by a series of the importance about as much;
+// what is not has all of it.
+TEST(UnitOptimizedScene, WhatAnyDrawnSampleSeesIsSeen) {
+  for (const auto& [call, tolerance] :
+       {std::pair("decoupled-lists:q=3,r=0", 0.0), std::pair("fourier-opacity:q=3,r=0", 0.25)}) {
+    const auto expect = [&](const scene::PixelSampling& own,
+                            const std::vector<scene::PixelSampling>& further,
+                            const std::vector<bool>& seen) {
+      const std::vector<float> found = opacities_of_points(call, own, further);
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(found[i], seen[i] ? 0.25 : 1, seen[i] ? tolerance : 0) << call << ' ' << i;
+    };
+    expect({}, {}, {true, false, false});
+    expect({.per_axis = 2}, {}, {false, true, false});
+    expect({.frames = 2}, {}, {false, false, true});
+    expect({}, {{.per_axis = 2}}, {true, true, false});
+    expect({.per_axis = 2}, {{.per_axis = 2}, {.frames = 2}}, {false, true, true});
+  }
+}
+
 std::string refusal(const scene::Scene& scene, const std::string& call) {
   try {
     optimized(scene, call);
@@ -122,6 +215,30 @@ TEST(UnitOptimizedScene, WhatHasNoOpacitiesOfVerticesIsRefused) {
   scene::Scene dull = scene;
   dull.objects[1].vertices().importance.clear();
   EXPECT_THAT(refusal(dull, "decoupled-lists"), HasSubstr("nothing in the scene has importance"));
+}
+
+TEST(UnitOptimizedScene, IntegratorsThatMakeAnotherMeshAreRefused) {
+  const scene::Scene own = integrated_squares(false);
+  const scene::Scene scene = optimized(own, "decoupled-lists");
+  for (const scene::MethodRow& row : surface_methods()) {
+    const Parameters parameters(row.name, row.parameters, {});
+    EXPECT_NO_THROW(row.make(own, parameters, {})) << row.name;
+    try {
+      row.make(scene, parameters, {});
+      ADD_FAILURE() << row.name;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("opacities were optimized for the meshes"));
+    }
+  }
+}
+
+TEST(UnitOptimizedScene, AdaptiveCallsSampleBetweenPixelCentres) {
+  std::vector<MethodCall> calls;
+  for (const char* call :
+       {"raytrace:adaptive=4", "raytrace", "fourier", "raytrace:adaptive=2", "raytrace:adaptive=4"})
+    calls.push_back(parse_call(call, methods()));
+  const std::vector<scene::PixelSampling> expected{{.per_axis = 2}, {.per_axis = 4}};
+  EXPECT_EQ(further_samplings(calls), expected);
 }
 
 }  // namespace

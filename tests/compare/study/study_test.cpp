@@ -75,6 +75,15 @@ TEST(UnitStudy, OpacitiesMakeOtherCells) {
   EXPECT_EQ(smoother.opacities->text(), "decoupled-lists:smooth=30");
   EXPECT_NE(fingerprint(plain), fingerprint(optimized));
   EXPECT_NE(fingerprint(optimized), fingerprint(smoother));
+  // They are found for the samples of all calls, of those of other cells, too.
+  const auto beside_adaptive = [&](const std::string& more) {
+    Study study = load(more);
+    study.methods.push_back(parse_call("raytrace:adaptive=4", methods()));
+    return study;
+  };
+  EXPECT_NE(fingerprint(optimized),
+            fingerprint(beside_adaptive(R"(, "opacities": "decoupled-lists")")));
+  EXPECT_EQ(fingerprint(plain), fingerprint(beside_adaptive("")));
   const auto refused = [&](const std::string& more) {
     try {
       load(more);
