@@ -19,7 +19,7 @@ struct RayLayer {
   std::uint32_t primitive;
   Vec3 color;             // lit, straight
   double opacity;         // α_i; 1 where the object is opaque
-  double importance;      // g_i
+  double importance;      // g_i; 0 where the object is opaque
   double transmittance;   // Π_{j<i} (1 - α_j): of all that lies in front
   double importance_sum;  // G(d_i) = Σ_{j≤i} g_j², Baeza Rojo et al. 2019, Eq. 10
   double optical_depth;   // τ(d_i) = Σ_{j≤i} -ln(1 - α_j), Eq. 14; infinite from α = 1 on

@@ -340,7 +340,8 @@ Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direc
 }
 
 double CrossingFinder::importance(const Crossing& crossing) const {
-  return state_->hierarchy().objects()[crossing.object].geometry->importance(crossing);
+  const BoxHierarchy::Object& object = state_->hierarchy().objects()[crossing.object];
+  return object.opaque ? 0 : object.geometry->importance(crossing);
 }
 
 std::uint64_t CrossingFinder::bytes() const { return state_->hierarchy().bytes(); }

@@ -58,7 +58,8 @@ class CrossingFinder {
   /// Returns the colour and opacity of a crossing that find() returned; `world_direction` is its
   /// ray's, of any length.
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const;
-  double importance(const Crossing& crossing) const;  // g; 0 where the object has none
+  /// Returns g at a crossing; 0 where the object has none, and where it is opaque: context.
+  double importance(const Crossing& crossing) const;
 
   std::uint64_t bytes() const;  // of the hierarchy and of what the geometries keep
 

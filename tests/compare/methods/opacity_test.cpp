@@ -110,6 +110,21 @@ TEST(UnitFourierOpacity, WhereNothingFadesItIsTheFourierMethod) {
   expect_plain({});
 }
 
+// In front of a context sheet that hides the right half, whatever it is called.
+TEST(PropertyOpacity, OpaqueObjectsAreOfNoImportanceToAnyRow) {
+  scene::Scene scene = important_sheets(5, 7).scene;
+  scene.objects.push_back({"context", rectangle(0, 2, -2, 2, 0.3, Rgba(0, 1, 0, 1)), true});
+  for (const scene::MethodRow& row : methods()) {
+    if (!row.promises.optimizes_opacity) continue;
+    Image pictures[2];
+    for (const int g : {0, 1}) {
+      scene.objects.back().vertices().importance.assign(4, float(g));
+      pictures[g] = draw(row.name, scene, {{"q", "50"}, {"r", "100"}}).image;
+    }
+    EXPECT_EQ(largest_difference(pictures[0], pictures[1]), 0) << row.name;
+  }
+}
+
 TEST(PropertyFourierOpacity, ExtremeWeightsGiveFinitePictures) {
   const scene::Scene scene = important_shapes();
   for (const char* q : {"0", "1e12"})

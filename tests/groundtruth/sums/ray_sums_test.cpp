@@ -51,6 +51,19 @@ TEST(UnitRaySums, StackInClosedForm) {
   }
 }
 
+// Context: it ends the ray, and of what lies in front of it none has to make way.
+TEST(UnitRaySums, OpaqueObjectsAreOfNoImportance) {
+  scene::Scene scene = stack(3, 3, 3, [](int) { return Rgba(0, 0, 0, 0.25f); });
+  for (scene::SceneObject& object : scene.objects) object.vertices().importance.assign(4, 0.5f);
+  scene.objects[1].opaque = true;
+  const RaySums sums = RayProbe(scene).at(1.5, 1.5);
+  ASSERT_EQ(sums.layers.size(), 2u);
+  EXPECT_EQ(sums.layers[0].importance, 0.5);
+  EXPECT_EQ(sums.layers[1].importance, 0);
+  EXPECT_EQ(sums.layers[1].importance_sum, 0.25);
+  EXPECT_EQ(sums.importance_sum(1), 0.25);
+}
+
 TEST(PropertyRaySums, TransmittanceIsTheExponentialOfOpticalDepth) {
   scene::Scene scene;
   scene.width = scene.height = 16;
