@@ -19,6 +19,7 @@ std::vector<Finding> BatchMeter::measure(const std::vector<Job*>& batch, SceneAt
       at_hand.look_from(view);
       const std::string place = views > 1 ? fmt::format("view {}: ", view + 1) : "";
       measure_view(batch, at_hand, place, findings);
+      for (Finding& finding : findings) finding.memory.next_frame();
     }
   } catch (const std::exception& error) {  // the scene cannot be loaded
     for (Finding& finding : findings)
@@ -39,15 +40,18 @@ void BatchMeter::measure_view(const std::vector<Job*>& batch, SceneAtHand& at_ha
                               const std::string& place, std::vector<Finding>& findings) {
   std::vector<Cell> cells;
   std::vector<std::size_t> places;
+  std::vector<scene::RenderContext> contexts;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!findings[i].error.empty()) continue;
     places.push_back(i);
+    contexts.push_back(options_.context);
+    if (study_.views.path) contexts.back().memory = &findings[i].memory;
     cells.push_back(batch[i]->cell);
     cells.back().place = {batch[i]->files.from(at_hand.view()).given(), int(at_hand.view()) + 1};
     if (at_hand.view() > 0) cells.back().probes.clear();  // pixels of the first view
   }
   std::vector<MeasuredCell> measured =
-      measure_interleaved(cells, at_hand.scene(), timing_of(study_), options_.context,
+      measure_interleaved(cells, at_hand.scene(), timing_of(study_), contexts,
                           [&] { calibrate_in_turn(cells.size()); });
   for (std::size_t k = 0; k < places.size(); ++k)
     finish_one(*batch[places[k]], std::move(measured[k]), at_hand, place, findings[places[k]]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/run/study_jobs.h"
+#include "scene/elements/frame_memory.h"
 
 namespace pellucid::compare {
 
@@ -13,6 +14,7 @@ namespace pellucid::compare {
 struct Finding {
   ViewRows rows;
   std::string error = {};
+  scene::FrameMemory memory = {};  // of what the method keeps along a camera path
 };
 
 /// A BatchMeter measures cells of one scene in turn, batch after batch, and tells how the machine
@@ -23,7 +25,8 @@ class BatchMeter {
   BatchMeter(const Study& study, const StudyOptions& options);
 
   /// Measures the cells of the batch in turn, from view after view those that have not failed yet,
-  /// and writes their pictures.
+  /// and writes their pictures. Along a camera path a method keeps from view to view what it keeps
+  /// from frame to frame.
   std::vector<Finding> measure(const std::vector<Job*>& batch, SceneAtHand& at_hand);
 
   /// Returns the row of a cell of the last batch.

@@ -53,12 +53,12 @@ MeasuredCell finished(Turn& turn, const TimingRule& timing) {
 
 std::vector<MeasuredCell> measure_interleaved(std::span<const Cell> cells,
                                               const scene::Scene& scene, const TimingRule& timing,
-                                              const scene::RenderContext& context,
+                                              std::span<const scene::RenderContext> contexts,
                                               const std::function<void()>& between) {
   std::vector<Turn> turns(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     turns[i].attempt(
-        [&] { turns[i].meter = std::make_unique<CellMeter>(cells[i], scene, context); });
+        [&] { turns[i].meter = std::make_unique<CellMeter>(cells[i], scene, contexts[i]); });
   for (std::size_t round = 0; run_round(turns, round, timing); ++round) between();
   std::vector<MeasuredCell> measured;
   for (Turn& turn : turns) measured.push_back(finished(turn, timing));

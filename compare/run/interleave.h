@@ -19,11 +19,11 @@ struct MeasuredCell {
 
 /// Measures the cells of one scene in turn: in each round every cell that the rule has not ended is
 /// timed once, each round beginning with another one, so that what disturbs the machine for a while
-/// disturbs all. A cell that throws is left out from there on. `between` is called after each
-/// round.
+/// disturbs all. A cell that throws is left out from there on. Each cell has its own of `contexts`.
+/// `between` is called after each round.
 std::vector<MeasuredCell> measure_interleaved(std::span<const Cell> cells,
                                               const scene::Scene& scene, const TimingRule& timing,
-                                              const scene::RenderContext& context,
+                                              std::span<const scene::RenderContext> contexts,
                                               const std::function<void()>& between);
 
 }  // namespace pellucid::compare

@@ -36,9 +36,24 @@ scene::Scene& SceneAtHand::loaded() {
   if (loaded_) return *loaded_;
   scene::Scene scene = scene::load_scene(file_);
   cameras_ = cameras_of(study_.views, scene);
-  if (cameras_.empty() && study_.opacities) optimize_opacities(*study_.opacities, context_, scene);
+  if (cameras_.empty()) optimize(scene);
   loaded_ = std::move(scene);
   return *loaded_;
+}
+
+void SceneAtHand::optimize(scene::Scene& scene) {
+  if (!study_.opacities) return;
+  scene::RenderContext context = context_;
+  if (study_.views.path) context.memory = &memory_;
+  optimize_opacities(*study_.opacities, context, scene, further_samplings(study_));
+}
+
+scene::Scene SceneAtHand::seen_from(std::size_t view) {
+  scene::Scene scene = *loaded_;
+  scene.camera = cameras_.at(view);
+  scene::place_halos(scene);
+  optimize(scene);
+  return scene;
 }
 
 std::size_t SceneAtHand::view_count() {
@@ -60,11 +75,15 @@ const scene::Scene& SceneAtHand::scene() {
   if (seen_) return *seen_;
   loaded();
   if (cameras_.empty()) return *loaded_;
-  scene::Scene scene = *loaded_;
-  scene.camera = cameras_.at(view_);
-  scene::place_halos(scene);
-  if (study_.opacities) optimize_opacities(*study_.opacities, context_, scene);
-  seen_ = std::move(scene);
+  if (!study_.views.path || !study_.opacities) return seen_.emplace(seen_from(view_));
+  if (remembered_ > view_) {  // looks back: along the path anew
+    memory_ = {};
+    remembered_ = 0;
+  }
+  for (; remembered_ <= view_; ++remembered_) {
+    if (remembered_ > 0) memory_.next_frame();
+    seen_ = seen_from(remembered_);
+  }
   return *seen_;
 }
 

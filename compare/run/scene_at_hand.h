@@ -9,6 +9,7 @@
 
 #include "compare/cells/cell.h"
 #include "compare/measures/ray_facts.h"
+#include "scene/elements/frame_memory.h"
 
 namespace pellucid::compare {
 
@@ -26,6 +27,8 @@ class SceneAtHand {
   std::size_t view() const { return view_; }
   const scene::RenderContext& context() const { return context_; }
   /// Returns the scene from this view, with optimized opacities where the study asks for them.
+  /// Those of a camera path keep of those of the views before what their method keeps from frame to
+  /// frame, whichever view was looked from last.
   const scene::Scene& scene();
 
   /// Takes the reference's pictures from its files, so that every run of a cell compares with the
@@ -46,6 +49,8 @@ class SceneAtHand {
 
  private:
   scene::Scene& loaded();
+  scene::Scene seen_from(std::size_t view);
+  void optimize(scene::Scene& scene);
   CellFiles files() const { return reference_files_->from(view_); }
 
   FilesRead read_;
@@ -58,6 +63,8 @@ class SceneAtHand {
   std::vector<scene::Camera> cameras_;  // of the views; empty: the scene's own
   std::optional<scene::Scene> seen_;    // from this view, where that is not `loaded_`
   std::size_t view_ = 0;
+  scene::FrameMemory memory_;   // of the opacities along a camera path
+  std::size_t remembered_ = 0;  // so many of its views
   std::optional<CellFiles> reference_files_;
   Image reference_;
   CountImage layers_;

@@ -74,7 +74,8 @@ std::vector<MeasuredCell> measure(const std::vector<std::string>& names, const T
   scene.width = scene.height = 2;
   std::vector<Cell> cells;
   for (const std::string& name : names) cells.push_back(cell_of(name));
-  return measure_interleaved(cells, scene, timing, {}, [&] {
+  const std::vector<scene::RenderContext> contexts(cells.size());
+  return measure_interleaved(cells, scene, timing, contexts, [&] {
     if (rounds) ++*rounds;
   });
 }
