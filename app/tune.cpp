@@ -124,12 +124,21 @@ std::vector<std::string> tied_calls(const compare::TuneOutcome& outcome) {
   return calls;
 }
 
+std::vector<std::string> undecided_calls(const compare::TuneOutcome& outcome) {
+  std::vector<std::string> calls;
+  for (const compare::LeftOut& out : outcome.left_out)
+    if (out.undecided) calls.push_back(out.call);
+  return calls;
+}
+
 void print_answer(const TuneArguments& arguments, const compare::TuneOutcome& outcome) {
   const std::string best = outcome.best()->call();
   const bool is_given = !outcome.best()->given.empty();
   fmt::print("\nthe cheapest in {}: {}\n", arguments.cost, is_given ? arguments.command : best);
   if (const auto tied = tied_calls(outcome); !tied.empty())
     fmt::print("    tied: time does not tell it from {}\n", fmt::join(tied, ", "));
+  if (const std::size_t n = undecided_calls(outcome).size(); n > 0)
+    fmt::print("    undecided: {} settings were not drawn in time and may be cheaper\n", n);
   if (is_given) return;
   fmt::print("    pellucid render {} -m {}{}{} -o picture.exr\n", arguments.scene.string(), best,
              arguments.opacities.empty() ? "" : " --opacities " + arguments.opacities,
@@ -141,6 +150,7 @@ nlohmann::ordered_json to_json(const compare::TuneOutcome& outcome) {
   const compare::ResultRow* best = outcome.best();
   json["cheapest"] = best ? nlohmann::ordered_json(best->call()) : nlohmann::ordered_json();
   json["tied"] = tied_calls(outcome);
+  json["undecided"] = undecided_calls(outcome);
   json["left_out"] = nlohmann::ordered_json::array();
   for (const compare::LeftOut& out : outcome.left_out)
     json["left_out"].push_back({{"call", out.call}, {"why", out.why}});
@@ -162,7 +172,13 @@ void run(const TuneArguments& arguments, const GlobalOptions& globals) {
     if (outcome.best()) print_answer(arguments, outcome);
   }
   std::cout.flush();
-  if (!outcome.best()) throw WorkError("no method is within the bound");
+  if (outcome.best()) return;
+  const std::size_t undecided = undecided_calls(outcome).size();
+  throw WorkError(undecided == 0
+                      ? "no method is within the bound"
+                      : fmt::format("no method that was drawn in time is within the bound; {} were "
+                                    "not drawn",
+                                    undecided));
 }
 
 }  // namespace
@@ -190,8 +206,10 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
       ->check(CLI::IsMember({"all", "covered"}))
       ->capture_default_str();
   command
-      ->add_option("--max-seconds", arguments->max_seconds,
-                   "Begin no picture after so many seconds; who is not told apart by then is tied")
+      ->add_option(
+          "--max-seconds", arguments->max_seconds,
+          "Begin no call's picture after so many seconds; who is not told apart by then is "
+          "tied, who is not drawn is undecided")
       ->check(CLI::PositiveNumber & finite_number());
   command
       ->add_option("--repeats", arguments->repeats,

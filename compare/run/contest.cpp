@@ -19,12 +19,15 @@ class Contest {
   Contest(std::size_t contenders, const TimingRule& rule, const TimeOnce& time_once)
       : rule_(rule), time_once_(time_once), in_(contenders, true), seconds_(contenders) {}
 
-  /// Times each once that is in, from the `first`-th around.
-  void run_round(std::size_t first) {
+  /// Times each once that is in, from the `first`-th around. Returns whether all had their turn.
+  bool run_round(std::size_t first, const std::function<bool()>& may_go_on) {
     for (std::size_t i = 0; i < in_.size(); ++i) {
       const std::size_t contender = (first + i) % in_.size();
-      if (in_[contender]) seconds_[contender] = time_once_(contender);
+      if (!in_[contender]) continue;
+      if (!may_go_on()) return false;
+      seconds_[contender] = time_once_(contender);
     }
+    return true;
   }
 
   /// Puts those out whose interval does not overlap that of the least median, once there are both.
@@ -75,8 +78,7 @@ class Contest {
 std::vector<bool> fastest_of(std::size_t contenders, const TimingRule& rule,
                              const TimeOnce& time_once, const std::function<bool()>& may_go_on) {
   Contest contest(contenders, rule, time_once);
-  for (std::size_t round = 0; contenders > 0 && may_go_on(); ++round) {
-    contest.run_round(round);
+  for (std::size_t round = 0; contenders > 0 && contest.run_round(round, may_go_on); ++round) {
     contest.put_slower_out();
     if (contest.is_decided()) break;
   }

@@ -27,7 +27,8 @@ constexpr std::size_t quick_times = 9;  // of a picture until so many seconds ar
 constexpr double quick_seconds = 0.1;   // what delays a process for some ms hits not all of them
 constexpr std::size_t most_contenders = 12;  // they have their memory at once
 constexpr double narrow = 0.01;
-constexpr double drawing_part = 0.7;  // of the time; the rest is for the contenders
+constexpr double small_part = 0.3;    // of the time for small pictures, and until
+constexpr double drawing_part = 0.7;  // for whole ones; the rest is for the contenders
 constexpr int fewest_times = 5;
 /// The others take longer than many a picture.
 const std::string judged_by[]{"rmse", "ssim", "psnr", "max_error", "rmse_covered", "ssim_covered"};
@@ -42,12 +43,13 @@ bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
 /// An Entrant is a candidate that competes.
 struct Entrant {
   MethodCall call;
-  std::size_t place;         // among the candidates
-  double small_seconds = 0;  // of the small picture
+  std::size_t place;                         // among the candidates
+  std::optional<double> small_seconds = {};  // of the small picture; none where time was over
   double small_setup = 0;
   std::unique_ptr<CellMeter> meter = nullptr;  // while it may be timed further
   ResultRow row = {};                          // once the whole picture was drawn
   bool drawn = false, within = false, tied = false;
+  bool of_reference = false;  // its row is the reference's, which was drawn before
 
   /// The least time is nearest to what nothing disturbed.
   double least_seconds() const { return std::ranges::min(meter->seconds()); }
@@ -58,7 +60,11 @@ class Tuning {
   explicit Tuning(const TuneRequest& request)
       : request_(request),
         scene_(scene::load_scene(request.scene, request.progress, request.view)) {
-    if (request.opacities) optimize_opacities(*request.opacities, request.context, scene_);
+    if (request.opacities) {
+      std::vector<MethodCall> calls = request.candidates;
+      calls.push_back(request.reference);
+      optimize_opacities(*request.opacities, request.context, scene_, further_samplings(calls));
+    }
     small_ = scene_;
     small_.width = std::max(1, scene_.width / small_by);
     small_.height = std::max(1, scene_.height / small_by);
@@ -68,7 +74,9 @@ class Tuning {
     choose_entrants();
     draw_reference();
     draw_small();
-    if (request_.on_estimate) request_.on_estimate(estimate());
+    const TuneEstimate told = estimate();
+    expected_seconds_ = told.seconds;
+    if (request_.on_estimate) request_.on_estimate(told);
     for (std::size_t i = 0; i < entrants_.size(); ++i) enter(i);
     time_contenders();
     report(request_.progress, 1, "tuned");
@@ -83,8 +91,17 @@ class Tuning {
   bool is_over(double part = 1) const {
     return request_.max_seconds && clock_.seconds() > part * *request_.max_seconds;
   }
-  void leave_out(const Entrant& entrant, std::string why) {
-    outcome_.left_out.push_back({entrant.call.text(), std::move(why)});
+  bool is_reference(const Entrant& entrant) const {
+    return entrant.call.row == request_.reference.row &&
+           entrant.call.parameters.all() == request_.reference.parameters.all();
+  }
+  void leave_out(const Entrant& entrant, std::string why, bool undecided = false) {
+    outcome_.left_out.push_back({entrant.call.text(), std::move(why), undecided});
+  }
+  /// The part of the time that is expected has gone by.
+  void tell(std::string_view what) const {
+    const double part = expected_seconds_ > 0 ? clock_.seconds() / expected_seconds_ : 0;
+    report(request_.progress, std::min(part, 0.99), what);
   }
 
   void choose_entrants();
@@ -92,8 +109,9 @@ class Tuning {
   void draw_small();
   TuneEstimate estimate() const;
   void enter(std::size_t index);
+  void take_reference(Entrant& entrant);
   void draw(Entrant& entrant);
-  void judge(Entrant& entrant);
+  void judge(const Image& image, Entrant& entrant);
   void keep_contenders();
   void finish(Entrant& entrant, const TimingRule& rule);
   void time_contenders();
@@ -103,7 +121,8 @@ class Tuning {
   Stopwatch clock_;
   scene::Scene scene_, small_;
   CellMeasurement reference_;
-  double reference_small_ = 0;  // seconds of its small picture
+  std::optional<double> reference_small_;  // seconds of its small picture
+  double expected_seconds_ = 0;            // of all the tuning; 0: not known yet
   std::vector<Entrant> entrants_;
   TuneOutcome outcome_;
 };
@@ -123,21 +142,25 @@ void Tuning::choose_entrants() {
 }
 
 void Tuning::draw_reference() {
-  report(request_.progress, 0, request_.reference.text());
+  if (request_.max_seconds) expected_seconds_ = *request_.max_seconds;
+  tell(request_.reference.text());
   reference_ = measure_cell(cell(request_.reference), scene_, fixed_repeats(1), request_.context);
   const auto& layers = reference_.layers.pixels;
   if (request_.bound.covered && std::ranges::all_of(layers, [](auto n) { return n == 0; }))
     throw InputError(fmt::format("--region covered: no pixel of {} is known to have a layer",
                                  request_.scene.string()));
+  if (is_over(small_part)) return;
   reference_small_ =
       measure_cell(cell(request_.reference), small_, fixed_repeats(1), request_.context)
           .row.seconds.median;
 }
 
-/// Who fails is drawn in full all the same, first: its row says why.
+/// Who fails is drawn in full all the same, first: its row says why. Who has no small picture yet
+/// when its time is over comes last.
 void Tuning::draw_small() {
   for (Entrant& entrant : entrants_) {
-    report(request_.progress, 0, entrant.call.text() + ", small");
+    if (is_over(small_part)) break;
+    tell(entrant.call.text() + ", small");
     try {
       CellMeter meter(cell(entrant.call), small_, request_.context);
       meter.time_once();
@@ -147,18 +170,23 @@ void Tuning::draw_small() {
       entrant.small_seconds = 0;
     }
   }
-  std::ranges::stable_sort(entrants_, {}, &Entrant::small_seconds);
+  std::ranges::stable_sort(entrants_, {}, [](const Entrant& entrant) {
+    return entrant.small_seconds.value_or(std::numeric_limits<double>::infinity());
+  });
 }
 
-/// The whole picture takes as many times as long as the small one as the reference's does. Two of
-/// each, the first to warm up; then all times of a handful of the fastest.
+/// The whole picture takes as many times as long as the small one as the reference's does, as long
+/// as the reference's where there is no small one. Two of each, the first to warm up; then all
+/// times of a handful of the fastest.
 TuneEstimate Tuning::estimate() const {
   constexpr std::size_t handful = 4;
-  const double larger = std::clamp(reference_.row.seconds.median / reference_small_, 1.0,
+  const double of_reference = reference_.row.seconds.median;
+  const double larger = std::clamp(of_reference / reference_small_.value_or(of_reference), 1.0,
                                    double(small_by * small_by));
   TuneEstimate estimate{entrants_.size(), clock_.seconds()};
   for (std::size_t i = 0; i < entrants_.size(); ++i) {
-    const double whole = larger * entrants_[i].small_seconds;
+    const auto& small = entrants_[i].small_seconds;
+    const double whole = small ? larger * *small : of_reference;
     estimate.seconds += entrants_[i].small_setup + 2 * whole;
     if (i < handful) estimate.seconds += request_.repeats * whole;
   }
@@ -169,20 +197,19 @@ TuneEstimate Tuning::estimate() const {
 /// Draws the whole picture, unless it cannot win any more.
 void Tuning::enter(std::size_t index) {
   Entrant& entrant = entrants_[index];
-  // The reference's picture is there and its time known: with it there is always an answer.
-  const bool is_reference = entrant.call.row == request_.reference.row &&
-                            entrant.call.parameters.all() == request_.reference.parameters.all();
-  if (is_over(drawing_part) && !is_reference)
-    return leave_out(entrant, "not drawn: the time was over");
+  if (is_over(drawing_part)) {
+    if (is_reference(entrant)) return take_reference(entrant);
+    return leave_out(entrant, "not drawn: the time was over", true);
+  }
   double best = std::numeric_limits<double>::infinity();
   for (const Entrant& other : entrants_)
     if (other.meter && request_.cost == Cost::seconds) best = std::min(best, other.least_seconds());
-  if (entrant.small_seconds > best)
+  if (entrant.small_seconds.value_or(0) > best)
     return leave_out(entrant,
                      fmt::format("its picture of 1/{} the size took {:.1f} ms, the whole one of "
                                  "another within the bound {:.1f} ms",
-                                 small_by, 1e3 * entrant.small_seconds, 1e3 * best));
-  report(request_.progress, double(index) / double(entrants_.size()), entrant.call.text());
+                                 small_by, 1e3 * *entrant.small_seconds, 1e3 * best));
+  tell(entrant.call.text());
   try {
     draw(entrant);
   } catch (const std::exception& error) {
@@ -195,22 +222,32 @@ void Tuning::enter(std::size_t index) {
   keep_contenders();
 }
 
+/// The reference's picture is there and its time known: with it there is always an answer.
+void Tuning::take_reference(Entrant& entrant) {
+  entrant.row = reference_.row;
+  entrant.row.parameters = identity_row(cell(entrant.call)).parameters;  // as this call has them
+  entrant.of_reference = true;
+  judge(reference_.image, entrant);
+  if (request_.on_row) request_.on_row(entrant.row);
+}
+
 void Tuning::draw(Entrant& entrant) {
   entrant.meter = std::make_unique<CellMeter>(cell(entrant.call), scene_, request_.context);
   entrant.meter->time_once();
-  judge(entrant);
+  entrant.row = entrant.meter->row();
+  judge(entrant.meter->image(), entrant);
   if (!entrant.within) return finish(entrant, fixed_repeats(1));
-  double spent = 0;
-  do {  // a second one at least, since chance may have delayed the first
+  // A second one at least, since chance may have delayed the first.
+  for (double spent = 0;
+       spent < quick_seconds && entrant.meter->seconds().size() < quick_times && !is_over();) {
     entrant.meter->time_once();
     spent += entrant.meter->seconds().back();
-  } while (spent < quick_seconds && entrant.meter->seconds().size() < quick_times);
+  }
 }
 
-/// Compares the picture with the reference's.
-void Tuning::judge(Entrant& entrant) {
-  const Image& image = entrant.meter->image();
-  ResultRow& row = entrant.row = entrant.meter->row();
+/// Compares the entrant's picture with the reference's.
+void Tuning::judge(const Image& image, Entrant& entrant) {
+  ResultRow& row = entrant.row;
   const CountImage* layers = reference_.layers.pixels.empty() ? nullptr : &reference_.layers;
   const PicturePair pair(reference_.image, image,
                          {.mask = nullptr, .reference_layers = layers, .test_layers = nullptr});
@@ -256,16 +293,22 @@ void Tuning::time_contenders() {
     if (entrant.meter) contenders.push_back(&entrant);
   const TimingRule rule{std::min(fewest_times, request_.repeats), request_.repeats, narrow};
   const auto time_once = [&](std::size_t i) {
-    report(request_.progress, 1, contenders[i]->call.text());
+    tell(contenders[i]->call.text());
     contenders[i]->meter->time_once();
     return contenders[i]->meter->seconds();
   };
   const std::vector<bool> in =
       fastest_of(contenders.size(), rule, time_once, [&] { return !is_over(); });
+  double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < contenders.size(); ++i) {
+    best = std::min(best, contenders[i]->least_seconds());
     contenders[i]->tied = in[i];
     finish(*contenders[i], rule);
   }
+  // Of one time alone, which tells no more than that.
+  for (Entrant& entrant : entrants_)
+    if (entrant.of_reference && entrant.within)
+      entrant.tied = entrant.row.seconds.median <= contender_within * best;
 }
 
 TuneOutcome Tuning::collect() {

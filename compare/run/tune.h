@@ -36,14 +36,16 @@ struct TuneRequest {
   std::optional<MethodCall> opacities = std::nullopt;  // see Study
   scene::RenderContext context;
   Progress progress;
-  std::function<void(const ResultRow&)> on_row;      // called when a candidate's error is known
-  std::optional<double> max_seconds = std::nullopt;  // no picture is begun after so long
+  std::function<void(const ResultRow&)> on_row;  // called when a candidate's error is known
+  /// After so long no call's picture is begun, but for the reference's.
+  std::optional<double> max_seconds = std::nullopt;
   std::function<void(const TuneEstimate&)> on_estimate = nullptr;
 };
 
 /// A LeftOut is a candidate that did not compete to the end, and why, in words.
 struct LeftOut {
   std::string call, why;
+  bool undecided = false;  // it was not drawn in time, and may be within the bound and cheaper
 };
 
 /// A TuneOutcome is what was measured of all candidates.
@@ -62,17 +64,16 @@ struct TuneOutcome {
 ///
 /// 1. Who draws only what the reference draws (an isosurface's method where there is none), and who
 ///    chooses opacities itself, whose picture is meant to differ, does not compete.
-/// 2. All draw a picture of a quarter of the width and height. It tells the duration, and the order
-///    of what follows, the fastest first.
+/// 2. All draw a picture of a quarter of the width and height, as far as three tenths of the time
+///    suffice. It tells the duration, and the order of what follows, the fastest first.
 /// 3. Each draws the whole picture, once. Its error is that against the reference's. Who took
 ///    longer for the small picture than the best yet within the bound for the whole is not drawn in
 ///    full; who is beyond the bound, or took more than twice the time of the fastest in each of
-///    some pictures, is not timed further. When the time is over none is drawn but the reference's
-///    own call.
+///    some pictures, is not timed further. When seven tenths of the time are over none is begun any
+///    more; the reference's own call has been drawn before. Who was not is undecided.
 /// 4. The contenders that are left are timed in turn, at most `repeats` times. Who is slower than
 ///    the fastest by intervals that do not overlap is out. It ends when one is left, when the
-///    intervals of all are within a hundredth of their medians, or when the time is over,
-///    of which the last three tenths are for this round.
+///    intervals of all are within a hundredth of their medians, or when the time is over.
 ///
 /// If several are left they are tied, and the cheapest is of them the one with the fewest bytes,
 /// then of the least error, then the first of the candidates: none of this is chance.

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <thread>
+
 #include "compare/methods/methods.h"
 #include "compare/methods/sweep.h"
 #include "compare/results/measure_columns.h"
@@ -188,6 +191,56 @@ TEST_F(UnitTuneRounds, WhenTheTimeIsOverOnlyTheReferencesOwnCallIsDrawn) {
   EXPECT_EQ(outcome.rows[0].call(), request.reference.text());
   EXPECT_EQ(outcome.left_out.size(), 5u);
   EXPECT_THAT(outcome.left_out[0].why, HasSubstr("the time was over"));
+}
+
+/// Sleeps for a tenth of the time that it says.
+class SlowlyTimed : public scene::Renderer {
+ public:
+  SlowlyTimed(const scene::Scene& scene, std::size_t i) : drawn_(scene, timed[i]) {}
+  scene::Rendering render(const scene::RenderRequest& request) override {
+    ++pictures;
+    scene::Rendering rendering = drawn_.render(request);
+    std::this_thread::sleep_for(std::chrono::duration<double>(0.1 * rendering.stats.seconds()));
+    return rendering;
+  }
+  std::vector<std::string> explain() const override { return {}; }
+
+  static inline int pictures = 0;
+
+ private:
+  TimedRenderer drawn_;
+};
+
+template <std::size_t i>
+Made make_slowly(const scene::Scene& scene, const Parameters&, const scene::RenderContext&) {
+  return std::make_unique<SlowlyTimed>(scene, i);
+}
+
+// The reference's two whole pictures take 100 ms: of the others no small one is begun after 9 ms,
+// no whole one after 21 ms. Those that no time decided on are named, and of the estimate is the
+// time that there is.
+TEST_F(UnitTuneRounds, NoPictureIsBegunWhenTheTimeIsOver) {
+  std::vector<scene::MethodRow> rows(timed_methods().begin(), timed_methods().end());
+  rows[0].make = make_slowly<0>, rows[3].make = make_slowly<3>, rows[4].make = make_slowly<4>;
+  request.reference = {&rows[3], Parameters("slower", {}, {})};
+  request.candidates = {{&rows[0], Parameters("quick", {}, {})},
+                        {&rows[3], Parameters("slower", {}, {})},
+                        {&rows[4], Parameters("hopeless", {}, {})}};
+  request.max_seconds = 0.03;
+  std::optional<double> estimated;
+  request.on_estimate = [&](const TuneEstimate& estimate) { estimated = estimate.seconds; };
+  double told = 0;
+  request.progress = [&](double fraction, std::string_view) { told = std::max(told, fraction); };
+  SlowlyTimed::pictures = 0;
+  const TuneOutcome outcome = tune(request);
+  EXPECT_EQ(SlowlyTimed::pictures, 2);
+  EXPECT_EQ(outcome.best()->call(), "slower");
+  EXPECT_EQ(outcome.best()->metrics.linear.of("rmse"), 0);
+  EXPECT_EQ(estimated, 0.03);
+  std::vector<std::string> undecided;
+  for (const LeftOut& out : outcome.left_out)
+    if (out.undecided) undecided.push_back(out.call);
+  EXPECT_THAT(undecided, ElementsAre("quick", "hopeless"));
 }
 
 // The one pixel with a layer is as wrong as all others; only there is no window for SSIM.
