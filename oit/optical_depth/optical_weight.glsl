@@ -4,7 +4,8 @@
 //
 // tau is held in [-60, 60]: an approximation that rings over hundreds of nearly opaque layers would
 // leave the range of float otherwise.
-float transmittance_at(float tau) { return exp(clamp(-tau, -60.0f, 60.0f)); }
+const float largest_tau = 60.0f;
+float transmittance_at(float tau) { return exp(clamp(-tau, -largest_tau, largest_tau)); }
 
 // Eq. 15 of Baeza Rojo et al. 2019: tau is the optical depth just behind the fragment.
 float optical_weight(float alpha, float tau) {

@@ -22,6 +22,7 @@ using namespace glm;
 #include "oit/methods/weighted/blended_weight.glsl"
 #include "oit/opacity/opacity_energy.glsl"
 #include "oit/optical_depth/fourier_series.glsl"
+#include "oit/optical_depth/nearness.glsl"
 #include "oit/optical_depth/optical_depth.glsl"
 #include "oit/optical_depth/optical_weight.glsl"
 
@@ -139,6 +140,21 @@ TEST(UnitFormulas, WeightsOfTheExactOpticalDepthSumToTheOpacity) {
     // 64 weights below 1 in float.
     EXPECT_NEAR(weights, 1 - std::exp(-tau), 1e-6) << n;
   }
+}
+
+// A sum of n terms is at most n times the largest one. The digits of a float of some hundreds are
+// some 1e-5 of an exponent of 226.
+TEST(UnitFormulas, TheNearestDepthIsFoundFromASumAndNeverFarther) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (const int n : {1, 2, 30, 1000})
+    for (const float nearest : {0.0f, 0.25f, 0.9f, 1.0f}) {
+      float sum = glsl::nearness(nearest);
+      for (int i = 1; i < n; ++i) sum += glsl::nearness(nearest + (1 - nearest) * unit(random));
+      EXPECT_LE(glsl::nearest_depth(sum), nearest + 1e-6f) << n;
+      EXPECT_GE(glsl::nearest_depth(sum), nearest - float(std::log2(n)) / 226 - 1e-6f) << n;
+    }
+  EXPECT_EQ(glsl::nearest_depth(1e8f * glsl::nearness(0)), 0);
 }
 
 TEST(UnitFormulas, TheOptimalOpacityIsThatInDouble) {

@@ -25,7 +25,7 @@ double bias(const MomentOptions& options) {
 }
 
 std::vector<OpticalDepthPasses::Target> moments(const MomentOptions& options) {
-  std::vector<OpticalDepthPasses::Target> targets = {{"optical depth", GL_R32F},
+  std::vector<OpticalDepthPasses::Target> targets = {{"optical depth and nearness", GL_RG32F},
                                                      {"moments 1 to 4", GL_RGBA32F}};
   if (options.moments == 6) targets.push_back({"moments 5 and 6", GL_RG32F});
   if (options.moments == 8) targets.push_back({"moments 5 to 8", GL_RGBA32F});
@@ -124,7 +124,7 @@ const scene::MethodRow& moment_method() {
                    .convex_hull = true,
                    .fixed_memory = true,
                    .adds_up = true},
-      .bytes_per_pixel = "36 (4 moments), 44 (6) or 52 (8)",
+      .bytes_per_pixel = "40 (4 moments), 48 (6) or 56 (8)",
       .sweep = "moments=4|6|8,basis=power|trigonometric",
       .make = make_oit<Moment, moment_options>};
   return row;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/fragment.glsl"
+#include "oit/optical_depth/nearness.glsl"
 #include "oit/optical_depth/optical_depth.glsl"
 
 uniform float clamp_alpha;
@@ -7,7 +8,7 @@ uniform float clamp_alpha;
 uniform float angle_range;  // of the depths; the rest of a turn is between the last and the first
 #endif
 
-layout(location = 0) out float total;   // sum of tau
+layout(location = 0) out vec2 total;    // sums of tau, and of how near it is
 layout(location = 1) out vec4 moments;  // sums of tau z, …, tau z^4; or cos and sin of phi, 2 phi
 #if MOMENTS == 6
 layout(location = 2) out vec2 more;  // sums of tau z^5, tau z^6; or cos and sin of 3 phi
@@ -35,11 +36,12 @@ void main() {
   Fragment f = fragment();
   vec4 first, last;
   basis(f.depth, first, last);
-  total = optical_depth(min(f.alpha, clamp_alpha));
-  moments = total * first;
+  float tau = optical_depth(min(f.alpha, clamp_alpha));
+  total = vec2(tau, nearness(f.depth));
+  moments = tau * first;
 #if MOMENTS == 6
-  more = total * last.xy;
+  more = tau * last.xy;
 #elif MOMENTS == 8
-  more = total * last;
+  more = tau * last;
 #endif
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/fragment.glsl"
+#include "oit/optical_depth/nearness.glsl"
 #include "oit/optical_depth/optical_weight.glsl"
 #ifdef TRIGONOMETRIC
 #include "oit/optical_depth/trigonometric_moments.glsl"
@@ -10,7 +11,7 @@ uniform float angle_range;
 
 uniform float clamp_alpha, bias, overestimation;
 // Images, not samplers: on llvmpipe a load costs a third of a texel fetch.
-layout(binding = coefficients_image, r32f) readonly uniform image2D total;
+layout(binding = coefficients_image, rg32f) readonly uniform image2D total;
 layout(binding = coefficients_image + 1, rgba32f) readonly uniform image2D moments;
 #if MOMENTS == 6
 layout(binding = coefficients_image + 2, rg32f) readonly uniform image2D more;
@@ -50,13 +51,20 @@ float reconstructed_mass(vec4 b, vec4 c, float d) {
 void main() {
   Fragment f = fragment();
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float tau = imageLoad(total, pixel).r;
+  vec2 all = imageLoad(total, pixel).rg;
+  float tau = all.r;
   if (tau <= 0.0) discard;  // nothing here has any opacity
   vec4 b = imageLoad(moments, pixel) / tau, c = vec4(0.0);
 #if MOMENTS > 4
   c = imageLoad(more, pixel) / tau;
 #endif
   float mass = clamp(reconstructed_mass(b, c, f.depth), 0.0, 1.0);
-  float w = min(f.alpha, clamp_alpha) * transmittance_at(tau * mass);
+  // What the nearest fragment is taken for (a share of the mass at it counts as in front of it) is
+  // a factor of all weights, by which their mean does not change: without it those of hundreds of
+  // nearly opaque layers are the same number, the smallest that there is.
+  float of_nearest = 0.0;
+  if (tau > largest_tau)
+    of_nearest = clamp(reconstructed_mass(b, c, nearest_depth(all.g)), 0.0, 1.0);
+  float w = min(f.alpha, clamp_alpha) * transmittance_at(tau * (mass - of_nearest));
   sums = vec4(f.color * w, w);
 }

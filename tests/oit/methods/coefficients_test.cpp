@@ -51,6 +51,21 @@ TEST(UnitMethods, ALinearBinIsARamp) {
   EXPECT_LE(largest_difference(render(method("binning"), scene, options).image, expected), 1e-4);
 }
 
+// Layers from black to white, all but opaque: the nearest is all that is to be seen, the grey of a
+// picture tells how deep one sees into the stack. Of hundreds of them the weights differ still.
+TEST(UnitMethods, MomentsTellHundredsOfOpaqueLayersApart) {
+  for (const int n : {300, 900}) {
+    const scene::Scene scene =
+        stack(n, 2, 2, [&](int i) { return Rgba(Vec3(double(i) / (n - 1)), 0.9999f); });
+    for (const char* basis : {"power", "trigonometric"})
+      for (const char* moments : {"4", "6", "8"}) {
+        const Image image =
+            render(method("moment"), scene, {{"basis", basis}, {"moments", moments}}).image;
+        EXPECT_LE(image.at(1, 1).r, 0.15) << n << ' ' << basis << ' ' << moments;
+      }
+  }
+}
+
 TEST(UnitMethods, MomentsOfFewLayersAreExactWithoutTheMassAtZ) {
   const std::vector<Rgba> all = {
       {1, 0, 0, 0.6f}, {0, 1, 0, 0.8f}, {0, 0, 1, 0.5f}, {1, 1, 0, 0.7f}};
