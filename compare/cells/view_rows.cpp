@@ -138,6 +138,11 @@ void average_measures(const Rows& rows, ResultRow& row) {
   row.measures = std::move(means);
 }
 
+/// The numbers beside them are of all views.
+void say_of_which_view(std::vector<RowCurve>& curves) {
+  for (RowCurve& curve : curves) curve.title += ", view 1";
+}
+
 RowCurve view_curve(const std::string& symbol, std::size_t first, std::vector<double> values) {
   RowCurve curve{
       symbol + " over the views", "", symbol + " over the views", "view", symbol, {}, {}};
@@ -183,6 +188,7 @@ ResultRow ViewRows::row() const {
   average_counts(rows_, row);
   average_measures(rows_, row);
   row.measures.push_back({"views", "Views", "", double(rows_.size()), Better::neither});
+  say_of_which_view(row.curves);
   add_metrics(rows_, row);
   if (flicker_.empty()) return row;
   row.measures.push_back({"flicker", "Flicker", "", mean(flicker_), Better::lower});

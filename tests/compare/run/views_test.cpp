@@ -119,6 +119,17 @@ TEST(UnitViews, TheErrorOverTheViewsIsACurve) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(curve->y[i], 0.1 * double(i + 1), float_grey);
 }
 
+TEST(UnitViews, OtherCurvesAreOfTheFirstViewAndSaySo) {
+  const StudyFolder folder;
+  const auto title = [&](const std::string& views) {
+    const ResultRow row =
+        row_of(see(folder, views + R"(, "measures": ["depth-error"])"), "one", "steady");
+    return std::ranges::find(row.curves, "depth error", &RowCurve::name)->title;
+  };
+  EXPECT_EQ(title(three_views), "Error over the depth of the nearest layer, view 1");
+  EXPECT_EQ(title(R"("repeats": 1)"), "Error over the depth of the nearest layer");
+}
+
 TEST(UnitViews, EachViewHasItsPictures) {
   const StudyFolder folder;
   see(folder, three_views);
