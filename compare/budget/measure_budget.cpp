@@ -57,8 +57,9 @@ class BudgetDrawing {
 
   SplitError split() {
     const StageOrder order = stage_order();
-    for (const StageSet set : sets_to_draw(order)) draw(set);
-    time_pictures(sets_to_time(order));
+    const std::set<StageSet> timed = sets_to_time(order);
+    for (const StageSet set : sets_to_draw(order)) draw(set, timed.contains(set));
+    time_pictures();
     SplitError result = split_error(order, pictures_);
     result.budget.lines = lines_with(result.budget.lines);
     return result;
@@ -86,8 +87,8 @@ class BudgetDrawing {
     return plan;
   }
 
-  /// Its first picture warms the renderer up.
-  void draw(StageSet set) {
+  /// Its first picture warms the renderer up. What is not timed is not kept: renderers are large.
+  void draw(StageSet set, bool is_timed) {
     const DrawPlan plan = plan_of(set);
     MadeScene& made = scene_of(plan);
     made.scene.samples = plan.samples;
@@ -97,12 +98,11 @@ class BudgetDrawing {
     if (plan.displayed) image = displayed_values(image);
     pictures_[set].image = std::move(image);
     pictures_[set].scene = made.number;
-    drawings_.emplace(set, std::move(drawing));
+    if (is_timed) drawings_.emplace(set, std::move(drawing));
   }
 
   /// As rows are timed: in turn, so that what disturbs the machine for a while disturbs all.
-  void time_pictures(const std::set<StageSet>& timed) {
-    std::erase_if(drawings_, [&](const auto& entry) { return !timed.contains(entry.first); });
+  void time_pictures() {
     for (int round = 0; round < rule.max; ++round)
       for (auto& [set, drawing] : drawings_) drawing.time_once();
     for (auto& [set, drawing] : drawings_) {

@@ -68,7 +68,8 @@ struct Parts {
 };
 
 /// The blocks of `wanted` of each file.
-Parts read_parts(const std::vector<CollectedFile>& entries, const std::string& wanted, const Path& path) {
+Parts read_parts(const std::vector<CollectedFile>& entries, const std::string& wanted,
+                 const Path& path) {
   Parts read;
   for (const CollectedFile& entry : entries) {
     try {
