@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/report/source_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/files/output_file.h"
@@ -46,7 +47,8 @@ json study_json(const Study& study) {
 json inputs_json(const Study& study) {
   std::vector<std::filesystem::path> files{study.file};
   files.insert(files.end(), study.scenes.begin(), study.scenes.end());
-  if (study.reference_scene) files.push_back(*study.reference_scene);
+  for (const auto& [scene, file] : study.reference_scenes)
+    if (std::ranges::find(files, file) == files.end()) files.push_back(file);
   json inputs = json::array();
   for (const std::filesystem::path& file : files)
     if (std::filesystem::is_regular_file(file))

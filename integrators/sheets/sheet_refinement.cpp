@@ -117,7 +117,7 @@ void SheetRefinement::part_or_halve(Side& side) {
                          tolerance_);
   if (!gap) return halve(side);
   side.verdict = Verdict::gap;
-  side.gap = std::move(*gap);
+  side.gap = std::make_unique<SheetGap>(std::move(*gap));
 }
 
 /// How far the sheet is from the straight side, world units: at the middle itself, and at the
@@ -213,7 +213,7 @@ std::optional<SheetRefinement::Parting> SheetRefinement::parting_of(const Facet&
 
 /// The gap's vertex on the side of one of its ends.
 const SheetVertex* SheetRefinement::gap_vertex(std::uint32_t side, std::uint32_t beside) const {
-  const auto& gap = sides_[side].gap[sides_[side].ends[0] == beside ? 0 : 1];
+  const auto& gap = (*sides_[side].gap)[sides_[side].ends[0] == beside ? 0 : 1];
   return gap ? &*gap : nullptr;
 }
 

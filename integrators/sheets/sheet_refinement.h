@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -21,8 +22,7 @@ namespace pellucid::integrators {
 ///   particle is sent, or at its quarters, by the normals at both ends;
 /// - when its middle's particle does not come to lie in the middle part of it;
 /// - when a facet beside it, wider than the tolerance, turns by more than 30 degrees from the
-/// normal
-///   at a corner;
+///   normal at a corner;
 /// - when the particles at both its ends are there and the one in its middle is not, or the other
 ///   way round.
 /// Where the sheet ends between a side's two ends, or jumps, the facet is parted at the gap, once
@@ -54,7 +54,7 @@ class SheetRefinement {
     SheetVertex middle;
     Verdict verdict = Verdict::fine;
     std::optional<std::uint32_t> halved;                  // the middle's number
-    SheetGap gap;                                         // by end
+    std::unique_ptr<SheetGap> gap;                        // by end; few sides have one
     std::array<std::optional<std::uint32_t>, 2> numbers;  // of the gap's vertices
   };
 
