@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "app/info/inspect.h"
 #include "app/info/vertices_contents.h"
 #include "core/error.h"
@@ -29,23 +31,31 @@ void add_numbers(const std::string& name, const char* at, const char* type,
   contents.arrays.push_back(ranges.contents(name, at, type, numbers.size()));
 }
 
+/// Bounds are of what is drawn; counts and ranges are of all that the file holds.
+template <class Shape>
+void tell_unused(Shape shape, FileContents& contents) {
+  geometry::drop_unused_vertices(shape);
+  contents.bounds = shape.bounds();
+  if (!shape.remarks.empty()) contents.more["remarks"] = shape.remarks;
+}
+
 FileContents contents_of(geometry::TriangleMesh mesh) {
-  geometry::drop_unused_vertices(mesh);
   FileContents contents;
   contents.kind = "triangles";
   contents.counts = {{"points", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
   add_vertices(mesh, contents);
+  tell_unused(std::move(mesh), contents);
   return contents;
 }
 
 FileContents contents_of(geometry::LineSet lines) {
-  geometry::drop_unused_vertices(lines);
   FileContents contents;
   contents.kind = "lines";
   contents.counts = {{"points", lines.positions.size()},
                      {"lines", lines.line_count()},
                      {"segments", lines.segment_count()}};
   add_vertices(lines, contents);
+  tell_unused(std::move(lines), contents);
   return contents;
 }
 

@@ -98,6 +98,7 @@ TEST_F(UnitInfo, RangesHaveTheDigitsThatTellTheirEndsApart) {
 TEST_F(UnitInfo, VerticesThatNothingIsDrawnOfAreCounted) {
   const Json json = info("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n");
   EXPECT_EQ(json["bounds"]["max"], Json({1, 1, 0}));
+  EXPECT_EQ(json["counts"]["points"], 4);
   EXPECT_EQ(json["remarks"], Json({"1 of 4 vertices are of no triangle, and are left out"}));
 }
 

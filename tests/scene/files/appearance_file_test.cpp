@@ -36,7 +36,7 @@ TEST_F(UnitAppearanceFile, ColoursAreNumbersDigitsOrNames) {
   EXPECT_THAT(wrong_color("\"stealblue\""), HasSubstr("objects[0].color: unknown colour "
                                                       "'stealblue'; known: steelblue"));
   EXPECT_THAT(refusal(sheet, R"("background": "#ffffff80")"),
-              HasSubstr("background: has an opacity"));
+              HasSubstr("background: '#ffffff80' has an opacity"));
   EXPECT_THAT(refusal(sheet, R"("background": "#12")"), HasSubstr("background: '#12'; accepted"));
 }
 
