@@ -92,7 +92,9 @@ const OptionTable<FileOptions>& file_options() {
       text("periodic", &FileOptions::periodic,
            "axes along which the grid repeats itself: x,y or x:LENGTH; none: not even a longitude"),
       text("block", &FileOptions::block, "blocks by name, A or A,B; by default all are merged"),
-      text("time", &FileOptions::time, "first, last or a number: the field at that time alone")};
+      text("time", &FileOptions::time, "first, last or a number: the field at that time alone"),
+      choice("staggered", &FileOptions::average_faces, {{"refused", false}, {"averaged", true}},
+             "a staggered .vdb grid: the means of both faces, in the middle of each voxel")};
   return table;
 }
 

@@ -21,9 +21,10 @@ struct FileOptions {
   std::string array;  // as pick_vectors() takes it; empty: the active vectors or the only ones
   Interpolation interpolation = Interpolation::linear;
   CellValues cells = CellValues::averaged;
-  std::string periodic;  // as parse_periods() takes it
-  std::string block;     // as readers::chosen_blocks() takes it; empty: all
-  std::string time;      // as chosen_time() takes it; empty: all
+  std::string periodic;        // as parse_periods() takes it
+  std::string block;           // as readers::chosen_blocks() takes it; empty: all
+  std::string time;            // as chosen_time() takes it; empty: all
+  bool average_faces = false;  // of staggered grids; they are refused otherwise
   /// In a field of several files or times: which vectors the first has when `array` is empty, ""
   /// until it is read. The others have to have the same.
   std::shared_ptr<std::string> common_array{};

@@ -165,6 +165,11 @@ openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
       grids[choose_vector_grid(entries, wanted_array(options), path.string())];
   keep_array(options, chosen.name);
   require_tree(chosen, path);
+  const bool is_staggered = chosen.grid->getGridClass() == openvdb::GRID_STAGGERED;
+  if (is_staggered && !options.average_faces)
+    bad_file(path, fmt::format("grid '{}' is staggered; accepted: with staggered=averaged, or "
+                               "resampled to one position per voxel",
+                               chosen.name));
   return at_centres(chosen.grid, fmt::format("{}: grid '{}'", path.string(), chosen.name));
 }
 
@@ -192,7 +197,8 @@ std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions&
 std::vector<FileFormatRow> vdb_formats() {
   return {
       {".vdb", "OpenVDB", read_vdb_field,
-       "of a staggered grid the means of both faces, in the middle of each voxel that has both"}};
+       "a staggered grid with staggered=averaged: the means of both faces, in the middle of each "
+       "voxel that has both; isosurfaces take them"}};
 }
 
 }  // namespace pellucid::fields

@@ -4,7 +4,7 @@
 /** Whole numbers in full, others to four digits; very small and large ones as 1.23·10⁻⁵. */
 function measured(x) {
   if (x == null) return "–";
-  if (x === Infinity) return "∞";
+  if (Math.abs(x) === Infinity) return x > 0 ? "∞" : "−∞";
   if (Number.isInteger(x)) return count(x);
   return Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? String(Number(x.toPrecision(4))) : scientific(x);
 }
@@ -22,6 +22,12 @@ const viewCount = (row) => row.measures?.find(({ name }) => name === "views")?.v
 /** Of which view a row's pictures are, where there are several. */
 const viewText = (row) => (viewCount(row) > 1 ? `view 1 of ${viewCount(row)}` : "");
 
+/** JSON holds no infinity: it comes as a text, and of earlier builds as a measure that is there without a number. */
+function valueOf({ value }) {
+  if (value === "-inf") return -Infinity;
+  return value === "inf" ? Infinity : value ?? Infinity;
+}
+
 function bestMeasure({ better }, values) {
   if (better === "neither") return null;
   const known = values.filter((value) => value != null);
@@ -34,8 +40,7 @@ function measuresTable(rows) {
   if (methods.length === 0) return null;
   const head = make("tr", {}, make("th", {}), methods.map((row) => make("th", { scope: "col" }, row.method, make("br"), make("small", {}, spaced(row.parameters)))));
   const body = measureKinds(methods).map((kind) => {
-    // JSON holds no infinity: a measure that is there without a number is infinite.
-    const values = methods.map((row) => row.measures.find(({ name }) => name === kind.name)).map((measure) => measure && (measure.value ?? Infinity));
+    const values = methods.map((row) => row.measures.find(({ name }) => name === kind.name)).map((measure) => measure && valueOf(measure));
     const best = bestMeasure(kind, values);
     const title = kind.unit ? `${kind.title} [${kind.unit}]` : kind.title;
     return make("tr", {}, make("td", {}, title),

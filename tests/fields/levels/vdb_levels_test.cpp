@@ -243,7 +243,10 @@ TEST(UnitVdbLevels, StaggeredVelocitiesBelongToTheMiddlesOfVoxels) {
     for (int i = 0; i < 5; ++i)
       EXPECT_FLOAT_EQ(float(levels.scale.value(level.at(i, 2, 3))),
                       float(glm::length(Vec3(0.5 * (i + 2), 2, -1))));
-    const auto field = field_of(grids, {}, "v.vdb");
+    EXPECT_THROW(field_of(grids, {}, "v.vdb"), InputError);  // a velocity's faces are asked for
+    FileOptions averaged;
+    averaged.average_faces = true;
+    const auto field = field_of(grids, averaged, "v.vdb");
     EXPECT_EQ(field->domain().max, Vec3(2));
     Vec3 v;
     ASSERT_EQ(field->sampler()->velocity(Vec3(1.3, 0.7, 2), 0, v), SampleStatus::ok);
