@@ -133,8 +133,8 @@ Sum parallel_sum(const Range& range, const Sum& identity, const Body& body, cons
   TaskFence fence;
   LoopContext context;
   fence.open();
-  const Sum sum = tbb::parallel_deterministic_reduce(range, identity, FencedBody(body, fence),
-                                                     FencedBody(join, fence), context);
+  Sum sum = tbb::parallel_deterministic_reduce(range, identity, FencedBody(body, fence),
+                                               FencedBody(join, fence), context);
   fence.join();
   context.check();
   return sum;

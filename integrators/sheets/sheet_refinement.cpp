@@ -96,15 +96,12 @@ double SheetRefinement::length_of(const Side& side) const {
 void SheetRefinement::judge(Side& side) {
   const SheetVertex &a = vertices_[side.ends[0]], &b = vertices_[side.ends[1]];
   const SheetVertex& middle = side.middle;
+  const bool is_there = a.is_there(), goes_on = is_there == middle.is_there();
   if (length_of(side) * (options_.particles - 1) > 1.5)
     side.verdict = Verdict::halve;
-  else if (a.is_there() != b.is_there())
+  else if (is_there != b.is_there() || (is_there && goes_on && is_uneven(a, b, middle)))
     part_or_halve(side);
-  else if (a.is_there() != middle.is_there())
-    halve(side);
-  else if (a.is_there() && is_uneven(a, b, middle))
-    part_or_halve(side);
-  else if (a.is_there() && deviation(a, b, middle) > part_of_sides * tolerance_)
+  else if (!goes_on || (is_there && deviation(a, b, middle) > part_of_sides * tolerance_))
     halve(side);
 }
 
@@ -113,11 +110,11 @@ void SheetRefinement::halve(Side& side) {
 }
 
 void SheetRefinement::part_or_halve(Side& side) {
-  auto gap = gap_between(particles_, domain_, vertices_[side.ends[0]], vertices_[side.ends[1]],
-                         tolerance_);
+  const auto gap = gap_between(particles_, domain_, vertices_[side.ends[0]],
+                               vertices_[side.ends[1]], tolerance_);
   if (!gap) return halve(side);
   side.verdict = Verdict::gap;
-  side.gap = std::make_unique<SheetGap>(std::move(*gap));
+  side.gap = std::make_unique<SheetGap>(*gap);
 }
 
 /// How far the sheet is from the straight side, world units: at the middle itself, and at the
