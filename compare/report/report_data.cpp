@@ -15,6 +15,7 @@
 #include "compare/report/page_texts.h"
 #include "compare/report/source_json.h"
 #include "compare/results/columns.h"
+#include "compare/results/number_json.h"
 #include "compare/results/provenance.h"
 
 namespace pellucid::compare {
@@ -64,19 +65,12 @@ json metrics_json() {
   return list;
 }
 
-/// JSON has no infinity: it is a text, as what is not known is null.
-json number_json(double value) {
-  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
-  return std::isnan(value) ? json() : json(value);
-}
-
 /// What the page's table shows of a row.
 json values_json(const ResultRow& row) {
   json values = json::object();
   for (const Column& column : columns()) {
     if (!column.shown.report) continue;
-    const std::optional<double> value = column.value(row);
-    values[column.name] = value ? number_json(*value) : json();
+    values[column.name] = number_json(column.value(row));
   }
   return values;
 }

@@ -6,11 +6,11 @@
 #include <vtkDataSet.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 
 #include "core/error.h"
 #include "core/files/bad_file.h"
+#include "core/files/ending.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/vdb_levels.h"
 #include "fields/levels/vtk_levels.h"
@@ -29,15 +29,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view vdb_ending = ".vdb";
 constexpr std::string_view list_endings[] = {".pvd", ".series"};
 
-/// In small letters.
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
-
 bool is_list(const fs::path& path) {
-  return std::ranges::find(list_endings, ending_of(path)) != std::end(list_endings);
+  return std::ranges::find(list_endings, small_ending(path)) != std::end(list_endings);
 }
 
 std::string accepted_endings() {
@@ -88,14 +81,14 @@ FileLevels read_vtk(const fs::path& path, const Wanted& wanted) {
 
 FileLevels read_one(const fs::path& path, const Wanted& wanted) {
   if (readers::vtk_format(path)) return read_vtk(path, wanted);
-  if (ending_of(path) == vdb_ending) return read_vdb(path, wanted);
+  if (small_ending(path) == vdb_ending) return read_vdb(path, wanted);
   bad_file(path, fmt::format("ending '{}'; accepted of an isosurface: {}. ParaView: save as .vti",
                              path.extension().string(), accepted_endings()));
 }
 
 /// The files of each time, in the order of these.
 Collection files_over_time(const fs::path& path) {
-  if (ending_of(path) == list_endings[0]) return pvd_collection(path);
+  if (small_ending(path) == list_endings[0]) return pvd_collection(path);
   Collection files;
   for (const SeriesEntry& entry : series_entries(path))
     files[entry.time].push_back({{}, entry.file});

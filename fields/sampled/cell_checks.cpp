@@ -122,6 +122,8 @@ int dimension_of(const std::array<int, 3>& size, const Path& path) {
 
 }  // namespace
 
+std::span<const int> volume_cell_types() { return volume_cells; }
+
 CheckedCells checked_cells(vtkDataSet* data, const Path& path) {
   CheckedCells checked{data, {}, std::nullopt, checked_bounds(data, path)};
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fields/sampled/planar_field.h"
@@ -21,6 +22,9 @@ struct CheckedCells {
   std::optional<Plane> plane;
   Box3 bounds;  // of the file's points, world units
 };
+
+/// Returns the types, by VTK's numbers, of the volume cells that can be searched.
+std::span<const int> volume_cell_types();
 
 /// Returns the volume cells of a grid, without those of lower dimension and those that it hides; of
 /// a grid that has none the surface cells, where they lie on a plane. Throws InputError, naming

@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
+
+#include "core/options/lower_case.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -16,17 +17,11 @@ constexpr std::array<const char*, 4> rgba{"red", "green", "blue", "alpha"};
 constexpr std::array<const char*, 4> families[] = {
     rgba, {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}, {"r", "g", "b", "a"}};
 
-std::string small(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
-  return result;
-}
-
 }  // namespace
 
 std::map<std::string, std::string> color_channels(const std::vector<std::string>& names) {
   std::map<std::string, std::string> by_small;  // the last of names that differ in capitals alone
-  for (const std::string& name : names) by_small[small(name)] = name;
+  for (const std::string& name : names) by_small[lower_case(name)] = name;
   std::map<std::string, std::string> found;
   for (const auto& family : families) {
     if (!std::all_of(family.begin(), family.begin() + 3,
@@ -60,7 +55,7 @@ std::vector<std::string> untaken_colors(const std::vector<std::string>& scalars)
 }
 
 bool is_color_name(std::string_view name) {
-  const std::string text = small(name);
+  const std::string text = lower_case(name);
   return text == "rgb" || text == "rgba" || text.find("color") != text.npos ||
          text.find("colour") != text.npos;
 }

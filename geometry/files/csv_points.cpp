@@ -17,6 +17,7 @@
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "core/options/lower_case.h"
 #include "core/options/parameters.h"
 #include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
@@ -76,9 +77,7 @@ char separator_of(std::string_view line) {
 
 /// In small letters, without a unit in brackets: "X [m]" is "x".
 std::string plain(std::string_view name) {
-  std::string text(trimmed(name.substr(0, name.find_first_of("[("))));
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
+  return lower_case(trimmed(name.substr(0, name.find_first_of("[("))));
 }
 
 /// What stands in a name's brackets: of "X [m]" "m".

@@ -7,6 +7,7 @@
 #include "integrators/front/refinement.h"
 #include "integrators/front/surface_options.h"
 #include "integrators/front/surface_run.h"
+#include "integrators/paths/trajectory_options.h"
 
 namespace pellucid::integrators {
 
@@ -41,7 +42,8 @@ IntegratedSurface run_refining(const SurfaceRequest& request, const Options& opt
   SurfaceSetup setup = surface_setup(request, options.surface);
   const Refinement refinement =
       refinement_of(options.refinement, default_threshold, steps_per_threshold);
-  bound_particle_errors(setup, shortest_edge(refinement));
+  // What errors of neighbours differ by would else be wrinkles, which a front refines in vain.
+  bound_errors(setup.trajectory, shortest_edge(refinement));
   bound_facets(setup, options.refinement.facet_angle, refinement, options.particles);
   return run_surface(request, setup, options.particles,
                      [&](SurfaceRun& run, std::span<const double> seeds, bool ring) {

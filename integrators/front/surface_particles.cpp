@@ -56,10 +56,6 @@ SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& 
   return setup;
 }
 
-void bound_particle_errors(SurfaceSetup& setup, double distance) {
-  bound_errors(setup.trajectory, distance);
-}
-
 ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup& setup)
     : seed_(request.seed),
       domain_(request.field->domain()),

@@ -23,11 +23,6 @@ struct SurfaceSetup : SurfaceOptions {
 /// Checks the request. Throws InputError.
 SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& options);
 
-/// Bounds the errors of particles on samples, so that they add up to no more than a thirtieth of
-/// `distance`, world units, over the whole duration: what errors of neighbours differ by would else
-/// be wrinkles, which a front refines in vain.
-void bound_particle_errors(SurfaceSetup& setup, double distance);
-
 /// Starts particles on the seed curve. Every thread has its own sampler of the field.
 class ParticleSource {
  public:

@@ -25,10 +25,10 @@
 #include "core/error.h"
 #include "core/machine/stopwatch.h"
 #include "core/options/names.h"
-#include "geometry/finite_vertices.h"
+#include "integrators/check_surface.h"
+#include "integrators/mesh/facet_normal.h"
 #include "integrators/mesh/missing_normals.h"
 #include "integrators/paths/magnitude.h"
-#include "integrators/paths/seed_place.h"
 #include "integrators/paths/trajectory_options.h"
 #include "integrators/sheets/sheet_refinement.h"
 
@@ -45,12 +45,6 @@ void check(const SheetIntegratorRow& row, const SheetRequest& request) {
   if (by_curve ? !request.curve : !request.surface)
     throw InputError(fmt::format("{}: accepted: seeds on {}", row.name,
                                  by_curve ? "a curve" : "a surface: a patch, a sphere or a mesh"));
-}
-
-/// Facets without an area tell of particles that rest at one place, or lie on one line.
-bool has_area(const Facet& facet, const std::vector<SheetVertex>& vertices) {
-  const auto x = [&](std::size_t k) { return vertices[facet[k]].particle.x; };
-  return glm::cross(direction_of(x(1) - x(0)), direction_of(x(2) - x(0))) != Vec3(0);
 }
 
 /// Numbers the vertices that facets have, in the order in which they come.
@@ -91,12 +85,13 @@ void add_vertex(IntegratedSheet& sheet, const SheetVertex& vertex, const SheetRe
   }
 }
 
-void add_facets(IntegratedSheet& sheet, SheetRefinement& refined, const SheetRequest& request,
+void add_facets(IntegratedSheet& sheet, const std::vector<Facet>& facets,
+                const SheetRefinement& refined, const SheetRequest& request,
                 const SheetDomain& domain) {
-  const auto facets = refined.facets();
   Used used(refined.vertices().size());
+  const auto x = [&](std::uint32_t vertex) { return refined.vertices()[vertex].particle.x; };
   for (const Facet& facet : facets)
-    if (has_area(facet, refined.vertices()))
+    if (has_area(x(facet[0]), x(facet[1]), x(facet[2])))
       sheet.mesh.triangles.push_back(
           {used.number(facet[0]), used.number(facet[1]), used.number(facet[2])});
   for (const std::uint32_t vertex : used.vertices())
@@ -104,14 +99,15 @@ void add_facets(IntegratedSheet& sheet, SheetRefinement& refined, const SheetReq
   fill_missing_normals(sheet.mesh.positions, sheet.mesh.triangles, sheet.mesh.normals);
 }
 
-SurfaceStats stats_of(const SheetRefinement& refined, const SheetParticles& particles) {
+SurfaceStats stats_of(const SheetRefinement& refined, std::uint64_t torn,
+                      const SheetParticles& particles) {
   SurfaceStats stats;
   stats.particles = refined.particles_sent();
   stats.evaluations = particles.evaluations();
   stats.bytes = refined.bytes();
   for (const SheetVertex& vertex : refined.vertices())
     ++stats.ends[vertex.particle.lost.value_or(EndReason::duration)];
-  if (refined.torn() > 0) stats.ends[EndReason::torn] = refined.torn();
+  if (torn > 0) stats.ends[EndReason::torn] = torn;
   if (refined.budget()) stats.ends[*refined.budget()] = refined.unfinished();
   return stats;
 }
@@ -151,15 +147,12 @@ IntegratedSheet integrate_sheet(std::string_view integrator, const SheetRequest&
   SheetRefinement refined(particles, domain, options,
                           options.tolerance.value_or(1e-3 * particles.extent()), request.progress);
   refined.run();
+  const auto [facets, torn] = refined.facets();
   IntegratedSheet sheet;
-  add_facets(sheet, refined, request, domain);
-  sheet.stats = stats_of(refined, particles);
+  add_facets(sheet, facets, refined, request, domain);
+  sheet.stats = stats_of(refined, torn, particles);
   sheet.stats.seconds = watch.seconds();
-  if (sheet.mesh.triangles.empty())
-    throw InputError(fmt::format("{}: no triangle came of {} particles; {}", row.name,
-                                 sheet.stats.particles,
-                                 ended_in_words(sheet.stats.ends, *request.field)));
-  geometry::check_finite(row.name, sheet.mesh);
+  check_surface(row.name, sheet, *request.field);
   return sheet;
 }
 

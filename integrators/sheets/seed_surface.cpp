@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "integrators/paths/magnitude.h"
+#include "integrators/mesh/facet_normal.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -46,10 +46,6 @@ class Places {
   std::map<std::tuple<double, double, double>, std::uint32_t> numbers_;
 };
 
-bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return glm::cross(direction_of(b - a), direction_of(c - a)) != Vec3(0);
-}
-
 }  // namespace
 
 SeedSurface patch_seed(const Vec3& corner, const Vec3& u, const Vec3& v) {
@@ -61,9 +57,7 @@ SeedSurface patch_seed(const Vec3& corner, const Vec3& u, const Vec3& v) {
   seed.is_square = true;
   seed.point_at = [=](const Vec3& place) { return corner + place.x * u + place.y * v; };
   seed.tangent_at = [=](const Vec3&, const Vec3& step) { return step.x * u + step.y * v; };
-  seed.normal_at = [n = direction_of(glm::cross(direction_of(u), direction_of(v)))](const Vec3&) {
-    return n;
-  };
+  seed.normal_at = [n = direction_of(facet_sine(Vec3(0), u, v))](const Vec3&) { return n; };
   return seed;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "integrators/paths/magnitude.h"
+#include "integrators/mesh/facet_normal.h"
 #include "integrators/paths/seed_place.h"
 
 namespace pellucid::integrators {
@@ -66,18 +66,17 @@ SheetDomain streak_domain(const SeedCurve& curve, double duration) {
   domain.is_square = true;
   domain.corners = curve.corners;
   add_strip(domain, columns_of(curve));
+  const auto on_curve = [closed = curve.closed](double s) { return closed ? around(s) : s; };
   domain.release_at = [=](const Vec3& place) {
-    return Release{curve.point_at(curve.closed ? around(place.x) : place.x), duration * place.y};
+    return Release{curve.point_at(on_curve(place.x)), duration * place.y};
   };
   domain.change_at = [=](const Vec3& place, const Vec3& step) {
-    const double s = curve.closed ? around(place.x) : place.x;
-    return Release{step.x * curve.tangent_at(s), duration * step.y};
+    return Release{step.x * curve.tangent_at(on_curve(place.x)), duration * step.y};
   };
   // On the crease that starts at a corner ∂x/∂s is two vectors.
   domain.normal_at = [=](const Vec3& place, const Vec3& velocity) {
     if (is_corner(curve, place.x)) return Vec3(0);
-    const double s = curve.closed ? around(place.x) : place.x;
-    return direction_of(glm::cross(direction_of(curve.tangent_at(s)), direction_of(velocity)));
+    return direction_of(facet_sine(Vec3(0), curve.tangent_at(on_curve(place.x)), velocity));
   };
   return domain;
 }

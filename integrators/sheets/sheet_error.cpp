@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "integrators/mesh/facet_normal.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
-#include "integrators/paths/magnitude.h"
 #include "integrators/sheets/integrate_sheet.h"
 #include "integrators/sheets/sheet_options.h"
 #include "integrators/sheets/sheet_particles.h"
@@ -52,9 +52,8 @@ Sample sample_of(const IntegratedSheet& sheet, const SheetDomain& domain, const 
     sample.corners[k] = sample.corners[0] + step;
     sample.place += at.barycentric[k] * step;
   }
-  const Vec3& x = sheet.mesh.positions[corners[0]];
-  sample.facet = direction_of(glm::cross(direction_of(sheet.mesh.positions[corners[1]] - x),
-                                         direction_of(sheet.mesh.positions[corners[2]] - x)));
+  const auto x = [&](std::size_t k) { return sheet.mesh.positions[corners[k]]; };
+  sample.facet = direction_of(facet_sine(x(0), x(1), x(2)));
   return sample;
 }
 

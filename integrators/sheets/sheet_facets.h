@@ -11,11 +11,6 @@ namespace pellucid::integrators {
 /// Facet holds the numbers of a triangle's corners.
 using Facet = std::array<std::uint32_t, 3>;
 
-/// Returns the side of a facet from corner k to the next one.
-inline std::array<std::uint32_t, 2> side(const Facet& facet, std::size_t k) {
-  return {facet[k], facet[(k + 1) % 3]};
-}
-
 /// Appends the parts of a facet whose sides have these middles, or none: two, three or four parts.
 /// Of a quadrilateral, which two middles leave, `is_shorter(a, b, c, d)` says whether the diagonal
 /// from a to b is the shorter one.

@@ -47,15 +47,21 @@ SheetParticles::SheetParticles(const SheetRequest& request, const SheetDomain& d
   if (tolerance) bound_errors(options_, *tolerance);
 }
 
+/// Of the field where and when the particle is let go; 0 where it has none.
+Vec3 SheetParticles::velocity_at(const Release& release) {
+  Vec3 v(0);
+  samplers_.local().velocity(onto_edge(field_box_, release.seed), end_time() - release.age, v);
+  return v;
+}
+
 /// The particle's point at the end, with its companion; nothing, and why, when it is not there.
 std::optional<FlowPoint> SheetParticles::send(const Release& release, const Vec3& companion,
                                               Companion kind, std::optional<EndReason>& lost) {
   TrajectoryOptions options = options_;
   options.companion = kind;
-  const double end = request_.start_time + request_.duration;
   // Who is let go at the end has no way; a duration has to be one.
   options.duration = std::max(release.age, 1e-15 * request_.duration);
-  options.start_time = end - release.age;
+  options.start_time = end_time() - release.age;
   Trajectory path(options, onto_edge(field_box_, release.seed), companion, samplers_.local());
   if (path.exists() && release.age <= 0) return path.at(0);
   if (path.exists()) path.skip_to(options.duration, samplers_.local());
@@ -68,9 +74,7 @@ SheetParticle SheetParticles::at(const Vec3& place) {
   const Release release = domain_.release_at(place);
   SheetParticle particle;
   particle.age = release.age;
-  Vec3 v(0);
-  samplers_.local().velocity(onto_edge(field_box_, release.seed),
-                             request_.start_time + request_.duration - release.age, v);
+  const Vec3 v = velocity_at(release);
   const auto point = send(release, domain_.normal_at(place, v), Companion::conormal, particle.lost);
   if (point) particle.x = point->x, particle.v = point->v, particle.normal = point->w;
   return particle;
@@ -80,9 +84,7 @@ SheetParticle SheetParticles::at(const Vec3& place) {
 std::optional<SheetSlope> SheetParticles::slope_at(const Vec3& place,
                                                    const std::array<Vec3, 2>& steps) {
   const Release release = domain_.release_at(place);
-  Vec3 v(0);
-  samplers_.local().velocity(onto_edge(field_box_, release.seed),
-                             request_.start_time + request_.duration - release.age, v);
+  const Vec3 v = velocity_at(release);
   SheetSlope slope;
   std::optional<EndReason> lost;
   for (std::size_t k = 0; k < 2; ++k) {

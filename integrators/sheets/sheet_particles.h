@@ -52,6 +52,8 @@ class SheetParticles {
   std::uint64_t evaluations() const;
 
  private:
+  double end_time() const { return request_.start_time + request_.duration; }
+  Vec3 velocity_at(const Release& release);
   std::optional<FlowPoint> send(const Release& release, const Vec3& companion, Companion kind,
                                 std::optional<EndReason>& lost);
 

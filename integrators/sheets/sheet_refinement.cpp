@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "integrators/paths/magnitude.h"
+#include "integrators/mesh/facet_normal.h"
 #include "integrators/paths/segment_distance.h"
 
 namespace pellucid::integrators {
@@ -180,7 +180,7 @@ bool SheetRefinement::is_bent(const Facet& facet) const {
   const auto x = [&](std::size_t k) { return vertices_[facet[k]].particle.x; };
   const double longest =
       std::max({glm::distance(x(0), x(1)), glm::distance(x(1), x(2)), glm::distance(x(2), x(0))});
-  const Vec3 across = glm::cross(direction_of(x(1) - x(0)), direction_of(x(2) - x(0)));
+  const Vec3 across = facet_sine(x(0), x(1), x(2));
   const double height =
       magnitude(across) * glm::distance(x(1), x(0)) * glm::distance(x(2), x(0)) / longest;
   if (!(height > tolerance_)) return false;
@@ -281,16 +281,17 @@ void SheetRefinement::halve_sides() {
   settled_ = std::move(settled);
 }
 
-std::vector<Facet> SheetRefinement::facets() {
-  std::vector<Facet> facets;
+SheetRefinement::SheetFacets SheetRefinement::facets() {
+  SheetFacets sheet;
   for (const Facet& facet : facets_) {
     const std::size_t gaps = gaps_across(facet);
-    const auto is_there = [&](std::uint32_t corner) { return vertices_[corner].is_there(); };
-    torn_ += gaps > 0 && std::ranges::all_of(facet, is_there);
-    if (gaps == 0 && std::ranges::all_of(facet, is_there)) facets.push_back(facet);
-    if (const auto parting = parting_of(facet)) append_sides_of_gap(facet, *parting, facets);
+    const bool whole = std::ranges::all_of(
+        facet, [&](std::uint32_t corner) { return vertices_[corner].is_there(); });
+    if (whole && gaps == 0) sheet.facets.push_back(facet);
+    if (whole && gaps > 0) ++sheet.torn;
+    if (const auto parting = parting_of(facet)) append_sides_of_gap(facet, *parting, sheet.facets);
   }
-  return facets;
+  return sheet;
 }
 
 std::uint64_t SheetRefinement::bytes() const {

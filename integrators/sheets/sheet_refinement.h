@@ -37,11 +37,14 @@ class SheetRefinement {
   void run();
 
   const std::vector<SheetVertex>& vertices() const { return vertices_; }
-  /// Those of the sheet; of a facet that a gap crosses the parts on its sides.
-  std::vector<Facet> facets();
+  /// Those of the sheet, of a facet that a gap crosses the parts on its sides; and across how many
+  /// the sheet is torn.
+  struct SheetFacets {
+    std::vector<Facet> facets;
+    std::uint64_t torn = 0;
+  };
+  SheetFacets facets();
   std::uint64_t particles_sent() const { return sent_; }
-  /// Facets across which the sheet is torn.
-  std::uint64_t torn() const { return torn_; }
   /// Sides that would have been halved when the budget was used up.
   std::uint64_t unfinished() const { return unfinished_; }
   std::optional<EndReason> budget() const { return budget_; }
@@ -98,7 +101,7 @@ class SheetRefinement {
   std::vector<Side> sides_;
   std::size_t judged_ = 0;                                    // sides
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  // of sides, by their ends
-  std::uint64_t sent_ = 0, torn_ = 0, unfinished_ = 0;
+  std::uint64_t sent_ = 0, unfinished_ = 0;
   std::optional<EndReason> budget_;
 };
 

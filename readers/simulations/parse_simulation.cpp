@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -26,6 +25,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/options/lower_case.h"
 #include "readers/simulations/make_mrc.h"
 #include "readers/simulations/make_netcdf.h"
 #include "readers/simulations/make_nifti.h"
@@ -37,11 +37,6 @@ namespace pellucid::readers {
 namespace {
 
 using Path = std::filesystem::path;
-
-std::string small(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 template <class Reader>
 vtkSmartPointer<Reader> reader_of(const Path& path) {
@@ -72,7 +67,7 @@ vtkSmartPointer<vtkAlgorithm> make_foam(const Path& path) {
 /// whose name begins with "dis".
 bool has_displacements(vtkExodusIIReader& reader) {
   for (int i = 0; i < reader.GetNumberOfObjectArrays(vtkExodusIIReader::NODAL); ++i) {
-    const std::string name = small(reader.GetObjectArrayName(vtkExodusIIReader::NODAL, i));
+    const std::string name = lower_case(reader.GetObjectArrayName(vtkExodusIIReader::NODAL, i));
     if (name.starts_with("dis")) return name.starts_with("disp");
   }
   return false;
@@ -145,14 +140,16 @@ vtkSmartPointer<vtkAlgorithm> make_stl(const Path& path) {
   file.read(begin.data(), std::streamsize(begin.size()));
   std::uint32_t facets = 0;
   if (begin.size() == head) std::memcpy(&facets, begin.data() + 80, sizeof facets);
-  const bool is_text = small(begin).starts_with("solid") && begin.find('\0') == std::string::npos;
+  const bool is_text =
+      lower_case(begin).starts_with("solid") && begin.find('\0') == std::string::npos;
   if (!is_text && (size < head || size != head + facet * facets))
     throw InputError(
         fmt::format("{}: {} bytes, but its {} facets take {}; truncated, or no STL file",
                     path.string(), size, facets, head + facet * facets));
   file.seekg(std::streamoff(size - std::min(size, tail)));
-  if (is_text && small(std::string(std::istreambuf_iterator<char>(file), {})).find("endsolid") ==
-                     std::string::npos)
+  if (is_text &&
+      lower_case(std::string(std::istreambuf_iterator<char>(file), {})).find("endsolid") ==
+          std::string::npos)
     throw InputError(path.string() + ": no 'endsolid' at its end; truncated?");
   return make<vtkSTLReader>(path);
 }

@@ -7,13 +7,13 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
 
 #include "core/error.h"
+#include "core/options/lower_case.h"
 #include "readers/vtk/blocks_of.h"
 #include "readers/vtk/times.h"
 #include "readers/vtk/vtk_formats.h"
@@ -33,8 +33,8 @@ bool has_nan_as_text(const std::filesystem::path& path) {
   if (path.extension() != ".vtk") return false;
   std::ifstream file(path);
   bool is_text = false;
-  for (std::string word; file >> word;) {
-    std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (std::string text; file >> text;) {
+    const std::string word = lower_case(text);
     is_text = is_text || word == "ascii";
     if (word == "binary") return false;
     if (is_text && (word == "nan" || word == "-nan" || word == "+nan")) return true;

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "core/options/lower_case.h"
 #include "core/options/names.h"
 
 namespace pellucid::scene {
@@ -58,9 +58,7 @@ TextColor color_of_digits(std::string_view text, std::string_view accepted) {
 
 TextColor color_of(std::string_view text, std::string_view accepted) {
   if (text.starts_with('#')) return color_of_digits(text, accepted);
-  std::string small(text);
-  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
-  return {channels(find_row("colour", small, named_colors).rgb), std::nullopt};
+  return {channels(find_row("colour", lower_case(text), named_colors).rgb), std::nullopt};
 }
 
 }  // namespace

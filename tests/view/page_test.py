@@ -17,7 +17,7 @@ import unittest
 import urllib.parse
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "report"))
-from viewer_test import PLY, start_browser  # noqa: E402  (it skips where there is no browser)
+from report_page import PLY, start_browser  # noqa: E402  (it skips where there is no browser)
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402

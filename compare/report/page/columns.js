@@ -33,8 +33,7 @@ function verdictOf(column, a, b) {
 /** A column with functions of a row: its value, that in the unit for people, and its text. */
 function columnOf(column) {
   const { write, axis } = styles()[column.style];
-  // JSON holds no infinity: it comes as a text.
-  const value = (row) => (row.values?.[column.name] == null ? null : Number(row.values[column.name]));
+  const value = (row) => numberOf(row.values?.[column.name]);
   return {
     ...column, axis, value,
     shown: (row) => (value(row) == null ? null : value(row) * column.factor),

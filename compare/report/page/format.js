@@ -14,6 +14,12 @@ function make(tag, attributes = {}, ...children) {
 
 const superscript = (text) => [...text].map((c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]).join("");
 
+/** A number as results.json has it: JSON holds no infinity, which is a text there; null is not known. */
+function numberOf(x) {
+  if (x === "-inf") return -Infinity;
+  return x === "inf" ? Infinity : x ?? null;
+}
+
 /** Three digits; small numbers as 1.23·10⁻⁴. */
 function scientific(x) {
   if (x == null) return "–";

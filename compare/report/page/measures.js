@@ -22,12 +22,6 @@ const viewCount = (row) => row.measures?.find(({ name }) => name === "views")?.v
 /** Of which view a row's pictures are, where there are several. */
 const viewText = (row) => (viewCount(row) > 1 ? `view 1 of ${viewCount(row)}` : "");
 
-/** JSON holds no infinity: it comes as a text, and of earlier builds as a measure that is there without a number. */
-function valueOf({ value }) {
-  if (value === "-inf") return -Infinity;
-  return value === "inf" ? Infinity : value ?? Infinity;
-}
-
 function bestMeasure({ better }, values) {
   if (better === "neither") return null;
   const known = values.filter((value) => value != null);
@@ -40,7 +34,8 @@ function measuresTable(rows) {
   if (methods.length === 0) return null;
   const head = make("tr", {}, make("th", {}), methods.map((row) => make("th", { scope: "col" }, row.method, make("br"), make("small", {}, spaced(row.parameters)))));
   const body = measureKinds(methods).map((kind) => {
-    const values = methods.map((row) => row.measures.find(({ name }) => name === kind.name)).map((measure) => measure && valueOf(measure));
+    // A measure that is there without a number is infinite: so earlier builds wrote it.
+    const values = methods.map((row) => row.measures.find(({ name }) => name === kind.name)).map((measure) => measure && (numberOf(measure.value) ?? Infinity));
     const best = bestMeasure(kind, values);
     const title = kind.unit ? `${kind.title} [${kind.unit}]` : kind.title;
     return make("tr", {}, make("td", {}, title),

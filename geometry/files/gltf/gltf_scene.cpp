@@ -18,6 +18,7 @@
 #include <span>
 
 #include "core/error.h"
+#include "core/options/lower_case.h"
 #include "geometry/files/gltf/gltf_document.h"
 #include "geometry/files/gltf/gltf_extensions.h"
 #include "geometry/files/gltf/gltf_materials.h"
@@ -204,9 +205,7 @@ class GltfReader {
     const AccessorData data = document_.accessor(index);
     if (data.components != 1) return;
     check_count(data, count, name);
-    std::string small = name.substr(1);
-    std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
-    std::vector<double>& column = attributes_[small];
+    std::vector<double>& column = attributes_[lower_case(name.substr(1))];
     column.resize(first, NAN);
     column.insert(column.end(), data.numbers.begin(), data.numbers.end());
   }

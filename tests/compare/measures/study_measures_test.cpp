@@ -3,13 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include "compare/cells/ray_curves.h"
-#include "compare/methods/methods.h"
+#include "compare/cells/cell.h"
+#include "compare/study/study.h"
 #include "core/error.h"
-#include "core/options/names.h"
-#include "groundtruth/sums/fourier_sum.h"
-#include "groundtruth/sums/ray_sums.h"
 #include "tests/compare/fake_methods.h"
+#include "tests/compare/measures/measured.h"
 #include "tests/compare/study_folder.h"
 #include "tests/support/scenes.h"
 
@@ -19,73 +17,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using namespace pellucid::compare::testing;
-
-/// A picture of one colour.
-CellMeasurement picture_of(const scene::Scene& scene, const Rgba& color) {
-  CellMeasurement cell;
-  cell.image = Image(scene.width, scene.height, color);
-  return cell;
-}
-
-/// Rays are asked whenever a measure wants them.
-MeasuredScene seen(const scene::Scene& scene, const Image& reference) {
-  static RayFacts facts;
-  return {scene, reference, [&scene]() -> const RayFacts& { return facts = ray_facts(scene); }};
-}
-
-/// A red and a green layer over blue.
-scene::Scene red_green_blue() {
-  scene::Scene scene =
-      stack(2, 4, 3, [](int i) { return i == 0 ? Rgba(1, 0, 0, 0.5) : Rgba(0, 1, 0, 0.5); });
-  scene.background = {0, 0, 1};
-  return scene;
-}
-
-TEST(UnitHullMeasure, CountsThePixelsThatLeaveTheHull) {
-  const scene::Scene scene = red_green_blue();
-  CellMeasurement cell = picture_of(scene, Rgba(0.2, 0.3, 0.5, 1));
-  // Along the normal of the plane r + g + b = 1, on which the hull lies.
-  cell.image.at(2, 1) = Rgba(0.2 + 0.1, 0.3 + 0.1, 0.5 + 0.1, 1);
-  hull_measure().measure(seen(scene, {}), cell);
-  EXPECT_EQ(cell.row.measures[0].value, 1);
-  // Three channels of a picture in float, 3e-8 each, and the projection's 1e-7.
-  EXPECT_NEAR(cell.row.measures[1].value, 0.1 * std::sqrt(3.0), 2e-7);
-  ASSERT_EQ(cell.further.size(), 1u);
-  EXPECT_NE(cell.further[0].at(2, 1), cell.further[0].at(0, 0));
-}
-
-// The exact composite of red, green and blue at (0.2, 0.3, 0.5), as far as 8 bits have it, lies off
-// the hull's plane by up to √3 / 2 of their steps.
-TEST(UnitHullMeasure, RoundingTo8BitsLeavesNoHull) {
-  const scene::Scene scene = red_green_blue();
-  CellMeasurement cell = picture_of(scene, Rgba(51 / 255.f, 77 / 255.f, 128 / 255.f, 1));
-  cell.row.given = "picture";
-  hull_measure().measure(seen(scene, {}), cell);
-  EXPECT_EQ(cell.row.measures[0].value, 0);
-  EXPECT_LT(cell.row.measures[1].value, 1e-6);
-}
-
-TEST(UnitHullMeasure, AFullChannelStandsForAllThatIsCutOff) {
-  scene::Scene scene = stack(1, 4, 3, [](int) { return Rgba(3, 1, 1, 0.5); });
-  scene.background = {0, 0, 0};
-  // (1.5, 0.5, 0.5), shown as (1, 0.5, 0.5).
-  CellMeasurement cell = picture_of(scene, Rgba(1, 128 / 255.f, 128 / 255.f, 1));
-  hull_measure().measure(seen(scene, {}), cell);
-  EXPECT_EQ(cell.row.measures[0].value, 12);  // of a picture in float it is off
-  CellMeasurement given = picture_of(scene, Rgba(1, 128 / 255.f, 128 / 255.f, 1));
-  given.row.given = "picture";
-  hull_measure().measure(seen(scene, {}), given);
-  EXPECT_EQ(given.row.measures[0].value, 0);
-}
-
-TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
-  const scene::Scene scene = red_green_blue();
-  CellMeasurement cell = picture_of(scene, Rgba(2, 2, 2, 1));
-  cell.layers = CountImage(4, 3, 2);
-  cell.layers.at(0, 0) = 1;
-  hull_measure().measure(seen(scene, {}), cell);
-  EXPECT_EQ(cell.row.measures[0].value, 11);
-}
 
 // The nearer layer lies at d = 0 on the left half and at d = 1/2 on the right one.
 TEST(UnitDepthError, IsTheMeanErrorOfThePixelsAtADepth) {
@@ -233,148 +164,6 @@ TEST(UnitLongestStep, IsCountedFromOne) {
   cell.row.steps = {{"project", {1, 1, 9}}, {"weight", {4, 3, 5}}, {"composite", {2, 1, 8}}};
   longest_step_measure().measure(told(scene, {}, {}), cell);
   EXPECT_EQ(value_of(cell, "longest_step"), 2);
-}
-
-Cell probing_cell(std::string_view method, const RawOptions& options, bool reference) {
-  const scene::MethodRow& row = find_row("method", method, methods());
-  return {"",        "scene", {&row, Parameters(row.name, row.parameters, options)},
-          reference, {},      {{1, 1}}};
-}
-
-CellMeasurement probed(const Cell& cell, const scene::Scene& scene) {
-  const auto renderer = cell.call.row->make(scene, cell.call.parameters, {});
-  renderer->render({});
-  CellMeasurement measured;
-  add_ray_curves(cell, scene, *renderer, measured);
-  return measured;
-}
-
-/// Five layers of an opacity of 1/2 at d = 0.1, 0.3, 0.5, 0.7, 0.9, between two that cannot be seen
-/// at the ends of the depth range.
-scene::Scene five_steps() {
-  scene::Scene scene = orthographic_scene(3, 3);
-  for (const double d : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0})
-    scene.objects.push_back(
-        {"layer", full_layer(1 - 2 * d, Rgba(1, 0, 0, d == 0 || d == 1 ? 0 : 0.5))});
-  return scene;
-}
-
-double steps_up_to(double d) {
-  double sum = 0;
-  for (const double step : {0.1, 0.3, 0.5, 0.7, 0.9}) sum += step <= d ? std::log(2) : 0;
-  return sum;
-}
-
-bool near_a_step(double d) { return std::abs(std::remainder(d - 0.1, 0.2)) < 1e-3; }
-
-TEST(UnitRayCurves, TheReferenceHasTheSteps) {
-  const RowCurve curve = probed(probing_cell("raytrace", {}, true), five_steps()).row.curves.at(0);
-  for (std::size_t i = 0; i < curve.x.size(); ++i)
-    if (!near_a_step(curve.x[i])) {
-      // Sums of at most five logarithms in double, and a hundred times their roundings: 5 · 4.4e-16
-      // and more.
-      EXPECT_NEAR(curve.y[i], steps_up_to(curve.x[i]), 1e-14);
-    }
-}
-
-// Against the series summed in double. In the shader's k-th wave the error of the first one, 5e-7,
-// and of the depth, two ulp of 1 in a rasterizer's float or 2π · 1.2e-7 of the angle, count k
-// times; in the evaluated wave, too, whose depth is rounded once. They meet coefficients of up to
-// 2 · 5 ln 2, divided by 2πk, of a_k and of b_k: 5.1e-6 a band.
-TEST(AgreementRayCurves, FourierHasTheSeriesOfItsBands) {
-  const scene::Scene scene = five_steps();
-  // The range of depths is wider than the layers' by a little: theirs are not quite 0.1, 0.3, …
-  const groundtruth::RaySums ray = groundtruth::RayProbe(scene).at(1.5, 1.5);
-  for (const int bands : {1, 5, 20}) {
-    groundtruth::FourierSum exact(bands);
-    for (const groundtruth::RayLayer& layer : ray.layers)
-      exact.add(-std::log1p(-layer.opacity), layer.d);
-    const auto cell =
-        probed(probing_cell("fourier", {{"bands", std::to_string(bands)}}, false), scene);
-    const RowCurve& curve = cell.row.curves.at(0);
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-      // Sums of floats up to 7, an ulp of 4.8e-7, and in each band two coefficients of waves whose
-      // depths are floats: ten ulps each.
-      EXPECT_NEAR(curve.y[i], exact.up_to(curve.x[i]), 5e-6 + 5.1e-6 * bands)
-          << bands << ' ' << curve.x[i];
-    // Two curves of terms, the line of 5 % and the mark of five bands.
-    ASSERT_EQ(cell.row.curves.size(), 5u);
-    EXPECT_EQ(cell.row.curves[1].x.size(), std::size_t(bands));
-    EXPECT_EQ(cell.row.measures.size(), bands < 5 ? 0u : bands == 5 ? 1u : 2u);
-  }
-}
-
-// Impulses at one depth d have a_k = a_0 cos(2πkd), b_k = a_0 sin(2πkd): of F(1) = a_0 / 2 the
-// terms are 100 |cos| / (πk) and 100 |sin| / (πk) per cent.
-TEST(UnitRayCurves, TermsArePartsOfTheWholeSum) {
-  const scene::Scene scene = stack(1, 3, 3, [](int) { return Rgba(1, 1, 1, 0.5f); });
-  const double d = groundtruth::RayProbe(scene).at(1.5, 1.5).layers.at(0).d;
-  const auto cell = probed(probing_cell("fourier", {{"bands", "7"}}, false), scene);
-  const auto percent = [](double wave, int k) { return 100 * std::abs(wave) / (M_PI * k); };
-  for (int k = 1; k <= 7; ++k) {
-    const double angle = 2 * M_PI * k * d;
-    // Waves are off by 5e-7 k, of 100 / (πk) per cent.
-    EXPECT_NEAR(cell.row.curves[1].y[std::size_t(k) - 1], percent(std::cos(angle), k), 1e-4);
-    EXPECT_NEAR(cell.row.curves[2].y[std::size_t(k) - 1], percent(std::sin(angle), k), 1e-4);
-  }
-  const auto larger = [&](int k) {
-    return std::max(percent(std::cos(2 * M_PI * k * d), k), percent(std::sin(2 * M_PI * k * d), k));
-  };
-  EXPECT_EQ(cell.row.measures.at(0).name, "optical_depth_term_5");
-  EXPECT_NEAR(cell.row.measures.at(0).value, larger(5), 1e-4);
-  EXPECT_EQ(cell.row.measures.at(1).name, "optical_depth_terms_beyond_5");
-  EXPECT_NEAR(cell.row.measures.at(1).value, std::max(larger(6), larger(7)), 1e-4);
-}
-
-// G is the scene's: the row of a reference that optimizes opacities has its exact steps.
-TEST(AgreementRayCurves, ImportanceHasItsStepsAndItsSeries) {
-  scene::Scene scene = five_steps();
-  for (std::size_t i = 0; i < 5; ++i)
-    scene.objects[i].vertices().importance.assign(4, i % 2 ? 1.0f : 0.5f);
-  const groundtruth::RaySums ray = groundtruth::RayProbe(scene).at(1.5, 1.5);
-  const auto exact = probed(probing_cell("decoupled-lists", {}, true), scene).row;
-  ASSERT_EQ(exact.curves.size(), 1u);
-  EXPECT_EQ(exact.curves[0].y_title, "G(d)");
-  groundtruth::FourierSum sums(4);
-  for (const groundtruth::RayLayer& layer : ray.layers)
-    sums.add(layer.importance * layer.importance, layer.d);
-  for (const char* resolution : {"full", "half"}) {
-    const RawOptions options = {{"bands", "4"}, {"importance-resolution", resolution}};
-    const auto row = probed(probing_cell("fourier-opacity", options, false), scene).row;
-    const auto series = std::ranges::find(row.curves, "G(d)", &RowCurve::y_title);
-    ASSERT_NE(series, row.curves.end());
-    for (std::size_t i = 0; i < series->x.size(); ++i) {
-      EXPECT_NEAR(exact.curves[0].y[i], ray.importance_sum(series->x[i]), 1e-12);
-      // As of the optical depth, of a sum below 3.
-      EXPECT_NEAR(series->y[i], sums.up_to(series->x[i]), 2e-5) << series->x[i];
-    }
-  }
-}
-
-// A step in the middle of each of five bins: constant bins are exact behind it, linear ones in it.
-TEST(UnitRayCurves, BinsAreReadAsTheirModeSays) {
-  for (const char* mode : {"constant", "linear"}) {
-    const RowCurve curve =
-        probed(probing_cell("binning", {{"bins", "5"}, {"mode", mode}}, false), five_steps())
-            .row.curves.at(0);
-    for (std::size_t i = 0; i + 1 < curve.x.size(); ++i) {
-      const double bin = std::floor(curve.x[i] * 5 + 1e-9);
-      const double expected = std::string_view(mode) == "linear" ? curve.x[i] * 5 : bin + 1;
-      // Five floats up to 3.5 are summed, and depths shifted by the margin of 1e-5 do not cross a
-      // bin.
-      EXPECT_NEAR(curve.y[i], expected * std::log(2), 1e-5) << mode << ' ' << curve.x[i];
-    }
-  }
-}
-
-TEST(UnitRayCurves, MethodsWithoutSuchAFunctionHaveNone) {
-  EXPECT_TRUE(probed(probing_cell("linked-list", {}, false), five_steps()).row.curves.empty());
-}
-
-TEST(UnitRayCurves, APixelOutsideThePictureIsRefused) {
-  Cell cell = probing_cell("raytrace", {}, true);
-  cell.probes = {{3, 0}};
-  EXPECT_THROW(probed(cell, five_steps()), InputError);
 }
 
 TEST(UnitStudyMeasures, AStudyNamesThem) {

@@ -5,12 +5,8 @@
 
 #include "compare/report/tables.h"
 #include "compare/study/study.h"
-#include "core/error.h"
 #include "core/options/names.h"
-#include "tests/compare/fake_methods.h"
 #include "tests/compare/study/result_rows.h"
-#include "tests/compare/study_error.h"
-#include "tests/compare/study_folder.h"
 
 namespace pellucid::compare {
 namespace {
@@ -19,7 +15,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using namespace pellucid::compare::testing;
 
 const std::vector<std::string> scenes{"one", "two"};
 const std::vector<ResultRow> rows{row("one", "a", 0.1),  row("one", "b", 0.2),
@@ -261,122 +256,6 @@ TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
   const auto checks = check_claim(claim("rmse", {{"a"}, {"b"}}), scenes, fewer);
   ASSERT_EQ(checks.size(), 1u);
   EXPECT_EQ(checks[0].of, "two");
-}
-
-std::string claims_error(const std::string& claims) {
-  return study_error(R"(["shifted:by=0.5", "broken"])", R"("claims": [)" + claims + "]");
-}
-
-Claim read_first(const std::string& methods, const std::string& claim) {
-  const StudyFolder folder;
-  return load_study(folder.study(methods, R"("claims": [)" + claim + "]"), fake_methods())
-      .claims.front();
-}
-
-TEST(UnitClaims, ABoundMayBeOfAllCalls) {
-  EXPECT_THAT(read_first(R"(["shifted:by=0.5", "broken"])",
-                         R"({"claim": "x", "by": "rmse", "of": "*", "at_most": 1})")
-                  .order,
-              ElementsAre(ElementsAre("shifted:by=0.5", "broken")));
-  EXPECT_THAT(
-      study_error("[]", R"("claims": [{"claim": "x", "by": "rmse", "of": "*", "at_most": 1}])"),
-      HasSubstr("claims[0].of: \"*\", and no methods"));
-}
-
-TEST(UnitClaims, AStudyNamesAStage) {
-  const Claim read = read_first(R"(["broken"])", R"({"claim": "x", "stage": "mesh", "of": "broken",
-                                                     "better": "higher", "at_least": 0.5})");
-  EXPECT_EQ(read.by.stage, "mesh");
-  EXPECT_EQ(read.by.better, Better::higher);
-  EXPECT_THAT(claims_error(R"({"claim": "x", "stage": "mesh", "measure": "m", "of": "broken",
-                               "at_most": 1})"),
-              HasSubstr("claims[0].stage: beside 'measure'"));
-}
-
-TEST(UnitClaims, AStudySaysThatOneHoldsSomewhere) {
-  const std::string start = R"({"claim": "x", "by": "rmse", "of": "broken", )";
-  EXPECT_FALSE(read_first(R"(["broken"])", start + R"("at_most": 1})").somewhere);
-  EXPECT_TRUE(read_first(R"(["broken"])", start + R"("at_most": 1, "somewhere": true})").somewhere);
-  EXPECT_THAT(claims_error(start + R"("scene_order": ["one", "two"], "somewhere": true})"),
-              HasSubstr("claims[0].somewhere"));
-}
-
-TEST(UnitClaims, MonotonyIsAnOrderByAParameter) {
-  const char* sweep = R"([{"method": "shifted", "by": [0.25, 0.75, 0.5]}, "broken"])";
-  EXPECT_THAT(read_first(sweep, R"({"claim": "x", "by": "rmse", "of": "shifted",
-                                    "worsens_with": "by"})")
-                  .order,
-              ElementsAre(ElementsAre("shifted:by=0.25"), ElementsAre("shifted:by=0.5"),
-                          ElementsAre("shifted:by=0.75")));
-  EXPECT_THAT(read_first(sweep, R"({"claim": "x", "by": "rmse", "improves_with": "by",
-                                    "of": ["shifted:by=0.25", "shifted:by=0.5"]})")
-                  .order,
-              ElementsAre(ElementsAre("shifted:by=0.5"), ElementsAre("shifted:by=0.25")));
-}
-
-TEST(UnitClaims, MonotonyNeedsANumberInWhichCallsDiffer) {
-  const std::string start = R"({"claim": "x", "by": "rmse", "of": )";
-  EXPECT_THAT(claims_error(start + R"(["shifted:by=0.5", "broken"], "improves_with": "by"})"),
-              HasSubstr("claims[0].improves_with: 'by': 'broken' has no such number"));
-  EXPECT_THAT(claims_error(start + R"("shifted:by=0.5", "improves_with": "how"})"),
-              HasSubstr("'how': 'shifted:by=0.5' has no such number"));
-  EXPECT_THAT(claims_error(start + R"("shifted:by=0.5", "improves_with": "by"})"),
-              HasSubstr("claims[0].of: accepted: at least two calls"));
-  EXPECT_THAT(claims_error(start + R"("broken", "improves_with": "by", "worsens_with": "by"})"),
-              HasSubstr("accepted: one of the two"));
-}
-
-TEST(UnitClaims, ASameNumberIsATimeOrHasAWidth) {
-  const std::string calls = R"("same": ["broken", "truth"])";
-  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "seconds", )" + calls + "}"), "no error");
-  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "within": 0.1, )" + calls + "}"),
-            "no error");
-  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", )" + calls + "}"),
-              HasSubstr("claims[0].same: 'RMSE' has no interval; accepted: beside 'within'"));
-  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "seconds", "same": ["broken"]})"),
-              HasSubstr("at least two calls"));
-}
-
-TEST(UnitClaims, AStudyNamesCallsThatItHas) {
-  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth", ["broken"]]})"),
-            "no error");
-  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth", "shifted"]})"),
-              AllOf(HasSubstr("claims[0].order[1]: unknown call 'shifted'"),
-                    HasSubstr("known: truth, broken, shifted:by=0.5")));
-  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "fragments", "order": ["truth", "broken"]})"),
-              HasSubstr("claims[0].by: 'fragments': no way is better"));
-  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rsme", "order": ["truth", "broken"]})"),
-              HasSubstr("unknown number 'rsme'; known: rmse"));
-  EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth"]})"),
-              HasSubstr("at least two calls"));
-}
-
-TEST(UnitClaims, ABoundIsOnTheWorseSide) {
-  EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_most": 0.1})"),
-            "no error");
-  EXPECT_THAT(
-      claims_error(R"({"claim": "x", "by": "rmse", "of": ["broken"], "at_least": 0.1})"),
-      HasSubstr("claims[0].at_least: 'RMSE' is better when it is lower; accepted: at_most"));
-  EXPECT_THAT(claims_error(R"({"claim": "x", "measure": "m", "better": "higher", "of": ["broken"],
-                           "at_most": 1})"),
-              HasSubstr("accepted: at_least"));
-  EXPECT_THAT(
-      claims_error(R"({"claim": "x", "by": "rmse", "of": ["broken"], "scene_order": ["s"]})"),
-      HasSubstr("claims[0].scene_order[0]: unknown scene 's'"));
-}
-
-TEST(UnitClaims, KeysThatWouldSayNothingAreRefused) {
-  const std::string start = R"({"claim": "x", "by": "rmse", )";
-  for (const auto& [rest, key] :
-       {std::pair(R"("order": ["truth", "broken"], "of": "broken"})", "of"),
-        {R"("order": ["truth", "broken"], "at_most": 1})", "at_most"},
-        {R"("of": "broken", "at_most": 1, "factor": 2})", "factor"},
-        {R"("of": "broken", "scene_order": ["one", "two"], "at_most": 1})", "at_most"},
-        {R"("of": "broken", "at_most": 1, "measure": "m"})", "measure"}})
-    EXPECT_THAT(claims_error(start + rest), AllOf(HasSubstr(std::string("claims[0].") + key),
-                                                  HasSubstr("accepted: one of the two")))
-        << rest;
-  EXPECT_THAT(claims_error(start + R"("of": [], "at_most": 1})"), HasSubstr("at least one call"));
 }
 
 TEST(UnitClaims, WhatNoRowSaysIsSaid) {

@@ -13,6 +13,7 @@
 
 #include "core/indexed_random.h"
 #include "fields/make_field.h"
+#include "fields/sampled/cell_checks.h"
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 #include "tests/fields/readers/xml_grids.h"
@@ -21,22 +22,6 @@ namespace pellucid::fields {
 namespace {
 
 using namespace xml_grids;
-
-constexpr int all_types[] = {VTK_TETRA,
-                             VTK_VOXEL,
-                             VTK_HEXAHEDRON,
-                             VTK_WEDGE,
-                             VTK_PYRAMID,
-                             VTK_PENTAGONAL_PRISM,
-                             VTK_HEXAGONAL_PRISM,
-                             VTK_QUADRATIC_TETRA,
-                             VTK_QUADRATIC_HEXAHEDRON,
-                             VTK_QUADRATIC_WEDGE,
-                             VTK_QUADRATIC_PYRAMID,
-                             VTK_TRIQUADRATIC_HEXAHEDRON,
-                             VTK_QUADRATIC_LINEAR_WEDGE,
-                             VTK_BIQUADRATIC_QUADRATIC_WEDGE,
-                             VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON};
 
 Vec3 corner(vtkGenericCell& cell, int i) {
   const double* all = cell.GetParametricCoords();
@@ -82,7 +67,7 @@ Vec3 within(vtkGenericCell& cell, std::uint64_t number) {
 }
 
 TEST(UnitCellInverse, FindsEveryPlaceWithinACell) {
-  for (const int type : all_types)
+  for (const int type : volume_cell_types())
     for (const Vec3& away : {Vec3(0), Vec3(4.5e6, -2e6, 0)}) {
       vtkNew<vtkGenericCell> cell;
       bend(*cell, type, 0.06, away);
@@ -98,7 +83,7 @@ TEST(UnitCellInverse, FindsEveryPlaceWithinACell) {
 
 /// Two or more diagonals of bends from the middle, along the way to a corner.
 TEST(UnitCellInverse, FindsNoneBeyondACell) {
-  for (const int type : all_types) {
+  for (const int type : volume_cell_types()) {
     vtkNew<vtkGenericCell> cell;
     bend(*cell, type, 0.03);
     double middle[3];

@@ -77,8 +77,7 @@ function curvePlots(rows) {
     const { exact, others } = curvesNamed(rows, name);
     const all = [...exact, ...others], curves = [...exact, ...spread(others, mostCurves)];
     const points = curves.some(({ x }) => x.length < 100);
-    const notes = [all.length > curves.length && `${mostCurves} of ${others.length} curves are drawn; the CSV has all.`,
-                   !name.endsWith("over the views") && viewText(rows[0]) && `Of ${viewText(rows[0])}.`];
+    const notes = [all.length > curves.length && `${mostCurves} of ${others.length} curves are drawn; the CSV has all.`];
     return [curves[0].title, (width, colors) => curvesSpec(curves, curves[0], "exact", width, colors, { points, all, notes })];
   });
 }
