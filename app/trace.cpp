@@ -15,6 +15,7 @@
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "fields/make_field.h"
+#include "fields/readers/attributes.h"
 #include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
 #include "geometry/files/mesh_formats.h"
@@ -23,6 +24,7 @@
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/paths/backward.h"
+#include "integrators/paths/carried.h"
 #include "integrators/sheets/integrate_sheet.h"
 #include "integrators/sheets/sheet_error.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -41,10 +43,25 @@ struct TraceOptions {
   std::uint64_t samples = 500;
   std::string error_picture;
   std::string against;
+  std::vector<std::string> carry;
 };
 
 nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
   return {{"mean", distance.mean}, {"rms", distance.rms}, {"max", distance.max}};
+}
+
+/// Gives the vertices the attributes, and `json` what they came to.
+void carry(const fields::Attributes& attributes, geometry::Vertices& vertices,
+           nlohmann::ordered_json& json) {
+  integrators::carry(attributes, vertices.positions, vertices);
+  for (const std::string& name : attributes.names()) {
+    const std::vector<double>& values = vertices.scalars.at(name);
+    const Vec2 range = scene::finite_range(values);
+    const auto has_none = [](double value) { return std::isnan(value); };
+    json["carried"][name] = {{"min", range.x},
+                             {"max", range.y},
+                             {"without_value", std::ranges::count_if(values, has_none)}};
+  }
 }
 
 /// Of the surface from that of another integrator, and the other way round.
@@ -83,8 +100,8 @@ void write_error_picture(const std::string& file, const geometry::TriangleMesh& 
 /// the field `way`, which may be a reversed one.
 template <class Integrate, class Measure>
 void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
-                const fields::VectorField& way, const Integrate& integrate,
-                const Measure& measure) {
+                const fields::VectorField& way, const fields::Attributes& attributes,
+                const Integrate& integrate, const Measure& measure) {
   auto surface = integrate(options.integrator);
   nlohmann::ordered_json json =
       compare::surface_json(surface, integrators::measure_quality(surface.mesh));
@@ -103,13 +120,14 @@ void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
     json["against"] = distance_between(options, surface.mesh, other.mesh);
   }
   integrators::turn_back(surface.mesh, way);
+  carry(attributes, surface.mesh, json);
   json["field"] = way.description();
   geometry::write_mesh(options.output, surface.mesh);
   print(options, globals, json);
 }
 
 void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
-                   const fields::VectorField& way) {
+                   const fields::VectorField& way, const fields::Attributes& attributes) {
   integrators::SurfaceRequest request;
   request.field = &way;
   request.seed = surface_seed(options.seed);
@@ -118,7 +136,7 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
   request.path = options.path;
   request.progress = console_progress(globals);
   trace_mesh(
-      options, globals, way,
+      options, globals, way, attributes,
       [&](const std::string& call) { return integrators::integrate_surface(call, request); },
       [&](const integrators::IntegratedSurface& surface) {
         return integrators::measure_error(surface.mesh, request, options.samples,
@@ -127,7 +145,7 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
 }
 
 void trace_sheet(const TraceOptions& options, const GlobalOptions& globals,
-                 const fields::VectorField& way) {
+                 const fields::VectorField& way, const fields::Attributes& attributes) {
   integrators::SheetRequest request;
   request.field = &way;
   if (integrators::integrator_kind(options.integrator) == integrators::IntegratorKind::streak_sheet)
@@ -138,7 +156,7 @@ void trace_sheet(const TraceOptions& options, const GlobalOptions& globals,
   request.start_time = options.start_time;
   request.progress = console_progress(globals);
   trace_mesh(
-      options, globals, way,
+      options, globals, way, attributes,
       [&](const std::string& call) { return integrators::integrate_sheet(call, request); },
       [&](const integrators::IntegratedSheet& sheet) {
         return integrators::measure_sheet_error(sheet, request, options.samples,
@@ -147,17 +165,17 @@ void trace_sheet(const TraceOptions& options, const GlobalOptions& globals,
 }
 
 void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
-                 const fields::VectorField& field) {
+                 const fields::VectorField& field, const fields::Attributes& attributes) {
   integrators::LineRequest request;
   request.field = &field;
   request.seeds = line_seeds(options.seed, options.integrator);
   request.duration = options.duration;
   request.start_time = options.start_time;
   request.both = options.both;
-  const integrators::IntegratedLines lines =
-      integrators::integrate_lines(options.integrator, request);
-  geometry::write_lines(options.output, lines.lines);
+  integrators::IntegratedLines lines = integrators::integrate_lines(options.integrator, request);
   nlohmann::ordered_json json = compare::lines_json(lines);
+  carry(attributes, lines.lines, json);
+  geometry::write_lines(options.output, lines.lines);
   json["field"] = field.description();
   print(options, globals, json);
 }
@@ -175,15 +193,16 @@ void trace(const TraceOptions& options, const GlobalOptions& globals) {
     if (!value->empty() && (lines || options.samples == 0))
       throw InputError(
           fmt::format("{}: accepted: with a surface and --samples of at least 1", name));
+  const fields::Attributes attributes(options.field, {}, options.carry);
   if (lines) {
     if (options.path) integrators::check_runs_along("--path", options.integrator);
-    return trace_lines(options, globals, *field);
+    return trace_lines(options, globals, *field, attributes);
   }
   const auto way = options.duration < 0 ? fields::reversed(field, options.start_time) : field;
   if (integrators::is_sheet(kind))
-    trace_sheet(options, globals, *way);
+    trace_sheet(options, globals, *way, attributes);
   else
-    trace_surface(options, globals, *way);
+    trace_surface(options, globals, *way, attributes);
 }
 
 }  // namespace
@@ -215,6 +234,10 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
       ->check(finite_number());
   command->add_flag("--path", options->path,
                     "Path surface, or path lines: the field's time runs along");
+  command->add_option("--carry", options->carry,
+                      "Arrays of one component of the field's files, NAME... (point:NAME or "
+                      "cell:NAME where both have it): scalars of what is written, interpolated as "
+                      "the velocity is; NaN where the files have none");
   command
       ->add_option("-o,--output", options->output,
                    fmt::format("Surfaces: {}; lines: {}",
@@ -242,6 +265,8 @@ void add_trace_command(CLI::App& app, GlobalOptions& globals) {
       "      --integrator stream-lines:particles=1 --seed 10,45,0 --duration 3 --both -o line.vtp\n"
       "  pellucid trace --field abc --integrator stream-lines --duration 2 -o lines.vtp \\\n"
       "      --seeds grid:from=0,0,0,to=6,6,6,count=5,5,5\n"
+      "  pellucid trace --field flow.vtu --integrator stream-lines --duration 2 -o lines.vtp \\\n"
+      "      --seed 0,0,0:0,1,0 --carry p T\n"
       "  pellucid trace --field double-gyre --integrator streak-surface:tolerance=0.01 \\\n"
       "      --seed 1,0.2,0:1,0.2,1 --duration 10 -o streak.ply\n"
       "  pellucid trace --field double-gyre --integrator time-surface --duration 10 -o dye.ply \\\n"

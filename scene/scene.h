@@ -22,6 +22,10 @@
 #include "scene/view/camera.h"
 #include "scene/view/pixel_samples.h"
 
+namespace pellucid::fields {
+class Attributes;
+}
+
 namespace pellucid::scene {
 
 /// A Halo is the band around a line that hides what lies far behind it; place_halos() makes its
@@ -66,7 +70,8 @@ struct FlowSource {
   integrators::SeedCurve seed;
   double duration = 0;
   double start_time = 0;
-  bool path = false;      // a path surface of an unsteady field, not a stream surface
+  bool path = false;  // a path surface of an unsteady field, not a stream surface
+  std::shared_ptr<const fields::Attributes> attributes;  // of its files, that `appearance` is by
   Appearance appearance;  // of the surface, its colour's range filled in
 };
 

@@ -10,6 +10,7 @@
 #include "groundtruth/methods/raytrace.h"
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/paths/backward.h"
+#include "integrators/paths/carried.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "integrators/surfaces/surface_error.h"
 #include "scene/elements/opacity_source.h"
@@ -142,6 +143,8 @@ class SurfaceMethod : public scene::Renderer {
     integrators::IntegratedSurface surface = row_.run(request_, parameters_);
     if (surface.mesh.triangles.empty()) throw WorkError("nothing to draw: it has no triangle");
     integrators::turn_back(surface.mesh, *object_.source->field);
+    if (object_.source->attributes)
+      integrators::carry(*object_.source->attributes, surface.mesh.positions, surface.mesh);
     scene::apply_appearance(object_.source->appearance, surface.mesh);
     if (scene_.lighting != scene::Lighting::none) scene::ensure_normals(surface.mesh);
     object_.shape = std::move(surface.mesh);

@@ -66,6 +66,12 @@ class Finder {
     return found;
   }
 
+  std::optional<Parts> scalar(const std::string& name) const {
+    vtkDataArray* array = arrays_.GetArray(name.c_str());
+    if (!array || array->GetNumberOfComponents() != 1) return std::nullopt;
+    return Parts{{{array, 0}}};
+  }
+
   std::optional<Parts> by_name(const std::string& name) const {
     if (vtkDataArray* array = arrays_.GetArray(name.c_str())) return parts_of(array);
     const auto names = split(name, ',');
@@ -159,10 +165,19 @@ vtkSmartPointer<vtkDataArray> joined(const Parts& parts, vtkIdType count) {
 class Choice {
  public:
   Choice(vtkDataSet& data, const std::string& wanted, CellValues cells,
-         const std::filesystem::path& path)
-      : data_(data), wanted_(wanted), cells_(cells), path_(path), flat_(flat_axis(data)) {}
+         const std::filesystem::path& path, Quantity quantity)
+      : data_(data),
+        wanted_(wanted),
+        cells_(cells),
+        path_(path),
+        quantity_(quantity),
+        flat_(flat_axis(data)) {}
 
-  Vectors vectors() const { return wanted_.empty() ? by_default() : by_name(); }
+  Vectors vectors() const {
+    Vectors found = wanted_.empty() ? by_default() : by_name();
+    found.quantity = quantity_;
+    return found;
+  }
 
  private:
   Finder of_points() const { return {*data_.GetPointData(), flat_}; }
@@ -201,9 +216,12 @@ class Choice {
     });
   }
 
+  std::optional<Parts> named(const Finder& finder, const std::string& name) const {
+    return quantity_ == Quantity::scalar ? finder.scalar(name) : finder.by_name(name);
+  }
   std::optional<Parts> find(const Finder& finder, std::string_view prefix) const {
-    if (auto parts = finder.by_name(wanted_)) return parts;
-    return wanted_.starts_with(prefix) ? finder.by_name(wanted_.substr(prefix.size()))
+    if (auto parts = named(finder, wanted_)) return parts;
+    return wanted_.starts_with(prefix) ? named(finder, wanted_.substr(prefix.size()))
                                        : std::nullopt;
   }
 
@@ -211,7 +229,7 @@ class Choice {
                                        std::string_view what) const {
     for (const Part& part : parts)
       if (part.array && part.array->GetNumberOfTuples() != count)
-        throw InputError(fmt::format("{}: array '{}' has {} vectors, but there are {} {}",
+        throw InputError(fmt::format("{}: array '{}' has {} values, but there are {} {}",
                                      path_.string(), name_of(parts),
                                      part.array->GetNumberOfTuples(), count, what));
     return is_one_array(parts) ? vtkSmartPointer<vtkDataArray>(parts[0].array)
@@ -234,6 +252,11 @@ class Choice {
   }
 
   [[noreturn]] void refuse() const {
+    if (quantity_ == Quantity::scalar)
+      throw InputError(fmt::format(
+          "{}: no scalar '{}'; accepted: an array of one component{}; "
+          "arrays: {}",
+          path_.string(), wanted_, takes_points() ? "" : " of the cells", describe_arrays(data_)));
     const std::string way =
         flat_ ? "array=NAME, array=U,V or array=U,V,W" : "array=NAME or array=U,V,W";
     const std::string problem =
@@ -247,14 +270,15 @@ class Choice {
   const std::string& wanted_;
   CellValues cells_;
   const std::filesystem::path& path_;
+  Quantity quantity_;
   std::optional<int> flat_;
 };
 
 }  // namespace
 
 Vectors pick_vectors(vtkDataSet& data, const std::string& wanted, CellValues cells,
-                     const std::filesystem::path& path) {
-  return Choice(data, wanted, cells, path).vectors();
+                     const std::filesystem::path& path, Quantity quantity) {
+  return Choice(data, wanted, cells, path, quantity).vectors();
 }
 
 }  // namespace pellucid::fields

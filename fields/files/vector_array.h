@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "fields/files/quantity.h"
+
 class vtkDataSet;
 
 namespace pellucid::fields {
@@ -22,15 +24,17 @@ struct Vectors {
   bool averaged = false;  // to points, from cells
   std::string name;       // as pick_vectors() takes it; "" of an array without a name
   std::string title;      // what they are, for reports: "U", "U of the cells, averaged to points"
+  Quantity quantity = Quantity::velocity;
 };
 
 /// Returns the vectors that `wanted` names: an array of three components; three arrays of one,
 /// "U,V,W"; of a data set that is flat along one axis also two of these, the third being 0; of both
 /// kinds of one name "point:NAME" or "cell:NAME". When it is empty they are the active ones, points
 /// before cells, or the only ones that are no bytes, normals or texture coordinates. Vectors of
-/// cells are averaged, or kept where `cells` says so; then arrays of points do not count. Throws
-/// InputError that lists the file's arrays when there are none such.
+/// cells are averaged, or kept where `cells` says so; then arrays of points do not count. A scalar
+/// is an array of one component, by its name. Throws InputError that lists the file's arrays when
+/// there are none such.
 Vectors pick_vectors(vtkDataSet& data, const std::string& wanted, CellValues cells,
-                     const std::filesystem::path& path);
+                     const std::filesystem::path& path, Quantity quantity = Quantity::velocity);
 
 }  // namespace pellucid::fields

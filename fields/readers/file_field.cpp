@@ -136,11 +136,27 @@ std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
   }
 }
 
+bool names_file(std::string_view text) { return path_and_options(text).format; }
+
 std::unique_ptr<VectorField> read_file_field(std::string_view text,
                                              const std::filesystem::path& base) {
   const PathAndOptions parts = path_and_options(text);
   if (!parts.format) return nullptr;
   return read_file(base / parts.path, *parts.format, parse_options(parts));
+}
+
+std::unique_ptr<VectorField> read_file_scalar(std::string_view text,
+                                              const std::filesystem::path& base,
+                                              const std::string& name) {
+  const PathAndOptions parts = path_and_options(text);
+  if (!parts.format)
+    throw InputError(fmt::format(
+        "{}: it has no scalar '{}' beside its velocity; accepted: a field of a file that has", text,
+        name));
+  FileOptions options = parse_options(parts);
+  options.array = name;
+  options.quantity = Quantity::scalar;
+  return read_file(base / parts.path, *parts.format, options);
 }
 
 }  // namespace pellucid::fields

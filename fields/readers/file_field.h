@@ -21,10 +21,11 @@ struct FileOptions {
   std::string array;  // as pick_vectors() takes it; empty: the active vectors or the only ones
   Interpolation interpolation = Interpolation::linear;
   CellValues cells = CellValues::averaged;
-  std::string periodic;        // as parse_periods() takes it
-  std::string block;           // as readers::chosen_blocks() takes it; empty: all
-  std::string time;            // as chosen_time() takes it; empty: all
-  bool average_faces = false;  // of staggered grids; they are refused otherwise
+  std::string periodic;                    // as parse_periods() takes it
+  std::string block;                       // as readers::chosen_blocks() takes it; empty: all
+  std::string time;                        // as chosen_time() takes it; empty: all
+  bool average_faces = false;              // of staggered grids; they are refused otherwise
+  Quantity quantity = Quantity::velocity;  // a scalar is the one that `array` names
   /// In a field of several files or times: which vectors the first has when `array` is empty, ""
   /// until it is read. The others have to have the same.
   std::shared_ptr<std::string> common_array{};
@@ -65,9 +66,18 @@ void refuse_grid_options(const FileOptions& options, const std::filesystem::path
 std::unique_ptr<VectorField> read_file(const std::filesystem::path& path,
                                        const FileFormatRow& format, const FileOptions& options);
 
-/// Reads "FILE[:key=value,…]" (relative paths start at `base`) when FILE ends as one of the formats
-/// does; nothing when it does not.
+/// Returns whether `text` is "FILE[:key=value,…]" and FILE ends as one of the formats does.
+bool names_file(std::string_view text);
+
+/// Reads "FILE[:key=value,…]" (relative paths start at `base`) when names_file(); nothing when not.
 std::unique_ptr<VectorField> read_file_field(std::string_view text,
                                              const std::filesystem::path& base);
+
+/// Reads a scalar of the same files, on the same samples: it is the first component of what the
+/// field's samplers give, which is no velocity. `name` is one array's (or grid's), or "point:NAME",
+/// "cell:NAME". Throws InputError for what is no file, and where there is no such scalar.
+std::unique_ptr<VectorField> read_file_scalar(std::string_view text,
+                                              const std::filesystem::path& base,
+                                              const std::string& name);
 
 }  // namespace pellucid::fields

@@ -43,7 +43,8 @@ class Maker {
         make_dense_field(std::move(grid), source_.interpolation, std::move(source_.description));
     if (repeats[0] || repeats[1] || repeats[2])
       field = make_periodic_field(std::move(field), repeats);
-    if (flat_) field = make_planar_field(std::move(field), plane(), bounds(repeats));
+    if (flat_)
+      field = make_planar_field(std::move(field), plane(), bounds(repeats), source_.quantity);
     return field;
   }
 

@@ -9,6 +9,7 @@
 
 #include "fields/field.h"
 #include "fields/files/periods.h"
+#include "fields/files/quantity.h"
 #include "fields/sampled/dense_field.h"
 
 namespace pellucid::fields {
@@ -32,7 +33,8 @@ struct GridSource {
   Interpolation interpolation = Interpolation::linear;
   Periods periods;
   bool averaged = false;  // samples are means of cells, which are one-sided at the border
-  std::string file;       // for messages
+  Quantity quantity = Quantity::velocity;
+  std::string file;  // for messages
   std::string description;
 };
 

@@ -156,6 +156,8 @@ std::unique_ptr<VectorField> make_field(const MetaImageHeader& header, std::stri
 std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileOptions& options) {
   if (options.cells == CellValues::constant)
     bad_file(path, "cells=constant: its samples are at points; accepted: cells=averaged");
+  if (options.quantity == Quantity::scalar)
+    bad_file(path, fmt::format("no scalar '{}': it has a velocity alone", options.array));
   if (!options.array.empty() && options.array != "velocity")
     bad_file(path,
              fmt::format("array={}: no such vectors; point arrays of three components: velocity",

@@ -151,16 +151,25 @@ openvdb::GridBase::Ptr joined(std::span<const readers::VdbGrid> grids,
   return joined_components(parts, path);
 }
 
+/// As choose_components() takes it: a scalar is the first of three grids of one number.
+std::string wanted_grids(const FileOptions& options) {
+  const std::string& name = wanted_array(options);
+  return options.quantity == Quantity::scalar ? fmt::format("{0},{0},{0}", name) : name;
+}
+
 /// The grid that is meant, or the three.
 openvdb::GridBase::Ptr choose_grid(std::span<const readers::VdbGrid> grids,
                                    const FileOptions& options, const Path& path) {
   std::vector<GridEntry> entries;
   for (const readers::VdbGrid& grid : grids)
     entries.push_back({grid.name, grid.value_type, readers::holds_vectors(grid)});
-  if (const auto three = choose_components(entries, wanted_array(options))) {
+  if (const auto three = choose_components(entries, wanted_grids(options))) {
     keep_array(options, wanted_array(options));
     return joined(grids, *three, path);
   }
+  if (options.quantity == Quantity::scalar)
+    bad_file(path, fmt::format("no scalar '{}'; accepted: a grid of float or double; grids: {}",
+                               wanted_array(options), describe_grids(entries)));
   const readers::VdbGrid& chosen =
       grids[choose_vector_grid(entries, wanted_array(options), path.string())];
   keep_array(options, chosen.name);
@@ -189,7 +198,7 @@ namespace {
 /// Of the grids that are not meant only names and types are read where a name is given.
 std::unique_ptr<VectorField> read_vdb_field(const Path& path, const FileOptions& options) {
   refuse_grid_options(options, path);
-  return field_of(readers::read_vdb_grids(path, wanted_array(options)), options, path);
+  return field_of(readers::read_vdb_grids(path, wanted_grids(options)), options, path);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ std::unique_ptr<VectorField> make_dense_of(Shape shape, vtkDataSet* data, const 
   return make_grid_field(GridSource<Sample>{
       std::move(shape.axes), copy_samples<Sample>(data, vectors), shape.frame,
       interpolation_of(vectors, options, path), parse_periods(options.periodic, path.string()),
-      vectors.averaged, path.string(), std::move(description)});
+      vectors.averaged, vectors.quantity, path.string(), std::move(description)});
 }
 
 std::unique_ptr<VectorField> make_dense(Shape shape, vtkDataSet* data, const Vectors& vectors,
@@ -177,7 +177,8 @@ std::unique_ptr<VectorField> field_of(const vtkSmartPointer<vtkDataSet>& data,
                                       const FileOptions& options, const Path& path,
                                       const std::string& note) {
   readers::make_axes_ascend(*data);
-  Vectors vectors = pick_vectors(*data, wanted_array(options), options.cells, path);
+  Vectors vectors =
+      pick_vectors(*data, wanted_array(options), options.cells, path, options.quantity);
   keep_array(options, vectors.name);
   vectors.title += note;
   // A dense array has no cell that is missing: where some are hidden, cells are searched.

@@ -152,7 +152,8 @@ std::unique_ptr<VectorField> make_cell_field(vtkDataSet* data, const Vectors& ve
   const Box3 bounds = grid.bounds;
   std::unique_ptr<VectorField> field =
       std::make_unique<CellField>(std::move(grid), std::move(description));
-  return plane ? make_planar_field(std::move(field), *plane, bounds) : std::move(field);
+  return plane ? make_planar_field(std::move(field), *plane, bounds, vectors.quantity)
+               : std::move(field);
 }
 
 }  // namespace pellucid::fields

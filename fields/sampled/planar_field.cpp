@@ -9,10 +9,11 @@ namespace {
 
 class PlanarSampler final : public FieldSampler {
  public:
-  PlanarSampler(std::unique_ptr<FieldSampler> inner, const Plane& plane)
+  PlanarSampler(std::unique_ptr<FieldSampler> inner, const Plane& plane, Quantity quantity)
       : inner_(std::move(inner)),
         plane_(plane),
-        flatten_(Mat3(1) - glm::outerProduct(plane.normal, plane.normal)) {}
+        along_(Mat3(1) - glm::outerProduct(plane.normal, plane.normal)),
+        flatten_(quantity == Quantity::velocity ? along_ : Mat3(1)) {}
 
   SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
     if (!is_on_plane(x)) return SampleStatus::outside;
@@ -24,7 +25,7 @@ class PlanarSampler final : public FieldSampler {
     if (!is_on_plane(x)) return SampleStatus::outside;
     const SampleStatus status = inner_->velocity_and_jacobian(plane_.onto(x), t, v, jacobian);
     v = flatten_ * v;
-    jacobian = flatten_ * jacobian * flatten_;
+    jacobian = flatten_ * jacobian * along_;
     return status;
   }
 
@@ -33,16 +34,18 @@ class PlanarSampler final : public FieldSampler {
 
   std::unique_ptr<FieldSampler> inner_;
   Plane plane_;
-  Mat3 flatten_;
+  Mat3 along_;    // takes a vector's part across the plane away
+  Mat3 flatten_;  // of what is sampled
 };
 
 class PlanarField final : public VectorField {
  public:
-  PlanarField(std::unique_ptr<VectorField> inner, const Plane& plane, const Box3& bounds)
-      : inner_(std::move(inner)), plane_(plane), bounds_(bounds) {}
+  PlanarField(std::unique_ptr<VectorField> inner, const Plane& plane, const Box3& bounds,
+              Quantity quantity)
+      : inner_(std::move(inner)), plane_(plane), bounds_(bounds), quantity_(quantity) {}
 
   std::unique_ptr<FieldSampler> sampler() const override {
-    return std::make_unique<PlanarSampler>(inner_->sampler(), plane_);
+    return std::make_unique<PlanarSampler>(inner_->sampler(), plane_, quantity_);
   }
   Box3 domain() const override { return bounds_; }
   bool steady() const override { return inner_->steady(); }
@@ -57,13 +60,15 @@ class PlanarField final : public VectorField {
   std::unique_ptr<VectorField> inner_;
   Plane plane_;
   Box3 bounds_;
+  Quantity quantity_;
 };
 
 }  // namespace
 
 std::unique_ptr<VectorField> make_planar_field(std::unique_ptr<VectorField> field,
-                                               const Plane& plane, const Box3& bounds) {
-  return std::make_unique<PlanarField>(std::move(field), plane, bounds);
+                                               const Plane& plane, const Box3& bounds,
+                                               Quantity quantity) {
+  return std::make_unique<PlanarField>(std::move(field), plane, bounds, quantity);
 }
 
 }  // namespace pellucid::fields

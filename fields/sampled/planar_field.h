@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "fields/field.h"
+#include "fields/files/quantity.h"
 
 namespace pellucid::fields {
 
@@ -19,9 +20,10 @@ struct Plane {
 };
 
 /// Makes a field on a plane of `field`, which has a velocity on both sides of it: that of the
-/// nearest point of the plane, without its part across the plane. Off the plane it is `outside`.
-/// `bounds` is the box of the plane's part that has samples.
+/// nearest point of the plane, of a velocity without its part across the plane. Off the plane it is
+/// `outside`. `bounds` is the box of the plane's part that has samples.
 std::unique_ptr<VectorField> make_planar_field(std::unique_ptr<VectorField> field,
-                                               const Plane& plane, const Box3& bounds);
+                                               const Plane& plane, const Box3& bounds,
+                                               Quantity quantity);
 
 }  // namespace pellucid::fields

@@ -8,9 +8,11 @@
 #include "compare/results/surface_json.h"
 #include "core/error.h"
 #include "fields/make_field.h"
+#include "fields/readers/attributes.h"
 #include "fields/reversed_field.h"
 #include "integrators/integrator_kind.h"
 #include "integrators/paths/backward.h"
+#include "integrators/paths/carried.h"
 #include "integrators/sheets/integrate_sheet.h"
 #include "integrators/sheets/sheet_error.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -28,17 +30,24 @@ struct Request {
   double duration = 0, start_time = 0;
   bool closed = false, path = false;
   long long samples = 0;
+  std::vector<std::string> carry;
 };
 
+void carry(const Request& request, geometry::Vertices& vertices) {
+  integrators::carry(fields::Attributes(request.field, {}, request.carry), vertices.positions,
+                     vertices);
+}
+
 /// The mesh as it is handed over, with what is known of it.
-Surface surface_of(integrators::IntegratedSurface made, const fields::VectorField& way,
-                   std::optional<integrators::SurfaceError> error) {
+Surface surface_of(const Request& request, integrators::IntegratedSurface made,
+                   const fields::VectorField& way, std::optional<integrators::SurfaceError> error) {
   auto quality = compare::surface_json(made, integrators::measure_quality(made.mesh));
   if (error) {
     compare::add_error_json(quality, *error);
     made.mesh.scalars["error"] = std::move(error->at_vertices);
   }
   integrators::turn_back(made.mesh, way);
+  carry(request, made.mesh);
   auto surface = shape_of<Surface>(std::move(made.mesh));
   surface.quality = std::move(quality);
   return surface;
@@ -57,7 +66,7 @@ Surface trace_surface(const Request& request, const fields::VectorField& way,
   if (request.samples > 0)
     error = integrators::measure_error(made.mesh, wanted, std::uint64_t(request.samples),
                                        integrators::integrator_parameters(request.integrator));
-  return surface_of(std::move(made), way, std::move(error));
+  return surface_of(request, std::move(made), way, std::move(error));
 }
 
 /// The seed of a time surface: a parallelogram's corner and the ends of its two sides there.
@@ -86,7 +95,7 @@ Surface trace_sheet(const Request& request, const fields::VectorField& way, bool
   if (request.samples > 0)
     error = integrators::measure_sheet_error(made, wanted, std::uint64_t(request.samples),
                                              integrators::sheet_parameters(request.integrator));
-  return surface_of(std::move(made), way, std::move(error));
+  return surface_of(request, std::move(made), way, std::move(error));
 }
 
 Surface trace_mesh(const Request& request, integrators::IntegratorKind kind,
@@ -107,6 +116,7 @@ Lines trace_lines(const Request& request, const fields::VectorField& field,
                                          integrators::line_particles(request.integrator));
   integrators::IntegratedLines made = integrators::integrate_lines(request.integrator, wanted);
   auto stats = compare::lines_json(made);
+  carry(request, made.lines);
   auto lines = shape_of<Lines>(std::move(made.lines));
   lines.stats = std::move(stats);
   return lines;
@@ -114,7 +124,7 @@ Lines trace_lines(const Request& request, const fields::VectorField& field,
 
 py::object trace(const py::object& field, const py::object& integrator, const py::object& seed,
                  const py::object& duration, bool closed, const py::object& start_time, bool path,
-                 const py::object& samples) {
+                 const py::object& samples, const py::object& carry) {
   const Request request{path_of(field, "trace: field"),
                         text_of(integrator, "trace: integrator"),
                         vectors_of(seed, "trace: seed"),
@@ -122,7 +132,8 @@ py::object trace(const py::object& field, const py::object& integrator, const py
                         number_of(start_time, "trace: start_time"),
                         closed,
                         path,
-                        integer_of(samples, "trace: samples")};
+                        integer_of(samples, "trace: samples"),
+                        texts_of(carry, "trace: carry")};
   if (request.seed.empty()) throw InputError("trace: seed: no point; accepted: at least one");
   if (request.samples < 0 || std::uint64_t(request.samples) > integrators::most_error_samples)
     throw InputError(fmt::format("trace: samples: {}; accepted: 0 … {}", request.samples,
@@ -145,7 +156,9 @@ seed: (N, 3), a polyline in world units; closed joins its ends. Of 'time-surface
 parallelogram and the ends of its two sides there. duration: in the field's units of time;
 below 0 particles go the way back.
 path: a path surface of an unsteady field, from start_time on. samples: points at which the distance to
-the exact surface is measured, world units; it is then the scalar 'error'.
+the exact surface is measured, world units; it is then the scalar 'error'. carry: names of arrays of one
+component of the field's files, such as ['p', 'T']: further scalars, interpolated as the velocity is, NaN
+where the files have none.
 Returns a Surface; Lines for an integrator of lines. Raises InputError.)";
 
 }  // namespace
@@ -154,7 +167,7 @@ void define_trace(py::module_& module) {
   module.def("trace", trace, py::arg("field"), py::arg("integrator"), py::arg("seed"),
              py::arg("duration"), py::kw_only(), py::arg("closed") = false,
              py::arg("start_time") = 0.0, py::arg("path") = false, py::arg("samples") = 0,
-             trace_doc);
+             py::arg("carry") = py::tuple(), trace_doc);
 }
 
 }  // namespace pellucid::python

@@ -132,6 +132,15 @@ std::string path_of(const py::handle& value, std::string_view what) {
   return py::isinstance<py::bytes>(path) ? path.cast<std::string>() : text_of(path, what);
 }
 
+std::vector<std::string> texts_of(const py::handle& value, std::string_view what) {
+  if (py::isinstance<py::str>(value)) return {utf8_of(value, what)};
+  if (!py::isinstance<py::sequence>(value)) refuse(what, value, "texts, as a list or a tuple");
+  std::vector<std::string> texts;
+  for (const py::handle& item : py::reinterpret_borrow<py::sequence>(value))
+    texts.push_back(text_of(item, what));
+  return texts;
+}
+
 double number_of(const py::handle& value, std::string_view what) {
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred()) {

@@ -25,6 +25,10 @@ std::string text_of(const py::handle& value, std::string_view what);
 std::string path_of(const py::handle& value, std::string_view what);
 ///@}
 
+/// Returns the texts that `value`, a list or the like, holds; one text is a list of it. Throws
+/// InputError that names it `what`.
+std::vector<std::string> texts_of(const py::handle& value, std::string_view what);
+
 /// Returns the finite number, or the whole number, that `value` is. Throws InputError.
 ///@{
 double number_of(const py::handle& value, std::string_view what);

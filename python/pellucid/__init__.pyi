@@ -194,6 +194,7 @@ def trace(
     start_time: float = 0.0,
     path: bool = False,
     samples: int = 0,
+    carry: Union[str, Sequence[str]] = (),
 ) -> Union[Surface, Lines]: ...
 def compare(a: _Picture, b: _Picture, mask: Any = None) -> Dict[str, Any]: ...
 def run_study(

@@ -137,6 +137,14 @@ Vec2 range_over(const ScalarOpacity& by, const std::vector<double>& values) {
   return range_on_scale(by, values);
 }
 
+std::vector<std::string> scalars_of(const Appearance& appearance) {
+  std::vector<std::string> names;
+  if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) names.push_back(by->scalar);
+  if (const auto* by = std::get_if<ScalarOpacity>(&appearance.opacity)) names.push_back(by->scalar);
+  if (const auto* by = std::get_if<std::string>(&appearance.importance)) names.push_back(*by);
+  return names;
+}
+
 void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices) {
   if (vertices.colors.empty())
     vertices.colors.assign(vertices.positions.size(), Rgba(geometry::default_color, 1));

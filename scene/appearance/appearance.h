@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/vec.h"
 #include "geometry/triangle_mesh.h"
@@ -50,6 +51,9 @@ struct Appearance {
   /// g of every vertex, in [0, 1]; or the scalar that gives it, mapped from its range to [0, 1].
   std::variant<std::monostate, double, std::string> importance;
 };
+
+/// Returns the scalars that colours, opacities and importance are by.
+std::vector<std::string> scalars_of(const Appearance& appearance);
 
 /// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar
 /// that the vertices do not have, with those they have, and for an unknown colour map.

@@ -9,14 +9,6 @@
 namespace pellucid::scene {
 namespace {
 
-std::vector<std::string> scalars_of(const Appearance& appearance) {
-  std::vector<std::string> names;
-  if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) names.push_back(by->scalar);
-  if (const auto* by = std::get_if<ScalarOpacity>(&appearance.opacity)) names.push_back(by->scalar);
-  if (const auto* by = std::get_if<std::string>(&appearance.importance)) names.push_back(*by);
-  return names;
-}
-
 /// Appends a copy of vertex i with all that it carries.
 void copy_vertex(std::uint32_t i, geometry::Vertices& vertices) {
   const auto copy = [i](auto& values) {

@@ -2,16 +2,20 @@
 #include "scene/files/flow_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "fields/make_field.h"
+#include "fields/readers/attributes.h"
+#include "fields/readers/file_field.h"
 #include "fields/reversed_field.h"
 #include "geometry/files/mesh_file.h"
 #include "integrators/integrator_kind.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/paths/backward.h"
+#include "integrators/paths/carried.h"
 #include "integrators/sheets/integrate_sheet.h"
 #include "integrators/surfaces/integrate_surface.h"
 #include "scene/files/any_number.h"
@@ -91,6 +95,29 @@ void refuse_unfinished(const JsonNode& node, std::string_view smaller,
                   name, budget->second, smaller, name));
 }
 
+using AttributesOfFile = std::shared_ptr<const fields::Attributes>;
+
+/// Of the scalars that the appearance is by, those that were not integrated are the field's files'.
+/// A field that is no file has none: what is missing is refused where colours are applied.
+AttributesOfFile carry_attributes(const JsonNode& node, const FlowContext& context,
+                                  geometry::Vertices& vertices) {
+  std::vector<std::string> own, others;
+  for (const auto& [name, values] : vertices.scalars) own.push_back(name);
+  for (const std::string& name : context.scalars)
+    if (!vertices.scalars.contains(name) && std::ranges::find(others, name) == others.end())
+      others.push_back(name);
+  const std::string field = node["field"].string();
+  if (others.empty() || !fields::names_file(field)) return nullptr;
+  try {
+    auto attributes = std::make_shared<const fields::Attributes>(field, context.folder, others);
+    integrators::carry(*attributes, vertices.positions, vertices);
+    return attributes;
+  } catch (const InputError& error) {
+    node["field"].fail(
+        fmt::format("{}; what is integrated has {}", error.what(), fmt::join(own, ", ")));
+  }
+}
+
 /// What is drawn of a surface, once it is whole.
 geometry::TriangleMesh finished(const JsonNode& node, const std::string& integrator,
                                 const fields::VectorField& field,
@@ -105,7 +132,7 @@ geometry::TriangleMesh finished(const JsonNode& node, const std::string& integra
 }
 
 FlowSurface read_swept_surface(const JsonNode& node, const std::string& integrator, Flow flow,
-                               const Progress& progress, std::string& how) {
+                               const FlowContext& context, std::string& how) {
   node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
   FlowSource source;
   source.field = std::move(flow.field);
@@ -114,15 +141,16 @@ FlowSurface read_swept_surface(const JsonNode& node, const std::string& integrat
   source.start_time = flow.start_time;
   if (node.has("path")) source.path = node["path"].boolean();
   const integrators::SurfaceRequest request{source.field.get(), source.seed, source.duration,
-                                            source.start_time,  source.path, progress};
+                                            source.start_time,  source.path, context.progress};
   integrators::IntegratedSurface surface =
       at_place(node, [&] { return integrators::integrate_surface(integrator, request); });
-  return {finished(node, integrator, *source.field, std::move(surface), how), std::move(source)};
+  geometry::TriangleMesh mesh = finished(node, integrator, *source.field, std::move(surface), how);
+  source.attributes = carry_attributes(node, context, mesh);
+  return {std::move(mesh), std::move(source)};
 }
 
 FlowSurface read_sheet(const JsonNode& node, const std::string& integrator, const Flow& flow,
-                       bool of_curve, const fs::path& folder, const Progress& progress,
-                       std::string& how) {
+                       bool of_curve, const FlowContext& context, std::string& how) {
   node.accept_keys({"field", "integrator", "seed", "duration", "start_time"});
   integrators::SheetRequest request;
   request.field = flow.field.get();
@@ -130,19 +158,20 @@ FlowSurface read_sheet(const JsonNode& node, const std::string& integrator, cons
     request.curve = read_seed_curve(node);
   else
     request.surface =
-        at_place(node["seed"], [&] { return read_seed_surface(node["seed"], folder); });
+        at_place(node["seed"], [&] { return read_seed_surface(node["seed"], context.folder); });
   request.duration = flow.duration;
   request.start_time = flow.start_time;
-  request.progress = progress;
+  request.progress = context.progress;
   integrators::IntegratedSurface surface =
       at_place(node, [&] { return integrators::integrate_sheet(integrator, request); });
-  return {finished(node, integrator, *flow.field, std::move(surface), how), std::nullopt};
+  geometry::TriangleMesh mesh = finished(node, integrator, *flow.field, std::move(surface), how);
+  carry_attributes(node, context, mesh);
+  return {std::move(mesh), std::nullopt};
 }
 
 }  // namespace
 
-FlowSurface read_flow_surface(const JsonNode& node, const fs::path& folder,
-                              const Progress& progress, std::string& how) {
+FlowSurface read_flow_surface(const JsonNode& node, const FlowContext& context, std::string& how) {
   using integrators::IntegratorKind;
   node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "path"});
   const std::string integrator = node["integrator"].string();
@@ -150,29 +179,29 @@ FlowSurface read_flow_surface(const JsonNode& node, const fs::path& folder,
       at_place(node["integrator"], [&] { return integrators::integrator_kind(integrator); });
   if (kind == IntegratorKind::lines)
     node["integrator"].fail("it draws lines; accepted: an integrator of surfaces");
-  Flow flow = read_flow(node, folder);
+  Flow flow = read_flow(node, context.folder);
   if (!integrators::is_sheet(kind))
-    return read_swept_surface(node, integrator, std::move(flow), progress, how);
-  return read_sheet(node, integrator, flow, kind == IntegratorKind::streak_sheet, folder, progress,
-                    how);
+    return read_swept_surface(node, integrator, std::move(flow), context, how);
+  return read_sheet(node, integrator, flow, kind == IntegratorKind::streak_sheet, context, how);
 }
 
-geometry::LineSet read_flow_lines(const JsonNode& node, const fs::path& folder,
-                                  const Progress& progress, std::string& how) {
+geometry::LineSet read_flow_lines(const JsonNode& node, const FlowContext& context,
+                                  std::string& how) {
   node.accept_keys({"field", "integrator", "seed", "duration", "start_time", "both"});
   const std::string integrator = node["integrator"].string();
-  const Flow flow = read_flow(node, folder);
+  const Flow flow = read_flow(node, context.folder);
   const integrators::SeedCurve seed = read_seed_curve(node);
   integrators::IntegratedLines made = at_place(node, [&] {
     const integrators::LineRequest request{
         flow.field.get(), integrators::seeds_on(seed, integrators::line_particles(integrator)),
         flow.duration,    flow.start_time,
-        progress,         node.has("both") && node["both"].boolean()};
+        context.progress, node.has("both") && node["both"].boolean()};
     return integrators::integrate_lines(integrator, request);
   });
   refuse_unfinished(node, "fewer particles, a shorter duration, a longer step or turn",
                     made.stats.ends);
   integrators::turn_back(made.lines, *flow.field);
+  carry_attributes(node, context, made.lines);
   how = fmt::format("{}, {}, {} lines, {} points", flow.field->description(), integrator,
                     made.lines.line_count(), made.lines.positions.size());
   return std::move(made.lines);

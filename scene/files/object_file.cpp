@@ -66,6 +66,7 @@ class ObjectReader {
         node_.has("isosurface") && !std::holds_alternative<Isosurface>(object.shape);
     if (is_extracted) return read();                // its triangles are those of the value
     if (asks_percentiles_of_file()) return read();  // the vertices may repeat its values
+    if (asks_attributes_of_field(object)) return read();
     object_ = std::move(object);
     if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
     if (auto* lines = std::get_if<LineObject>(&object_.shape))
@@ -141,15 +142,20 @@ class ObjectReader {
 
   void read_surface(const JsonNode& node) {
     std::string how;
-    FlowSurface made = read_flow_surface(node, context_.folder, context_.progress, how);
+    FlowSurface made = read_flow_surface(node, flow_context(), how);
     note(std::move(how));
     draw(std::move(made.mesh));
     object_.source = std::move(made.source);
   }
 
+  FlowContext flow_context() const {
+    return {context_.folder, scalars_of(read_appearance(node_, context_.folder)),
+            context_.progress};
+  }
+
   geometry::LineSet flow_lines(const JsonNode& node) {
     std::string how;
-    geometry::LineSet lines = read_flow_lines(node, context_.folder, context_.progress, how);
+    geometry::LineSet lines = read_flow_lines(node, flow_context(), how);
     note(std::move(how));
     return lines;
   }
@@ -232,6 +238,13 @@ class ObjectReader {
       scene::remark_map_span(map_span(by, *mesh), "triangle", *mesh);
     if (auto* lines = std::get_if<LineObject>(&object_.shape))
       scene::remark_map_span(map_span(by, lines->set), "segment", lines->set);
+  }
+
+  bool asks_attributes_of_field(const SceneObject& object) const {
+    if (!node_.has("surface") && !(node_.has("lines") && node_["lines"].is_object())) return false;
+    const std::vector<std::string> scalars = scalars_of(read_appearance(node_, context_.folder));
+    return !std::ranges::all_of(
+        scalars, [&](const std::string& name) { return object.vertices().scalars.contains(name); });
   }
 
   bool asks_percentiles_of_file() const {

@@ -55,6 +55,60 @@ TEST_F(UnitCommandLine, TracesStreakAndTimeSurfaces) {
   EXPECT_THAT(refusal(streak + "--seed 0,0,0:1,0,0 --both"), HasSubstr("--both"));
 }
 
+/// p = (x + 2 y + 4 z) / 4, which trilinear interpolation keeps.
+TEST_F(UnitCommandLine, CarriesAttributesOfAFileAlong) {
+  std::string flow =
+      "# vtk DataFile Version 3.0\nflow\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+      "ORIGIN 0 0 0\nSPACING 4 4 4\nPOINT_DATA 8\nSCALARS p float 1\nLOOKUP_TABLE default\n"
+      "0 1 2 3 4 5 6 7\nVECTORS U float\n";
+  for (int i = 0; i < 8; ++i) flow += "0 1 0\n";
+  write_text(folder_ / "flow.vtk", flow);
+  const std::string field = (folder_ / "flow.vtk").string(), lines = (folder_ / "l.vtp").string();
+  const std::string call =
+      "trace --field " + field + " --seed 1,0,1:2,0,1 --json --quiet -o " + lines + " --duration ";
+  const Outcome outcome = run(call + "2 --integrator stream-lines:particles=2 --carry p");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto carried = nlohmann::json::parse(outcome.out)["carried"]["p"];
+  EXPECT_NEAR(carried["min"], 1.25, 1e-6);
+  EXPECT_NEAR(carried["max"], 2.5, 1e-6);
+  EXPECT_EQ(carried["without_value"], 0);
+  EXPECT_THAT(run("info " + lines).out, ContainsRegex("p .*1\\.25"));
+  fs::remove(lines);
+  EXPECT_THAT(refusal(call + "2 --integrator hultquist --carry T"),
+              AllOf(HasSubstr("no scalar 'T'"), HasSubstr("p (point")));
+  EXPECT_THAT(refusal("trace --field abc --seed 1,0,1:2,0,1 --integrator hultquist --duration 1 "
+                      "--carry p -o " +
+                      lines),
+              HasSubstr("it has no scalar 'p'"));
+  // A scene's colours ask for them by name, whatever draws the surface, and back in time.
+  const auto scene = [&](const std::string& by, const std::string& duration) {
+    write_text(folder_ / "scene.json",
+               R"({"format": "pellucid-scene", "version": 1, "resolution": [60, 60], "objects": [
+                   {"surface": {"field": "flow.vtk", "integrator": "hultquist", "duration": )" +
+                   duration + R"(, "seed": {"from": [1, 2, 1], "to": [2, 2, 1]}},
+                    "opacity": 0.5, "color": {"by": ")" +
+                   by + R"(", "range": [1.25, 2.5]}}]})");
+    return (folder_ / "scene.json").string();
+  };
+  for (const char* duration : {"1.5", "-1.5"})
+    for (const char* method : {"raytrace", "hultquist", "tree"}) {
+      const std::string file = (folder_ / (std::string(method) + ".exr")).string();
+      const Outcome drawn =
+          run("render " + scene("p", duration) + " -m " + method + " --quiet -o " + file);
+      ASSERT_EQ(drawn.exit_code, 0) << method << drawn.err;
+      const Outcome compared =
+          run("compare " + (folder_ / "raytrace.exr").string() + " " + file + " --json");
+      // The tree's lines are strips: a bound on coverage, which colours of another scalar break.
+      EXPECT_LE(nlohmann::json::parse(compared.out)["rmse_covered"].is_number()
+                    ? double(nlohmann::json::parse(compared.out)["rmse_covered"])
+                    : double(nlohmann::json::parse(compared.out)["rmse"]),
+                0.03)
+          << method;
+    }
+  EXPECT_THAT(refusal("render " + scene("T", "1") + " -m raytrace -o " + lines),
+              AllOf(HasSubstr("no scalar 'T'"), HasSubstr("what is integrated has s, speed, t")));
+}
+
 /// Of lines every seed is a line; z = 0 stays so, since the flow goes along z.
 TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
   write_text(folder_ / "p.csv", "x,y,z\n0,0,0\n1,0,0\n1,1,0\n");

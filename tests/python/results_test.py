@@ -100,6 +100,22 @@ def test_streak_and_time_surfaces_of_a_uniform_flow():
         pellucid.trace("formula:u=0,v=2,w=0", "time-surface", line, 0.5)
 
 
+def test_attributes_of_a_file_are_carried_along(tmp_path):
+    flow = tmp_path / "flow.vtk"
+    flow.write_text("# vtk DataFile Version 3.0\nflow\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
+                    "ORIGIN 0 0 0\nSPACING 4 4 4\nPOINT_DATA 8\nVECTORS U float\n" + "0 1 0 " * 8 +
+                    "\nSCALARS p float 1\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7\n")  # p = (x + 2 y + 4 z) / 4
+    line = [[1, 0, 1], [2, 0, 1]]
+    for made in (pellucid.trace(flow, "hultquist:particles=3", line, 2, carry=["p"]),
+                 pellucid.trace(flow, "streak-surface", line, 2, carry="p"),
+                 pellucid.trace(flow, "stream-lines:particles=2", line, 2, carry=("p",))):
+        assert made.scalars["p"] == pytest.approx(made.vertices @ [0.25, 0.5, 1], abs=1e-6)
+    with pytest.raises(pellucid.InputError, match="no scalar 'T'.*p .point"):
+        pellucid.trace(flow, "hultquist", line, 2, carry=["T"])
+    with pytest.raises(pellucid.InputError, match="carry"):
+        pellucid.trace(flow, "hultquist", line, 2, carry=3)
+
+
 def test_lines_of_a_rotation_stay_on_circles():
     lines = pellucid.trace("formula:u=-y,v=x,w=0", "stream-lines:particles=4", [[1, 0, 0], [2, 0, 0]], 3)
     assert isinstance(lines, pellucid.Lines) and lines.stats["lines"] == 4

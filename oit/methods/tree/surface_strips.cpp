@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "integrators/front/front_particle.h"
 #include "integrators/paths/backward.h"
+#include "integrators/paths/carried.h"
 #include "scene/elements/opacity_source.h"
 
 namespace pellucid::oit {
@@ -45,10 +46,13 @@ class StripBuilder {
   }
 
   geometry::TriangleMesh take() { return std::move(mesh_); }
+  /// Where the line is, for each vertex: its strip may reach out of the field.
+  const std::vector<Vec3>& places() const { return places_; }
 
  private:
   void add(const Vec3& x, const integrators::FrontPoint& point, double time) {
     mesh_.positions.push_back(x);
+    places_.push_back(point.flow.x);
     if (with_normals_) mesh_.normals.push_back(normal_);
     mesh_.scalars["s"].push_back(s_);
     mesh_.scalars["t"].push_back(point.t);
@@ -60,6 +64,7 @@ class StripBuilder {
   bool with_normals_;
   Vec3 across_{0}, normal_{0};
   geometry::TriangleMesh mesh_;
+  std::vector<Vec3> places_;
 };
 
 void append(const geometry::TriangleMesh& part, geometry::TriangleMesh& whole) {
@@ -168,6 +173,7 @@ geometry::TriangleMesh SurfaceStrips::line(const integrators::LineSeeds::Seed& s
   });
   geometry::TriangleMesh mesh = strip.take();
   integrators::turn_back(mesh, *source_.field);
+  if (source_.attributes) integrators::carry(*source_.attributes, strip.places(), mesh);
   scene::apply_appearance(source_.appearance, mesh);
   if (mesh_opacity_)
     for (std::size_t i = 0; i < mesh.colors.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "fields/make_field.h"
+#include "fields/readers/attributes.h"
 #include "tests/fields/probe.h"
 #include "tests/fields/readers/grid_files.h"
 
@@ -101,6 +102,19 @@ TEST_F(UnitVdbComponents, WhatDoesNotFitIsRefused) {
               HasSubstr("of float, float and double; accepted: three of float or three of double"));
   EXPECT_THAT(complaint({x, y, component<FloatGrid>(2, 0.25)}, ":array=vel.x,vel.y,vel.z"),
               HasSubstr("'vel.x' and 'vel.z' have different transforms"));
+}
+
+TEST_F(UnitVdbComponents, OneGridIsAScalar) {
+  openvdb::io::File((folder_ / "v.vdb").string())
+      .write(openvdb::GridPtrVec{component<FloatGrid>(0), component<DoubleGrid>(1)});
+  const std::string file = (folder_ / "v.vdb").string();
+  const Vec3 x(0.7, 1.1, 2.3), v = skew(x);
+  const Attributes both(file, {}, std::vector<std::string>{"vel.x", "vel.y"});
+  EXPECT_NEAR(both.values(0, std::vector{x}, std::vector{0.}).front(), v.x, 1e-6);  // of floats
+  EXPECT_NEAR(both.values(1, std::vector{x}, std::vector{0.}).front(), v.y, 1e-12);
+  EXPECT_THAT([&] { Attributes(file, {}, std::vector<std::string>{"p"}); },
+              ::testing::ThrowsMessage<InputError>(
+                  HasSubstr("no scalar 'p'; accepted: a grid of float or double; grids: vel.x")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levels derived from the velocities of OpenVDB files: which grid is meant, and where its samples belong.
+// Levels derived from the velocities of OpenVDB files: which grid is meant, and where its samples
+// belong.
 
 #include <gmock/gmock.h>
 #include <openvdb/openvdb.h>

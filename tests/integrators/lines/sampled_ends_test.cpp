@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Particles in samples: at the ends of their times, between frames, and to the accuracy that is given.
+// Particles in samples: at the ends of their times, between frames, and to the accuracy that is
+// given.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Streak and time surfaces against their closed forms: facets by the surface's equation, normals, and
-// the measure of error.
+// Streak and time surfaces against their closed forms: facets by the surface's equation, normals,
+// and the measure of error.
 #include <gtest/gtest.h>
 
 #include <cmath>
