@@ -38,7 +38,8 @@ void check(const std::string& dataset, const std::string& output) {
         row.on_levels ? ".vdb" : geometry::endings_with(&geometry::FormatRow::write_mesh)));
 }
 
-nlohmann::ordered_json write(const scene::VelocityLevels& levels, const std::string& output) {
+nlohmann::ordered_json write(const scene::VelocityLevels& levels, const std::string& output,
+                             const std::string& /* its grids have no comment */) {
   fields::write_vdb_levels(output, "velocity", levels);
   nlohmann::ordered_json grids = nlohmann::ordered_json::array();
   for (const fields::VectorLevel& level : levels)
@@ -48,26 +49,30 @@ nlohmann::ordered_json write(const scene::VelocityLevels& levels, const std::str
   return {{"grids", grids}};
 }
 
-nlohmann::ordered_json write(const geometry::TriangleMesh& mesh, const std::string& output) {
-  geometry::write_mesh(output, mesh);
+nlohmann::ordered_json write(const geometry::TriangleMesh& mesh, const std::string& output,
+                             const std::string& origin) {
+  geometry::write_mesh(output, mesh, origin);
   return {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
 }
 
-nlohmann::ordered_json write(const geometry::LineSet& lines, const std::string& output) {
-  geometry::write_lines(output, lines);
+nlohmann::ordered_json write(const geometry::LineSet& lines, const std::string& output,
+                             const std::string& origin) {
+  geometry::write_lines(output, lines, origin);
   return {{"lines", lines.line_count()}, {"points", lines.positions.size()}};
 }
 
-nlohmann::ordered_json write(const geometry::PointSet& points, const std::string& output) {
-  geometry::write_points(output, points);
+nlohmann::ordered_json write(const geometry::PointSet& points, const std::string& output,
+                             const std::string& origin) {
+  geometry::write_points(output, points, origin);
   return {{"points", points.positions.size()}};
 }
 
 void make(const std::string& dataset, const std::string& output, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   check(dataset, output);
+  const std::string origin = "pellucid data " + dataset;
   const nlohmann::ordered_json json =
-      std::visit([&](const auto& data) { return write(data, output); },
+      std::visit([&](const auto& data) { return write(data, output, origin); },
                  scene::make_dataset(dataset, console_progress(globals)));
   if (globals.json)
     std::cout << json_text(json, 2) << '\n';

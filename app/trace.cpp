@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,23 @@ struct TraceOptions {
 
 nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
   return {{"mean", distance.mean}, {"rms", distance.rms}, {"max", distance.max}};
+}
+
+/// What was traced, as a call: without the file, the threads and what is printed, so that the same
+/// geometry is the same file.
+std::string origin_of(const TraceOptions& options) {
+  std::string call = fmt::format("pellucid trace --field {} --integrator {} --duration {}",
+                                 options.field, options.integrator, options.duration);
+  for (const auto& [name, text] : {std::pair("--seed", &options.seed.seed),
+                                   std::pair("--seeds", &options.seed.seeds)})
+    if (!text->empty()) call += fmt::format(" {} {}", name, *text);
+  if (options.start_time != 0) call += fmt::format(" --start-time {}", options.start_time);
+  for (const auto& [name, given] : {std::pair("--closed", options.seed.closed),
+                                    std::pair("--path", options.path),
+                                    std::pair("--both", options.both)})
+    if (given) call += fmt::format(" {}", name);
+  if (!options.carry.empty()) call += fmt::format(" --carry {}", fmt::join(options.carry, " "));
+  return call;
 }
 
 /// Gives the vertices the attributes, and `json` what they came to.
@@ -122,7 +140,7 @@ void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
   integrators::turn_back(surface.mesh, way);
   carry(attributes, surface.mesh, json);
   json["field"] = way.description();
-  geometry::write_mesh(options.output, surface.mesh);
+  geometry::write_mesh(options.output, surface.mesh, origin_of(options));
   print(options, globals, json);
 }
 
@@ -175,7 +193,7 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
   integrators::IntegratedLines lines = integrators::integrate_lines(options.integrator, request);
   nlohmann::ordered_json json = compare::lines_json(lines);
   carry(attributes, lines.lines, json);
-  geometry::write_lines(options.output, lines.lines);
+  geometry::write_lines(options.output, lines.lines, origin_of(options));
   json["field"] = field.description();
   print(options, globals, json);
 }

@@ -8,6 +8,7 @@
 #include "core/files/json_node.h"
 #include "core/options/parameters.h"
 #include "scene/files/appearance_file.h"
+#include "scene/cameras/foreign_cameras.h"
 #include "scene/view/camera_fit.h"
 
 namespace pellucid::app {
@@ -52,7 +53,9 @@ void take_background(const std::string& text, scene::ViewRequest& view) {
 void add_view_options(CLI::App& command, scene::ViewRequest& view) {
   command.add_option("--camera", view.camera,
                      "In the place of the scene's: any of eye=X,Y,Z,target=X,Y,Z,up=X,Y,Z and "
-                     "fov=DEGREES or, orthographic, height=LENGTH");
+                     "fov=DEGREES or, orthographic, height=LENGTH; or FILE[:NUMBER], a camera of "
+                     "another program's file: " +
+                         scene::foreign_camera_endings());
   command.add_option("--view", view.view,
                      "See all of the scene, as large as it can be, from: " + names_of_views());
   command.add_option_function<std::string>(

@@ -63,14 +63,14 @@ std::optional<BudgetOptions> read_budget(const JsonNode& node, const Study& stud
 }
 
 /// A number of views on an orbit, "path", or a list of cameras.
-Views read_views(const JsonNode& node) {
+Views read_views(const JsonNode& node, const std::filesystem::path& folder) {
   constexpr int most_views = 1000;
   Views views;
   if (node.is_string() && node.string() == "path") {
     views.path = true;
   } else if (node.is_array()) {
     for (const JsonNode& element : node.elements()) {
-      views.cameras.push_back(scene::read_camera(element));
+      views.cameras.push_back(scene::read_camera(element, folder));
       at_place(element, [&] { return scene::camera_frame(views.cameras.back()); });
     }
     if (views.cameras.empty() || views.cameras.size() > std::size_t(most_views))

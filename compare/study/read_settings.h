@@ -25,6 +25,6 @@ std::optional<ScreenRule> read_screen_rule(const JsonNode& node);
 std::optional<BudgetOptions> read_budget(const JsonNode& node, const Study& study);
 
 /// Reads "views".
-Views read_views(const JsonNode& node);
+Views read_views(const JsonNode& node, const std::filesystem::path& folder);
 
 }  // namespace pellucid::compare

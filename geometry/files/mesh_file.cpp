@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/machine/build_info.h"
 #include "geometry/files/color_names.h"
 #include "geometry/files/mesh_formats.h"
 #include "geometry/finite_vertices.h"
@@ -50,6 +51,13 @@ void keep_scalars_alone(const Scalars& faces, const Scalars& vertices, Scalars& 
   });
 }
 
+/// The version at the end, so that no backslash is there, which would go on with the next line.
+std::string provenance(std::string_view origin) {
+  constexpr std::size_t longest = 1000;  // characters: readers have buffers for a line
+  const std::string version = fmt::format("pellucid {} ({})", build_version, build_commit);
+  return origin.empty() ? version : fmt::format("{}; by {}", one_line(origin, longest), version);
+}
+
 }  // namespace
 
 FileMesh read_mesh(const fs::path& path) {
@@ -82,22 +90,22 @@ PointSet read_points(const fs::path& path) {
   return points;
 }
 
-void write_mesh(const fs::path& path, const TriangleMesh& mesh) {
+void write_mesh(const fs::path& path, const TriangleMesh& mesh, std::string_view origin) {
   const FormatRow& row = row_with(&FormatRow::write_mesh, path, "mesh");
   check_finite(path.string(), mesh);
-  row.write_mesh(path, mesh);
+  row.write_mesh(path, mesh, provenance(origin));
 }
 
-void write_lines(const fs::path& path, const LineSet& lines) {
+void write_lines(const fs::path& path, const LineSet& lines, std::string_view origin) {
   const FormatRow& row = row_with(&FormatRow::write_lines, path, "line");
   check_finite(path.string(), lines);
-  row.write_lines(path, lines);
+  row.write_lines(path, lines, provenance(origin));
 }
 
-void write_points(const fs::path& path, const PointSet& points) {
+void write_points(const fs::path& path, const PointSet& points, std::string_view origin) {
   const FormatRow& row = row_with(&FormatRow::write_points, path, "point");
   check_finite(path.string(), points);
-  row.write_points(path, points);
+  row.write_points(path, points, provenance(origin));
 }
 
 }  // namespace pellucid::geometry

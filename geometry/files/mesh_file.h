@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "geometry/files/from_file.h"
 #include "geometry/point_set.h"
@@ -30,14 +31,19 @@ FileLines read_lines(const std::filesystem::path& path);
 PointSet read_points(const std::filesystem::path& path);
 
 /// Writes by the file's ending: .ply is binary with double positions and float attributes, .obj
-/// holds positions, normals and triangles. All scalars are kept by PLY and VTP. Throws InputError
-/// for an ending without a writer, and for a position that is not finite.
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+/// holds positions, normals and triangles. All scalars are kept by PLY and VTP. The file says in a
+/// comment, VTK's in the string array "origin" of its field data, by which version it was written
+/// and the `origin`, such as a command. Throws InputError for an ending without a writer, and for a
+/// position that is not finite.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                std::string_view origin = {});
 
 /// Does so with polylines; in .ply each vertex has its line's number.
-void write_lines(const std::filesystem::path& path, const LineSet& lines);
+void write_lines(const std::filesystem::path& path, const LineSet& lines,
+                 std::string_view origin = {});
 
 /// Does so with points; .ply has them as the vertices of a mesh without triangles.
-void write_points(const std::filesystem::path& path, const PointSet& points);
+void write_points(const std::filesystem::path& path, const PointSet& points,
+                  std::string_view origin = {});
 
 }  // namespace pellucid::geometry

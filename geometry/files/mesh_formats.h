@@ -15,7 +15,9 @@
 
 namespace pellucid::geometry {
 
-/// One kind of file. What it cannot hold has no reader, and what is not written no writer.
+/// One kind of file. What it cannot hold has no reader, and what is not written no writer. A writer
+/// gets a line on where the geometry is from, without control characters or a backslash at its end,
+/// which it keeps where the kind has a place for it.
 struct FormatRow {
   std::string_view ending;  // ".ply", in small letters
   std::string_view title;
@@ -23,9 +25,9 @@ struct FormatRow {
   FileMesh (*read_mesh)(const std::filesystem::path&) = nullptr;
   FileLines (*read_lines)(const std::filesystem::path&) = nullptr;
   PointSet (*read_points)(const std::filesystem::path&) = nullptr;
-  void (*write_mesh)(const std::filesystem::path&, const TriangleMesh&) = nullptr;
-  void (*write_lines)(const std::filesystem::path&, const LineSet&) = nullptr;
-  void (*write_points)(const std::filesystem::path&, const PointSet&) = nullptr;
+  void (*write_mesh)(const std::filesystem::path&, const TriangleMesh&, const std::string&) = nullptr;
+  void (*write_lines)(const std::filesystem::path&, const LineSet&, const std::string&) = nullptr;
+  void (*write_points)(const std::filesystem::path&, const PointSet&, const std::string&) = nullptr;
 };
 
 /// Returns the table of formats.

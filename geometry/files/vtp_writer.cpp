@@ -10,6 +10,7 @@
 #include <fstream>
 #include <ranges>
 #include <span>
+#include <utility>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
@@ -37,8 +38,8 @@ std::string escaped(std::string_view name) {
   return text;
 }
 
-/// A Piece is the elements of a <Piece> and the bytes that they refer to. Arrays are not copied:
-/// they have to live until it is written.
+/// A Piece is the elements of a <Piece> and the bytes that they refer to. Arrays and notes are not
+/// copied: they have to live until it is written.
 class Piece {
  public:
   /// Adds an array of numbers of VTK's type to the element that is open.
@@ -48,9 +49,15 @@ class Piece {
     elements_ += fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
         "offset=\"{}\"/>\n",
-        type, escaped(name), components, size_);
-    data_.push_back(std::as_bytes(values));
-    size_ += sizeof(std::uint64_t) + values.size_bytes();
+        type, escaped(name), components, place(std::as_bytes(values)));
+  }
+  /// Adds a text to the field data of the whole file.
+  void note(std::string_view name, const std::string& text) {
+    const std::span<const char> ended(text.c_str(), text.size() + 1);  // with its 0
+    notes_ += fmt::format(
+        "<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"appended\" "
+        "offset=\"{}\"/>\n",
+        name, place(std::as_bytes(ended)));
   }
   void open(std::string_view element) { elements_ += fmt::format("<{}>\n", element); }
   void close(std::string_view element) { elements_ += fmt::format("</{}>\n", element); }
@@ -62,7 +69,8 @@ class Piece {
     std::ofstream out(file.temporary(), std::ios::binary);
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
         << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<" << type
-        << ">\n<Piece " << counts << ">\n"
+        << ">\n<FieldData>\n"
+        << notes_ << "</FieldData>\n<Piece " << counts << ">\n"
         << elements_ << "</Piece>\n</" << type << ">\n<AppendedData encoding=\"raw\">\n_";
     for (const std::span<const std::byte> bytes : data_) {
       const std::uint64_t size = bytes.size();
@@ -76,7 +84,13 @@ class Piece {
   }
 
  private:
-  std::string elements_;
+  /// Returns where the bytes begin in the data.
+  std::uint64_t place(std::span<const std::byte> bytes) {
+    data_.push_back(bytes);
+    return std::exchange(size_, size_ + sizeof(std::uint64_t) + bytes.size());
+  }
+
+  std::string notes_, elements_;
   std::vector<std::span<const std::byte>> data_;
   std::uint64_t size_ = 0;  // of the data, each array with its own size before it
 };
@@ -155,10 +169,12 @@ CellKind kind_of(const LineSet&) { return {"Lines", 4}; }
 CellKind kind_of(const PointSet&) { return {"Verts", 1}; }
 
 template <class Geometry>
-void write_poly_data(const std::filesystem::path& path, const Geometry& geometry) {
+void write_poly_data(const std::filesystem::path& path, const Geometry& geometry,
+                     const std::string& origin) {
   const Cells cells = cells_of(geometry);
   const std::string_view element = kind_of(geometry).element;
   Piece piece;
+  piece.note("origin", origin);
   add_points(geometry, piece);
   add_attributes(geometry, piece);
   piece.open(element);
@@ -171,10 +187,12 @@ void write_poly_data(const std::filesystem::path& path, const Geometry& geometry
 }
 
 template <class Geometry>
-void write_unstructured(const std::filesystem::path& path, const Geometry& geometry) {
+void write_unstructured(const std::filesystem::path& path, const Geometry& geometry,
+                     const std::string& origin) {
   const Cells cells = cells_of(geometry);
   const std::vector<std::uint8_t> types(cells.ends.size(), kind_of(geometry).type);
   Piece piece;
+  piece.note("origin", origin);
   add_points(geometry, piece);
   add_attributes(geometry, piece);
   piece.open("Cells");
@@ -188,23 +206,23 @@ void write_unstructured(const std::filesystem::path& path, const Geometry& geome
 
 }  // namespace
 
-void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_poly_data(path, mesh);
+void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& origin) {
+  write_poly_data(path, mesh, origin);
 }
-void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines) {
-  write_poly_data(path, lines);
+void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines, const std::string& origin) {
+  write_poly_data(path, lines, origin);
 }
-void write_vtp_points(const std::filesystem::path& path, const PointSet& points) {
-  write_poly_data(path, points);
+void write_vtp_points(const std::filesystem::path& path, const PointSet& points, const std::string& origin) {
+  write_poly_data(path, points, origin);
 }
-void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_unstructured(path, mesh);
+void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& origin) {
+  write_unstructured(path, mesh, origin);
 }
-void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines) {
-  write_unstructured(path, lines);
+void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines, const std::string& origin) {
+  write_unstructured(path, lines, origin);
 }
-void write_vtu_points(const std::filesystem::path& path, const PointSet& points) {
-  write_unstructured(path, points);
+void write_vtu_points(const std::filesystem::path& path, const PointSet& points, const std::string& origin) {
+  write_unstructured(path, points, origin);
 }
 
 }  // namespace pellucid::geometry

@@ -13,6 +13,7 @@
 
 #include "core/options/keyed_words.h"
 #include "core/options/option_table.h"
+#include "scene/cameras/foreign_cameras.h"
 #include "scene/files/any_number.h"
 #include "scene/view/camera_path.h"
 
@@ -66,15 +67,24 @@ Camera read_camera(const JsonNode& node) {
   return camera;
 }
 
-std::vector<Camera> read_camera_path(const JsonNode& node, const Camera& camera,
-                                     std::string_view change) {
+Camera read_camera(const JsonNode& node, const std::filesystem::path& folder) {
+  if (!node.is_string()) return read_camera(node);
+  const auto foreign = at_place(node, [&] { return foreign_camera(node.string()); });
+  if (!foreign)
+    node.fail(fmt::format("'{}'; accepted: a camera's keys, or a file ending in {}",
+                          node.string(), foreign_camera_endings()));
+  return at_place(node, [&] { return read_foreign_camera(*foreign, folder); });
+}
+
+std::vector<Camera> read_camera_path(const JsonNode& node, const std::filesystem::path& folder,
+                                     const Camera& camera, std::string_view change) {
   node.accept_keys({"frames", "orbit", "keys"});
   const int frames = node["frames"].integer(2, 100000);
   if (node.has("orbit") == node.has("keys")) node.fail("accepted: one of the keys orbit, keys");
   if (node.has("orbit")) return orbit(camera, node["orbit"].number(-any, any), frames);
   std::vector<Camera> keys;
   for (const JsonNode& key : node["keys"].elements())
-    keys.push_back(camera_of_text(change, read_camera(key)));
+    keys.push_back(camera_of_text(change, read_camera(key, folder)));
   std::vector<Camera> path = at_place(node, [&] { return between_keys(keys, frames); });
   at_place(node, [&] { std::ranges::for_each(path, camera_frame); });
   return path;
@@ -105,6 +115,7 @@ std::string camera_text(const Camera& camera) {
 
 Camera camera_of_text(std::string_view text, Camera camera) {
   if (text.empty()) return camera;
+  if (const auto foreign = foreign_camera(text)) return read_foreign_camera(*foreign, {});
   const auto words = keyed_words("--camera", text, keys);
   if (words.contains("fov") && words.contains("height"))
     throw InputError(
@@ -114,6 +125,7 @@ Camera camera_of_text(std::string_view text, Camera camera) {
 }
 
 bool sets_eye(std::string_view text) {
+  if (foreign_camera(text)) return true;
   return !text.empty() && keyed_words("--camera", text, keys).contains("eye");
 }
 

@@ -57,11 +57,11 @@ void read_resolution(const JsonNode& node, Scene& scene) {
   scene.height = sides[1].integer(1, max_side);
 }
 
-void read_view(const JsonNode& root, Scene& scene) {
+void read_view(const JsonNode& root, const std::filesystem::path& folder, Scene& scene) {
   if (root.has("resolution")) read_resolution(root["resolution"], scene);
   if (root.has("samples")) scene.samples = read_samples(root["samples"]);
   if (root.has("camera")) {
-    scene.camera = read_camera(root["camera"]);
+    scene.camera = read_camera(root["camera"], folder);
     at_place(root, [&] { return camera_frame(scene.camera); });
   }
   if (root.has("background")) scene.background = read_rgb(root["background"]);
@@ -143,7 +143,7 @@ struct Loader {
     root["format"].one_of({"pellucid-scene"});  // of another kind of file all keys are unknown
     root.accept_keys(keys);
     root["version"].integer(1, 1);
-    read_view(root, scene);  // a wrong camera is refused before anything is integrated
+    read_view(root, source.folder, scene);  // a wrong camera is refused before anything is integrated
     take_size();
     check_view();
     check_path(root);
@@ -160,7 +160,7 @@ struct Loader {
     }
     take_camera();
     if (root.has("camera_path"))
-      scene.camera_path = read_camera_path(root["camera_path"], scene.camera,
+      scene.camera_path = read_camera_path(root["camera_path"], source.folder, scene.camera,
                                            view.along_path ? view.camera : std::string());
     place_halos(scene);
   }

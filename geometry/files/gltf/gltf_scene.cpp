@@ -63,10 +63,9 @@ class GltfReader {
 
   void read_node(const Json& index, const Mat4& world_from_parent, int depth) {
     const Json& node = document_.element("nodes", index);
-    constexpr int deepest = 1000;
-    if (!visited_.insert(index.get<std::size_t>()).second || depth > deepest)
+    if (!visited_.insert(index.get<std::size_t>()).second || depth > deepest_gltf_node)
       document_.fail(fmt::format("nodes[{}] has two parents, or more than {} levels above it",
-                                 index.dump(), deepest));
+                                 index.dump(), deepest_gltf_node));
     const Mat4 world_from_node = world_from_parent * gltf_transform(document_, node);
     if (node.contains("mesh") && node.contains("skin"))
       document_.fail(

@@ -10,6 +10,9 @@
 
 namespace pellucid::geometry {
 
+/// So many nodes may stand above one: they are gone through one within another.
+constexpr int deepest_gltf_node = 1000;
+
 /// Returns a node's transform: from the node's coordinates to its parent's.
 Mat4 gltf_transform(const GltfDocument& document, const nlohmann::json& node);
 

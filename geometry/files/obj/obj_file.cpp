@@ -134,8 +134,8 @@ FileLines read_obj_lines(const std::filesystem::path& path) {
   return lines;
 }
 
-std::string encode_obj(const TriangleMesh& mesh) {
-  std::string out;
+std::string encode_obj(const TriangleMesh& mesh, const std::string& origin) {
+  std::string out = fmt::format("# {}\n", origin);
   const auto to = std::back_inserter(out);
   for (const Vec3& x : mesh.positions) fmt::format_to(to, "v {} {} {}\n", x.x, x.y, x.z);
   for (const Vec3& n : mesh.normals) fmt::format_to(to, "vn {} {} {}\n", n.x, n.y, n.z);
@@ -148,8 +148,8 @@ std::string encode_obj(const TriangleMesh& mesh) {
   return out;
 }
 
-std::string encode_obj(const LineSet& lines) {
-  std::string out;
+std::string encode_obj(const LineSet& lines, const std::string& origin) {
+  std::string out = fmt::format("# {}\n", origin);
   const auto to = std::back_inserter(out);
   for (const Vec3& x : lines.positions) fmt::format_to(to, "v {} {} {}\n", x.x, x.y, x.z);
   for (std::size_t line = 0; line < lines.line_count(); ++line) {
@@ -161,11 +161,13 @@ std::string encode_obj(const LineSet& lines) {
   return out;
 }
 
-void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_text(path, encode_obj(mesh));
+void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::string& origin) {
+  write_text(path, encode_obj(mesh, origin));
 }
-void write_obj_lines(const std::filesystem::path& path, const LineSet& lines) {
-  write_text(path, encode_obj(lines));
+void write_obj_lines(const std::filesystem::path& path, const LineSet& lines,
+                     const std::string& origin) {
+  write_text(path, encode_obj(lines, origin));
 }
 
 }  // namespace

@@ -20,11 +20,11 @@ void append(std::string& out, T value) {
   out.append(bytes, sizeof value);
 }
 
-std::string encode_ply(const TriangleMesh& mesh) {
+std::string encode_ply(const TriangleMesh& mesh, const std::string& origin) {
   std::string out = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
+      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty double x\nproperty double "
       "y\nproperty double z\n",
-      mesh.positions.size());
+      origin, mesh.positions.size());
   if (!mesh.normals.empty()) out += "property double nx\nproperty double ny\nproperty double nz\n";
   if (!mesh.colors.empty())
     out += "property float red\nproperty float green\nproperty float blue\nproperty float alpha\n";
@@ -55,12 +55,13 @@ void append_edges(std::string& out, const LineSet& lines) {
     }
 }
 
-std::string encode_ply(const LineSet& lines) {
+std::string encode_ply(const LineSet& lines, const std::string& origin) {
   std::string out = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment consecutive vertices of one line are joined\n"
+      "ply\nformat binary_little_endian 1.0\ncomment {}\n"
+      "comment consecutive vertices of one line are joined\n"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
       "property uint line\n",
-      lines.positions.size());
+      origin, lines.positions.size());
   if (!lines.colors.empty())
     out += "property float red\nproperty float green\nproperty float blue\nproperty float alpha\n";
   if (!lines.importance.empty()) out += "property float importance\n";
@@ -81,14 +82,17 @@ std::string encode_ply(const LineSet& lines) {
 
 }  // namespace
 
-void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  write_text(path, encode_ply(mesh));
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::string& origin) {
+  write_text(path, encode_ply(mesh, origin));
 }
-void write_ply_lines(const std::filesystem::path& path, const LineSet& lines) {
-  write_text(path, encode_ply(lines));
+void write_ply_lines(const std::filesystem::path& path, const LineSet& lines,
+                     const std::string& origin) {
+  write_text(path, encode_ply(lines, origin));
 }
-void write_ply_points(const std::filesystem::path& path, const PointSet& points) {
-  write_ply(path, {Vertices(points), {}, {}});
+void write_ply_points(const std::filesystem::path& path, const PointSet& points,
+                      const std::string& origin) {
+  write_ply(path, {Vertices(points), {}, {}}, origin);
 }
 
 }  // namespace pellucid::geometry

@@ -15,6 +15,7 @@ namespace pellucid::geometry {
 namespace {
 
 using ::testing::EndsWith;
+using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
 TEST(UnitMeshFormats, EveryRowHasAnEndingOfItsOwnATitleAndAReader) {
@@ -62,6 +63,39 @@ TEST(UnitMeshFormats, PointsComeBackFromEveryFormatThatIsWritten) {
     write_points(path, points);
     EXPECT_EQ(read_points(path).positions, points.positions) << row.ending;
     EXPECT_EQ(read_points(path).importance, points.importance) << row.ending;
+  }
+}
+
+/// A newline would end a comment, and a backslash at its end go on with the next line.
+TEST(UnitMeshFormats, EveryWrittenFileSaysWhereItIsFrom) {
+  const TemporaryFolder folder;
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  LineSet lines;
+  lines.positions = mesh.positions;
+  lines.offsets = {0, 3};
+  const std::string origin = "trace --field <a&b>\nelement \\";
+  const auto expect_said = [&](const std::filesystem::path& path) {
+    const std::string text = read_text(path);
+    EXPECT_THAT(text, HasSubstr("trace --field <a&b>\\nelement \\; by pellucid ")) << path;
+  };
+  for (const FormatRow& row : mesh_formats()) {
+    const auto path = folder / ("from" + std::string(row.ending));
+    if (row.write_mesh) {
+      write_mesh(path, mesh, origin);
+      expect_said(path);
+      EXPECT_EQ(read_mesh(path).triangles, mesh.triangles) << row.ending;
+    }
+    if (row.write_lines) {
+      write_lines(path, lines, origin);
+      expect_said(path);
+      EXPECT_EQ(read_lines(path).positions, lines.positions) << row.ending;
+    }
+    if (row.write_points) {
+      write_points(path, PointSet{Vertices(lines)}, origin);
+      expect_said(path);
+    }
   }
 }
 
