@@ -198,6 +198,26 @@ def gltf_files():
     yield "text", b'{"asset":{"version":"2.0"},"meshes":[{"primitives":3}]}'
 
 
+def view(*properties, group="views"):
+    """A view of ParaView's: (name, numbers) of its properties."""
+    lines = "".join(f'<Property name="{name}">' + "".join(f'<Element index="{i}" value="{x}"/>' for i, x in enumerate(numbers))
+                    + "</Property>" for name, numbers in properties)
+    return f'<Proxy group="{group}" type="RenderView">{lines}</Proxy>'
+
+
+def camera_files():
+    """A view as it is saved, a state with one of another kind, one that lacks its angle, and cameras of glTF."""
+    place = (("CameraPosition", (1, 2, 3)), ("CameraFocalPoint", (0, 0, 0)), ("CameraViewUp", (0, 1, 0)))
+    flat = (("CameraParallelProjection", (1,)), ("CameraParallelScale", (2.5,)))
+    yield "view", f'<?xml version="1.0"?><P>{view(*place, ("CameraViewAngle", (30,)))}</P>'.encode()
+    yield "state", f'<P>{view(("ViewSize", (1, 2)))}{view(*place, *flat)}{view(group="sources")}</P>'.encode()
+    yield "no_angle", f"<P>{view(*place)}</P>".encode()
+    cameras = '"cameras":[{"type":"perspective","perspective":{"yfov":1}},{"type":"orthographic","orthographic":{"ymag":1}}]'
+    head = '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":'
+    yield "gltf", f'{head}[{{"camera":0,"children":[1]}},{{"camera":1,"translation":[1,2,3]}}],{cameras}}}'.encode()
+    yield "gltf_flat", f'{head}[{{"camera":0,"scale":[0,0,0]}}],{cameras}}}'.encode()
+
+
 def track_files():
     nan, inf = float("nan"), float("inf")
     points = [1, 2, 3, 4, 5, 6, nan, nan, nan, 7, 8, 9, 1, 1, 1, inf, inf, inf]
@@ -226,6 +246,7 @@ def main():
     files |= {f"vdb_blocks/{name}": data for name, data in grid_files()}
     files |= {f"binlines/{name}": data for name, data in line_files()}
     files |= {f"gltf/{name}": data for name, data in gltf_files()}
+    files |= {f"cameras/{name}": data for name, data in camera_files()}
     files |= dict(track_files())
     files |= {"ply/little_endian": ply("binary_little_endian", "<"), "ply/big_endian": ply("binary_big_endian", ">"),
               "meta_image/local_float": meta_image("f"),
