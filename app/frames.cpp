@@ -178,9 +178,6 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       "--reference", options->reference,
       "Draw each frame by this method, too, such as raytrace: frames.csv has how far "
       "the method is from it, and how its error flickers");
-  command->footer(
-      "Example: pellucid frames scenes/tornado.json -m fourier:bands=5 --reference raytrace "
-      "--orbit 90 --frames 24 -o frames");
   CLI::Option* around = command
                             ->add_option("--orbit", options->orbit,
                                          "Instead: go so many degrees around the camera's target")
@@ -190,8 +187,10 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
   command->footer(
-      "Example:\n  pellucid frames scene.json -m raytrace --view iso --orbit 360 --frames 60 -o "
-      "turn");
+      "Examples:\n"
+      "  pellucid frames scene.json -m raytrace --view iso --orbit 360 --frames 60 -o turn\n"
+      "  pellucid frames scenes/tornado.json -m fourier:bands=5 --reference raytrace \\\n"
+      "      --orbit 90 --frames 24 -o frames");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([options, &globals] { frames(*options, globals); });

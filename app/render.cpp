@@ -100,16 +100,6 @@ void write_partial(const RenderOptions& options, const GlobalOptions& globals,
   print_sums(options.partial, sums.info, globals);
 }
 
-/// A shader of one's own may divide by 0.
-void check_finite(const Image& image, const compare::MethodCall& call) {
-  const auto is_none = [](const Rgba& p) {
-    return glm::any(glm::isnan(p)) || glm::any(glm::isinf(p));
-  };
-  if (const auto count = std::ranges::count_if(image.pixels, is_none))
-    throw WorkError(
-        fmt::format("{}: {} of its picture's pixels are not finite", call.text(), count));
-}
-
 /// How the scene was made, and what the method made of it.
 std::vector<std::string> explanation(const scene::Scene& scene, const scene::Renderer& renderer) {
   std::vector<std::string> lines{fmt::format("camera: {} ({})", scene::camera_text(scene.camera),
@@ -132,13 +122,15 @@ DrawnPicture draw(const RenderOptions& options, const GlobalOptions& globals,
                   const std::optional<compare::MethodCall>& opacities, const scene::Scene& scene,
                   const Progress& progress) {
   const auto renderer = call.row->make(scene, call.parameters, {.gl = globals.gl});
-  report(progress, 0.5, fmt::format("rendering {}", call.row->name));
+  const std::string what = fmt::format("rendering {}", call.row->name);
+  report(progress, 0.5, what);
   // A first frame compiles shaders and touches memory for the first time; the second is timed.
-  renderer->render({});
+  renderer->render({.progress = part_of(progress, 0.5, 0.75, what)});
   DrawnPicture drawn;
-  drawn.rendering = renderer->render({.layers = true, .progress = progress});
+  drawn.rendering =
+      renderer->render({.layers = true, .progress = part_of(progress, 0.75, 1, what)});
   report(progress, 1, fmt::format("rendered {}", call.row->name));
-  check_finite(drawn.rendering.image, call);
+  compare::require_finite(drawn.rendering.image, call.text());
   drawn.json = compare::render_json(call, opacities, scene, drawn.rendering.stats, *renderer);
   if (!options.explain) return drawn;
   drawn.explanation = explanation(scene, *renderer);

@@ -70,6 +70,10 @@ void merge_sums(const SumsMerge& request, const GlobalOptions& globals) {
   const int parts = int(request.files.size());  // each part is there once
   SumsFile merged = compare::merge_sums(request.files, console_progress(globals));
   const SumsInfo info = merged.info;
+  if (!request.totals.empty() && (info.phase != 2 || request.picture.empty()))
+    throw InputError(
+        fmt::format("--totals: accepted: with -o and sums of phase 2; {} is of phase {} of {}",
+                    request.files.front().string(), info.phase, info.phases));
   if (request.picture.empty()) {
     compare::write_sums_file(request.partial, merged);
   } else {

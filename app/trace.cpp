@@ -56,13 +56,13 @@ nlohmann::ordered_json to_json(const integrators::OneSidedDistance& distance) {
 std::string origin_of(const TraceOptions& options) {
   std::string call = fmt::format("pellucid trace --field {} --integrator {} --duration {}",
                                  options.field, options.integrator, options.duration);
-  for (const auto& [name, text] : {std::pair("--seed", &options.seed.seed),
-                                   std::pair("--seeds", &options.seed.seeds)})
+  for (const auto& [name, text] :
+       {std::pair("--seed", &options.seed.seed), std::pair("--seeds", &options.seed.seeds)})
     if (!text->empty()) call += fmt::format(" {} {}", name, *text);
   if (options.start_time != 0) call += fmt::format(" --start-time {}", options.start_time);
-  for (const auto& [name, given] : {std::pair("--closed", options.seed.closed),
-                                    std::pair("--path", options.path),
-                                    std::pair("--both", options.both)})
+  for (const auto& [name, given] :
+       {std::pair("--closed", options.seed.closed), std::pair("--path", options.path),
+        std::pair("--both", options.both)})
     if (given) call += fmt::format(" {}", name);
   if (!options.carry.empty()) call += fmt::format(" --carry {}", fmt::join(options.carry, " "));
   return call;
@@ -120,6 +120,9 @@ template <class Integrate, class Measure>
 void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
                 const fields::VectorField& way, const fields::Attributes& attributes,
                 const Integrate& integrate, const Measure& measure) {
+  // The other first: a wrong call is refused before the long work.
+  std::optional<geometry::TriangleMesh> other;
+  if (!options.against.empty()) other = integrate(options.against).mesh;
   auto surface = integrate(options.integrator);
   nlohmann::ordered_json json =
       compare::surface_json(surface, integrators::measure_quality(surface.mesh));
@@ -128,15 +131,14 @@ void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
     report(progress, 1, "measuring the distance to the exact surface");
     integrators::SurfaceError error = measure(surface);
     compare::add_error_json(json, error);
-    if (!options.error_picture.empty())
-      write_error_picture(options.error_picture, surface.mesh, error.at_vertices);
     surface.mesh.scalars["error"] = std::move(error.at_vertices);
   }
-  if (!options.against.empty()) {
-    const auto other = integrate(options.against);
+  if (other) {
     report(progress, 1, "measuring the distance between the two surfaces");
-    json["against"] = distance_between(options, surface.mesh, other.mesh);
+    json["against"] = distance_between(options, surface.mesh, *other);
   }
+  if (!options.error_picture.empty())
+    write_error_picture(options.error_picture, surface.mesh, surface.mesh.scalars.at("error"));
   integrators::turn_back(surface.mesh, way);
   carry(attributes, surface.mesh, json);
   json["field"] = way.description();
@@ -190,6 +192,7 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
   request.duration = options.duration;
   request.start_time = options.start_time;
   request.both = options.both;
+  request.progress = console_progress(globals);
   integrators::IntegratedLines lines = integrators::integrate_lines(options.integrator, request);
   nlohmann::ordered_json json = compare::lines_json(lines);
   carry(attributes, lines.lines, json);

@@ -7,8 +7,8 @@
 #include "core/error.h"
 #include "core/files/json_node.h"
 #include "core/options/parameters.h"
-#include "scene/files/appearance_file.h"
 #include "scene/cameras/foreign_cameras.h"
+#include "scene/files/appearance_file.h"
 #include "scene/view/camera_fit.h"
 
 namespace pellucid::app {

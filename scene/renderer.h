@@ -74,6 +74,8 @@ struct Rendering {
 struct RenderRequest {
   /// Asks for Rendering::layers and for all of the stats that is counted; none of it is timed.
   bool layers = false;
+  /// Is told how far the picture is, and may end it by what it throws: a renderer can make another
+  /// one after that.
   Progress progress = {};
 };
 
@@ -170,7 +172,9 @@ struct Promises {
 
   bool own_layers = false;  // Rendering::layers are what it made of the fragments, near the truth
   bool order_independent = false;  // bit-equal for any order of primitives
-  double order_spread = 0;         // if not: largest change of a pixel under shuffled primitives
+  /// If not: the largest change of a pixel under shuffled primitives, of up to a thousand layers,
+  /// since sums in float take a rounding of 6e-8 for each.
+  double order_spread = 0;
   bool convex_hull = false;        // colours stay in the hull of fragment and background colours
   bool fixed_memory = false;       // bytes depend on the picture alone, not on the scene
   bool draws_isosurfaces = false;  // as surfaces of their own; other rows refuse them
@@ -191,6 +195,8 @@ struct Promises {
   /// A pixel's centre that lies farther from a primitive's edge, in pixels, is covered if and only
   /// if it lies inside. By default what rasterization in 1/256 pixel leaves.
   double edge_shift = 1.0 / 256;
+  /// A rounding of the depths to float changes no colour by more, but where it changes an order.
+  float change_by_rounding = 1e-3f;
 };
 
 /// A MethodRow is one row of the method table.

@@ -8,12 +8,6 @@
 namespace pellucid::app {
 namespace {
 
-std::string_view name_of(scene::Lighting lighting) {
-  return lighting == scene::Lighting::none        ? "none"
-         : lighting == scene::Lighting::headlight ? "headlight"
-                                                  : "phong";
-}
-
 /// Scalars by which an object may be coloured.
 std::vector<std::string> scalars_of(const scene::SceneObject& object) {
   std::vector<std::string> names;

@@ -71,7 +71,7 @@ bool is_complete(const CellFiles& files, const ResultRow& row, const json& made)
   });
 }
 
-const fs::path& reference_scene(const Study& study, const fs::path& scene) {
+const fs::path& reference_scene_of(const Study& study, const fs::path& scene) {
   const auto own = study.reference_scenes.find(scene_name(scene));
   return own == study.reference_scenes.end() ? scene : own->second;
 }
@@ -95,7 +95,8 @@ std::vector<Cell> expand_cells(const Study& study) {
   for (const fs::path& scene : study.scenes) {
     const std::string name = scene_name(scene);
     const auto probes = study.probes.find(name);
-    Cell cell{reference_scene(study, scene), name, study.reference, true, study.measures};
+    Cell cell{reference_scene_of(study, scene), name, study.reference, true, study.measures};
+    cell.reference_scene = cell.scene_file;
     if (probes != study.probes.end()) cell.probes = probes->second;
     cell.opacities = study.opacities;
     cell.further_samplings = further_samplings(study);
@@ -175,7 +176,7 @@ ResultRow identity_row(const Cell& cell) {
 std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
                              const TimingRule& timing, const scene::RenderContext& context) {
   Hash hash;
-  hash.add(read_text(cell.scene_file));
+  for (const fs::path& file : {cell.scene_file, cell.reference_scene}) hash.add(read_text(file));
   add_call(cell.call, hash);
   if (cell.call.given) hash.add(cell.call.given->fingerprint(cell.scene, cell.place.view));
   add_call(reference, hash);

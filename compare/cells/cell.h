@@ -27,6 +27,7 @@ struct Cell {
   GivenPlace place = {};  // of a picture from elsewhere
   Views views = {};
   std::optional<BudgetOptions> budget = std::nullopt;
+  std::filesystem::path reference_scene = {};  // that the reference draws; `scene_file` mostly
 
   /// Returns "abc/fourier:bands=5", for messages and for --only.
   std::string name() const { return scene + "/" + call.text(); }
@@ -78,10 +79,11 @@ class CellFiles {
 /// Returns the row of a cell that nothing is known of yet: its names and parameters.
 ResultRow identity_row(const Cell& cell);
 
-/// Returns a hash of what a cell is asked to do: the scene's text, the method and the reference
-/// with all their parameters, what optimizes opacities and for which samples, its measures and
-/// probes, its views, how often it is timed, and where OpenGL runs. What it reads beside the
-/// scene's file, its row lists. Throws InputError when the scene's file cannot be read.
+/// Returns a hash of what a cell is asked to do: the texts of its scene and of the reference's, the
+/// method and the reference with all their parameters, what optimizes opacities and for which
+/// samples, its measures and probes, its views, how often it is timed, and where OpenGL runs. What
+/// it reads beside the scenes' files, its row lists. Throws InputError when one of them cannot be
+/// read.
 std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
                              const TimingRule& timing, const scene::RenderContext& context);
 

@@ -35,11 +35,6 @@ void describe(const scene::Renderer& renderer, const scene::Scene& scene, Result
   row.machine.merge(renderer.facts());
 }
 
-void check_finite(const Image& image) {
-  const std::size_t bad = count_not_finite(image);
-  if (bad > 0) throw WorkError(fmt::format("{} pixels of its picture are not finite", bad));
-}
-
 void take_findings(scene::Findings findings, CellMeasurement& result) {
   result.row.measures = std::move(findings.measures);
   for (scene::MeasurePicture& picture : findings.pictures) {
@@ -82,7 +77,7 @@ void CellMeter::time_once() {
 }
 
 CellMeasurement CellMeter::finish(const TimingRule& timing) {
-  check_finite(result_.image);
+  require_finite(result_.image, cell_.call.text());
   ResultRow& row = result_.row;
   row.repeats = int(runs_.size());
   row.seconds = spread_of(seconds_, timing);

@@ -41,11 +41,6 @@ Json camera_json(const scene::Camera& camera, const CameraMatrices& matrices) {
           {"far", matrices.far}};
 }
 
-std::string_view lighting_name(scene::Lighting lighting) {
-  if (lighting == scene::Lighting::none) return "none";
-  return lighting == scene::Lighting::headlight ? "headlight" : "phong";
-}
-
 Json object_json(const ExportedObject& object, const scene::SceneObject& given,
                  const std::string& file) {
   const bool wide = object.kind != "triangles";
@@ -68,7 +63,7 @@ Json scene_json(const scene::Scene& scene, const scene::DepthRange& depths,
           {"resolution", {scene.width, scene.height}},
           {"samples", scene::samples_json(scene.samples)},
           {"background", to_json(scene.background)},
-          {"lighting", lighting_name(scene.lighting)},
+          {"lighting", name_of(scene.lighting)},
           {"camera", camera_json(scene.camera, matrices)},
           {"depth", {{"near", depths.near}, {"far", depths.far}}},
           {"colour", "straight alpha, display values"},
@@ -102,7 +97,9 @@ void export_scene(const scene::Scene& scene, const fs::path& folder, const Expor
   json["rounding"] = rounding;
   const bool gltf = request.gltf && write_gltf(folder / "scene.glb", scene, matrices, objects);
   json["gltf"] = gltf ? Json("scene.glb") : Json();
-  if (request.reference) write_reference(scene, folder / "reference.exr", request.progress);
+  if (request.reference)
+    write_reference(scene, folder / "reference.exr",
+                    part_of(request.progress, 0.5, 1, "exact picture"));
   json["reference"] = request.reference ? Json("reference.exr") : Json();
   write_text(folder / exported_scene_name,
              json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');

@@ -12,8 +12,9 @@ namespace pellucid::compare {
 std::string scene_fingerprint(const std::set<std::filesystem::path>& files_read,
                               std::string_view option) {
   ContentHashes hashes;
-  std::set<std::string> contents;
-  for (const std::filesystem::path& file : files_read) contents.insert(hashes.of(file));
+  std::multiset<std::string> contents;  // by their names: folders differ between machines
+  for (const std::filesystem::path& file : files_read)
+    contents.insert(fmt::format("{} {}", file.filename().string(), hashes.of(file)));
   return sha256(fmt::format("{} {}", fmt::join(contents, " "), option)).substr(0, 16);
 }
 

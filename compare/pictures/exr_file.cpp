@@ -4,7 +4,6 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
@@ -77,16 +76,6 @@ std::string encode_exr(const std::filesystem::path& path, int width, int height,
     file.writePixels(height);
   }
   return std::move(memory).str();
-}
-
-std::optional<std::string> text_of_exr(const std::filesystem::path& path, const char* name) {
-  try {
-    const Imf::InputFile file(path.c_str());
-    const auto* text = file.header().findTypedAttribute<Imf::StringAttribute>(name);
-    return text ? std::optional(text->value()) : std::nullopt;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
 }
 
 }  // namespace pellucid::compare

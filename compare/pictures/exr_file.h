@@ -7,7 +7,6 @@
 #include <OpenEXR/ImfPixelType.h>
 
 #include <filesystem>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -42,9 +41,5 @@ int exr_threads();
 std::string encode_exr(const std::filesystem::path& path, int width, int height,
                        const std::vector<std::string>& channels, Imf::PixelType type,
                        const void* pixels, const PictureText& text);
-
-/// Returns the text of this name that an OpenEXR file holds as an attribute (see PictureText);
-/// nothing where it has none, or cannot be read.
-std::optional<std::string> text_of_exr(const std::filesystem::path& path, const char* name);
 
 }  // namespace pellucid::compare

@@ -183,4 +183,9 @@ std::size_t count_not_finite(const Image& image) {
                                    [](const Rgba& pixel) { return !finite(pixel); }));
 }
 
+void require_finite(const Image& image, std::string_view call) {
+  if (const std::size_t bad = count_not_finite(image))
+    throw WorkError(fmt::format("{}: {} of its picture's pixels are not finite", call, bad));
+}
+
 }  // namespace pellucid::compare

@@ -92,4 +92,8 @@ class PicturePair {
 /// Counts the pixels with a value that is infinite or not a number.
 std::size_t count_not_finite(const Image& image);
 
+/// Throws WorkError, "CALL: 3 of its picture's pixels are not finite", where any is: a shader of
+/// one's own may divide by 0.
+void require_finite(const Image& image, std::string_view call);
+
 }  // namespace pellucid::compare

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 
 #include "compare/report/html_text.h"
 #include "compare/report/page_texts.h"
@@ -101,11 +103,12 @@ std::string page_of(const Study& study, const nlohmann::json& data, const PageTe
                  {"texts", text_elements(texts)}});
 }
 
-/// What an earlier report of a folder has left.
-void remove_texts(const fs::path& folder) {
+/// What an earlier report of a folder has left, which the page that is there now does not load.
+void remove_other_texts(const fs::path& folder, const std::set<std::string>& loaded) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "report", ignored))
-    if (entry.path().extension() == ".js") fs::remove(entry.path(), ignored);
+    if (entry.path().extension() == ".js" && !loaded.contains(entry.path().stem().string()))
+      fs::remove(entry.path(), ignored);
   fs::remove(folder / "report", ignored);  // where it is empty
 }
 
@@ -120,17 +123,21 @@ class ReportWriter {
         form_(form),
         cells_(report_cells(folder, study, rows)) {}
 
-  void write() const {
-    remove_texts(folder_);
+  /// Whoever is killed leaves the page of before, or the new one, each with all its texts.
+  void write() const { remove_other_texts(folder_, write_in_form()); }
+
+ private:
+  /// Returns the texts that the page loads from beside it.
+  std::set<std::string> write_in_form() const {
     if (form_.kind == ReportForm::Kind::folder) return write_folder();
     nlohmann::json data = data_of(false);
     const std::size_t least = page_of(study_, data).size();
     if (least > form_.most_bytes && form_.kind == ReportForm::Kind::automatic)
       return write_folder();
     write_file(std::move(data), form_.most_bytes - std::min(least, form_.most_bytes));
+    return {};
   }
 
- private:
   nlohmann::json data_of(bool in_folder) const {
     nlohmann::json data = report_data(folder_, study_, rows_, cells_, in_folder);
     data["command"] = form_.command;
@@ -152,13 +159,16 @@ class ReportWriter {
   }
 
   /// A page that was opened from a file may load scripts from beside it, and nothing else.
-  void write_folder() const {
+  std::set<std::string> write_folder() const {
     fs::create_directories(folder_ / "report");
+    std::set<std::string> keys;
     for_each_text(cells_, [&](const std::string& key, const std::string& text) {
+      keys.insert(key);
       write_text(folder_ / "report" / (key + ".js"),
                  fmt::format("pellucidText(\"{}\", \"{}\");\n", key, text));
     });
     write_page(data_of(true));
+    return keys;
   }
 
   const fs::path& folder_;

@@ -9,7 +9,6 @@
 #include "compare/budget/budget_stages.h"
 #include "compare/cells/cell.h"
 #include "compare/pictures/error_map.h"
-#include "compare/pictures/exr_file.h"
 #include "compare/pictures/image_file.h"
 #include "compare/report/crop.h"
 #include "compare/report/page_texts.h"
@@ -17,6 +16,7 @@
 #include "compare/results/columns.h"
 #include "compare/results/number_json.h"
 #include "compare/results/provenance.h"
+#include "readers/pictures/picture_file.h"
 
 namespace pellucid::compare {
 namespace {
@@ -154,7 +154,7 @@ json scene_json(const Study& study, std::span<const ReportCell> cells,
           {"width", reference.width},
           {"height", reference.height},
           {"crop", {crop.x, crop.y, crop.width, crop.height}},
-          {"camera", text_of_exr(first.files.picture(), "Camera").value_or("")}};
+          {"camera", readers::read_picture_text(first.files.picture(), "Camera")}};
 }
 
 /// The parameters that are one of several names, which have no order.

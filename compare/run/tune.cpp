@@ -33,7 +33,7 @@ constexpr int fewest_times = 5;
 /// The others take longer than many a picture.
 const std::string judged_by[]{"rmse", "ssim", "psnr", "max_error", "rmse_covered", "ssim_covered"};
 
-/// Also for equal costs the order does not depend on chance.
+/// Whose row comes first in the table: by the cost that was asked for, of equal bytes by time.
 bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
   if (a.error.empty() != b.error.empty()) return a.error.empty();
   if (cost == Cost::seconds) return a.seconds.median < b.seconds.median;
@@ -217,6 +217,7 @@ void Tuning::enter(std::size_t index) {
     entrant.row = identity_row(cell(entrant.call));
     entrant.row.error = error.what();
     entrant.drawn = true;
+    entrant.within = false;
   }
   if (request_.on_row) request_.on_row(entrant.row);
   keep_contenders();
@@ -318,7 +319,9 @@ TuneOutcome Tuning::collect() {
     return is_cheaper(request_.cost, a.row, b.row);
   });
   const auto steady = [](const Entrant& e) {
-    return std::tuple(e.row.total_bytes(), e.row.metrics.linear.of("rmse").value_or(0), e.place);
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    return std::tuple(e.row.total_bytes(), e.row.metrics.linear.of("rmse").value_or(unknown),
+                      e.place);
   };
   const Entrant* cheapest = nullptr;
   for (const Entrant& entrant : entrants_)

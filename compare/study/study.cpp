@@ -226,10 +226,8 @@ constexpr StudyKey keys[] = {
                   Reading& to) { to.study.timing = read_timing(value, to.study.repeats); }},
     {"screen",
      [](const JsonNode& value, Reading& to) { to.study.screen = read_screen_rule(value); }},
-    {"views",
-     [](const JsonNode& value, Reading& to) {
-       to.study.views = read_views(value, to.study.file.parent_path());
-     }},
+    {"views", [](const JsonNode& value,
+                 Reading& to) { to.study.views = read_views(value, to.study.file.parent_path()); }},
     {"crops", [](const JsonNode& value,
                  Reading& to) { to.study.crops = read_by_scene(value, to.scenes(), read_crop); }},
     {"probes",

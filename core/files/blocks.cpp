@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -111,6 +112,8 @@ std::string take_name(std::uint32_t length, Cutter& file) {
 
 Block take_block(const Head& head, Cutter& file) {
   const std::uint64_t size = size_in_bytes(head);
+  file.claim(sizeof head);
+  file.claim(padded(head.name_length));
   file.claim(size);
   Block block;
   block.name = take_name(head.name_length, file);
@@ -125,10 +128,15 @@ Block take_block(const Head& head, Cutter& file) {
   return block;
 }
 
-/// Waits until nothing is left in a pipe: who reads from it has copied all of it.
+bool has_reader(int pipe) {
+  pollfd entry{pipe, 0, 0};
+  return ::poll(&entry, 1, 0) <= 0 || !(entry.revents & POLLERR);
+}
+
+/// Waits until nothing is left in a pipe: who reads from it has copied all of it, or has gone.
 void wait_until_drained(int pipe) {
   constexpr auto moment = std::chrono::microseconds(20);
-  for (int left = 1; ::ioctl(pipe, FIONREAD, &left) == 0 && left > 0;)
+  for (int left = 1; ::ioctl(pipe, FIONREAD, &left) == 0 && left > 0 && has_reader(pipe);)
     std::this_thread::sleep_for(moment);
 }
 

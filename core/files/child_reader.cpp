@@ -99,26 +99,41 @@ class ChildEnvironment {
   std::vector<char*> variables_;
 };
 
-pid_t start(const fs::path& program, std::vector<std::string> words, int result) {
+/// A Child is waited for, whatever happens meanwhile: else it would stay in the table of processes.
+class Child {
+ public:
+  Child() = default;
+  ~Child() {
+    if (pid_ > 0) wait();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  void start(const fs::path& program, std::vector<std::string> words, int result);
+  /// Returns its status, as waitpid() has it.
+  int wait() {
+    int status = 0;
+    while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = 0;
+    return status;
+  }
+
+ private:
+  pid_t pid_ = 0;
+};
+
+void Child::start(const fs::path& program, std::vector<std::string> words, int result) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const SpawnFiles files(result);
   const ChildEnvironment environment;
-  pid_t child = 0;
   const int code =
-      ::posix_spawn(&child, program.c_str(), files.get(), nullptr, argv.data(), environment.get());
+      ::posix_spawn(&pid_, program.c_str(), files.get(), nullptr, argv.data(), environment.get());
   if (code != 0)
     throw WorkError(
         fmt::format("{}: cannot be started: {}", program.string(), std::strerror(code)));
-  return child;
-}
-
-int wait_for(pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
 }
 
 /// Why the child ended without an answer.
@@ -236,12 +251,13 @@ Blocks read_in_child(std::string_view program, const fs::path& file,
                                  std::to_string(limits.cpu_seconds),
                                  std::to_string(limits.wall_seconds)};
   words.insert(words.end(), arguments.begin(), arguments.end());
+  Child child;  // goes after the pipe, whose end ends it
   Pipe pipe;
-  const pid_t child = start(path, std::move(words), pipe.to_write());
+  child.start(path, std::move(words), pipe.to_write());
   pipe.close_to_write();
   const Answer answer = receive(pipe.to_read(), limits.bytes);
   pipe.close_to_read();  // which ends a child that has more to say
-  return judged(answer, wait_for(child), limits, file);
+  return judged(answer, child.wait(), limits, file);
 }
 
 void run_child_reader(int argc, char** argv, const ReadFunction& read) {

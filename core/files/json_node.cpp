@@ -88,6 +88,10 @@ std::string JsonNode::string() const {
 }
 
 std::string JsonNode::one_of(std::initializer_list<std::string_view> accepted) const {
+  return one_of(std::span(accepted.begin(), accepted.size()));
+}
+
+std::string JsonNode::one_of(std::span<const std::string_view> accepted) const {
   if (value_->is_string())
     for (const std::string_view word : accepted)
       if (value_->get_ref<const std::string&>() == word) return std::string(word);

@@ -38,6 +38,7 @@ class JsonNode {
   int integer(int min, int max) const;
   bool boolean() const;
   std::string string() const;
+  std::string one_of(std::span<const std::string_view> accepted) const;
   std::string one_of(std::initializer_list<std::string_view> accepted) const;
   Vec3 vec3() const;
 

@@ -14,21 +14,15 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/files/descriptor.h"
 #include "core/files/files_read.h"
+#include "core/files/process_and_number.h"
 #include "core/files/write_failure.h"
 
 namespace pellucid {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A file descriptor that closes itself.
-struct Descriptor {
-  int fd;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-};
 
 void write_all(const Descriptor& file, std::string_view text, const fs::path& path) {
   while (!text.empty()) {
@@ -43,19 +37,19 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// Temporaries of one target have this around the number of their process.
+/// Temporaries of one target have this around the numbers of their process and within it.
 struct TemporaryName {
   explicit TemporaryName(const fs::path& target)
       : prefix(fmt::format(".{}.", target.stem().string())), suffix(target.extension().string()) {}
 
-  fs::path mine() const { return fmt::format("{}{}{}", prefix, ::getpid(), suffix); }
+  fs::path mine() const { return fmt::format("{}{}{}", prefix, process_and_number(), suffix); }
   bool fits(const std::string& name) const {
     if (name.size() <= prefix.size() + suffix.size() || !name.starts_with(prefix) ||
         !name.ends_with(suffix))
       return false;
     const auto middle =
         std::string_view(name).substr(prefix.size(), name.size() - prefix.size() - suffix.size());
-    return middle.find_first_not_of("0123456789") == std::string_view::npos;
+    return middle.find_first_not_of("0123456789-") == std::string_view::npos;
   }
 
   std::string prefix, suffix;
@@ -68,8 +62,8 @@ void remove_abandoned_files(const fs::path& target) {
   for (fs::directory_iterator at(folder_of(target), code), end; !code && at != end;
        at.increment(code)) {
     if (!names.fits(at->path().filename().string())) continue;
-    const Descriptor file{
-        ::open(at->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+    const Descriptor file(
+        ::open(at->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (file.fd < 0 || ::flock(file.fd, LOCK_EX | LOCK_NB) != 0) continue;
     std::error_code ignored;
     fs::remove(at->path(), ignored);
@@ -81,6 +75,25 @@ fs::path place_of_temporary(const fs::path& target, bool is_regular) {
   std::error_code code;
   return (is_regular ? target.parent_path() : fs::temp_directory_path(code)) /
          TemporaryName(target).mine();
+}
+
+bool is_at(const fs::path& path, int file) {
+  struct stat there {
+  }, open{};
+  return ::fstat(file, &open) == 0 && ::lstat(path.c_str(), &there) == 0 &&
+         open.st_dev == there.st_dev && open.st_ino == there.st_ino;
+}
+
+/// Makes the file, which nobody else has, and locks it: the descriptor, or -1. Before it is locked
+/// another writer of the target may take it for an abandoned one.
+int make_temporary(const fs::path& path) {
+  for (;;) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0) return -1;
+    ::flock(file, LOCK_EX | LOCK_NB);  // where the file system has no locks, nothing is removed
+    if (is_at(path, file)) return file;
+    ::close(file);
+  }
 }
 
 /// Of this process, that a path such as /dev/stdout or /dev/fd/3 leads to; -1 for any other path.
@@ -97,11 +110,12 @@ int descriptor_of(const fs::path& path) {
 /// A descriptor is written on where it stands: opened anew, a file would be written from its begin.
 Descriptor open_device(const fs::path& path) {
   const int own = descriptor_of(path);
-  return {own >= 0 ? ::fcntl(own, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC)};
+  return Descriptor(own >= 0 ? ::fcntl(own, F_DUPFD_CLOEXEC, 0)
+                             : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
 }
 
 void copy_into(const fs::path& from, const fs::path& to, const fs::path& path) {
-  const Descriptor source{::open(from.c_str(), O_RDONLY | O_CLOEXEC)};
+  const Descriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
   const Descriptor target = open_device(to);
   if (source.fd < 0 || target.fd < 0) fail_writing(path, errno);
   char block[1 << 16];
@@ -136,10 +150,11 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(behind_l
   if (fs::is_directory(status)) fail_writing(path_, EISDIR);
   is_regular_ = descriptor_of(target_) < 0 && (!fs::exists(status) || fs::is_regular_file(status));
   if (is_regular_) remove_abandoned_files(target_);
-  temporary_ = place_of_temporary(target_, is_regular_);
-  lock_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  do {
+    temporary_ = place_of_temporary(target_, is_regular_);
+    lock_ = make_temporary(temporary_);
+  } while (lock_ < 0 && errno == EEXIST);
   if (lock_ < 0) fail_writing(path_, errno);
-  ::flock(lock_, LOCK_EX | LOCK_NB);  // where the file system has no locks, nothing is removed
 }
 
 OutputFile::~OutputFile() {
@@ -151,7 +166,7 @@ OutputFile::~OutputFile() {
 void OutputFile::commit() {
   if (!is_regular_) return copy_into(temporary_, target_, path_);
   {
-    const Descriptor file{::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC)};
+    const Descriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.fd < 0 || ::fsync(file.fd) != 0) fail_writing(path_, errno);
   }
   std::error_code code;
@@ -163,7 +178,7 @@ void OutputFile::commit() {
 void write_text(const fs::path& path, std::string_view text) {
   OutputFile out(path);
   {
-    const Descriptor file{::open(out.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC)};
+    const Descriptor file(::open(out.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
     if (file.fd < 0) fail_writing(path, errno);
     write_all(file, text, path);
   }
@@ -184,7 +199,7 @@ void require_file(const fs::path& path) {
 
 std::string read_text(const fs::path& path) {
   require_file(path);
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.fd < 0) cannot_read(path, std::strerror(errno));
   std::string text;
   char block[1 << 16];

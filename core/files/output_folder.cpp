@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "core/files/files_read.h"
+#include "core/files/process_and_number.h"
 #include "core/files/write_failure.h"
 
 namespace pellucid {
@@ -99,8 +100,7 @@ OutputFolder::OutputFolder(fs::path path)
   if (const fs::path behind = fs::canonical(target_, code); !code) target_ = behind;
   check_place(path_, target_);
   remove_abandoned_folders(target_);
-  temporary_ =
-      target_.parent_path() / fmt::format("{}{}", prefix_of(target_), std::to_string(::getpid()));
+  temporary_ = target_.parent_path() / (prefix_of(target_) + process_and_number());
   if (!fs::create_directory(temporary_, code) && code) fail_writing(path_, code.value());
   lock_ = lock(temporary_);
 }

@@ -16,6 +16,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/files/descriptor.h"
 #include "core/machine/stopwatch.h"
 
 namespace pellucid {
@@ -27,17 +28,6 @@ bool may_be_run(const fs::path& path) {
   std::error_code code;
   return fs::is_regular_file(path, code) && ::access(path.c_str(), X_OK) == 0;
 }
-
-/// A file descriptor that closes itself.
-struct Descriptor {
-  int fd;
-  explicit Descriptor(int fd_) : fd(fd_) {}
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-};
 
 Descriptor open_for_writing(const fs::path& path) {
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -69,6 +59,12 @@ struct Start {
   ::_exit(127);
 }
 
+bool has_ended(pid_t child) {
+  siginfo_t about{};
+  return ::waitid(P_PID, id_t(child), &about, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         about.si_pid != 0;
+}
+
 /// Waits for the end of the process, at most so long; says whether it has ended.
 bool ends_within(pid_t child, double seconds) {
   const Descriptor watched(int(::syscall(SYS_pidfd_open, child, 0)));
@@ -76,9 +72,12 @@ bool ends_within(pid_t child, double seconds) {
   for (;;) {
     const double left = seconds - watch.seconds();
     if (left <= 0) return false;
-    constexpr double most = 1e6;  // milliseconds: poll() takes an int
+    // Milliseconds: poll() takes an int. Where the system has no descriptor of a process, it looks
+    // again and again.
+    const double most = watched.fd < 0 ? 10 : 1e6;
     pollfd entry{watched.fd, POLLIN, 0};
-    if (::poll(&entry, 1, int(std::min(1e3 * left + 1, most))) > 0) return true;
+    ::poll(&entry, 1, int(std::min(1e3 * left + 1, most)));
+    if (has_ended(child)) return true;
   }
 }
 

@@ -31,15 +31,6 @@ struct ParameterSpec {
   std::string accepted() const;
 };
 
-/// Joins tables of parameters into one, in the order given: methods share parameters by it.
-template <std::size_t... N>
-constexpr auto concatenate(const std::array<ParameterSpec, N>&... tables) {
-  std::array<ParameterSpec, (N + ...)> all{};
-  auto next = all.begin();
-  ((next = std::copy(tables.begin(), tables.end(), next)), ...);
-  return all;
-}
-
 /// RawOptions are options as they were written: name → text.
 using RawOptions = std::map<std::string, std::string, std::less<>>;
 

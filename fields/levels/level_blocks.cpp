@@ -64,7 +64,7 @@ std::optional<Level<T>> joined(const Level<T>& a, const Level<T>& b, const Index
   Index shared = a.size;
   shared[axis] -= at[axis];
   for_each_sample(shared, [&](int i, int j, int k) {
-    equal &= a.at(i + at[0], j + at[1], k + at[2]) == b.at(i, j, k);
+    equal = equal && a.at(i + at[0], j + at[1], k + at[2]) == b.at(i, j, k);
   });
   if (!equal) return std::nullopt;
   Level<T> whole{a.origin, a.width, a.size, {}};
@@ -84,24 +84,30 @@ std::optional<Level<T>> joined(const Level<T>& a, const Level<T>& b) {
   return axis ? joined(a, b, *at, *axis) : std::nullopt;
 }
 
-/// Joins one pair, the first that there is; along x before y before z, so that rows become slabs.
+/// Joins to level `a` the first other one that goes on where it ends; along x before y before z, so
+/// that rows become slabs. Returns whether there is one; `a` then stands for both.
 template <class T>
-bool join_a_pair(std::vector<Level<T>>& levels) {
-  for (std::size_t a = 0; a < levels.size(); ++a)
-    for (std::size_t b = 0; b < levels.size(); ++b) {
-      if (a == b) continue;
-      auto whole = joined(levels[a], levels[b]);
-      if (!whole) continue;
-      levels[a] = std::move(*whole);
-      levels.erase(levels.begin() + std::ptrdiff_t(b));
-      return true;
-    }
+bool join_another(std::size_t& a, std::vector<Level<T>>& levels) {
+  for (std::size_t b = 0; b < levels.size(); ++b) {
+    if (a == b) continue;
+    auto whole = joined(levels[a], levels[b]);
+    if (!whole) continue;
+    levels[a] = std::move(*whole);
+    levels.erase(levels.begin() + std::ptrdiff_t(b));
+    if (b < a) --a;
+    return true;
+  }
   return false;
 }
 
+/// What has grown may be what an earlier one goes on with: all are asked again until none is.
 template <class T>
 std::vector<Level<T>> join_all(std::vector<Level<T>> levels) {
-  while (join_a_pair(levels)) continue;
+  for (bool any = true; any;) {
+    any = false;
+    for (std::size_t a = 0; a < levels.size(); ++a)
+      while (join_another(a, levels)) any = true;
+  }
   return levels;
 }
 

@@ -76,6 +76,7 @@ class SeriesSampler final : public FieldSampler {
     return mix_over_time(t, [&](FieldSampler& sampler, double weight) {
       Vec3 part;
       const SampleStatus status = sampler.velocity(x, t, part);
+      if (status != SampleStatus::ok) return status;
       v = weight < 0 ? part : glm::mix(v, part, weight);
       return status;
     });
@@ -86,6 +87,7 @@ class SeriesSampler final : public FieldSampler {
       Vec3 part;
       Mat3 slope;
       const SampleStatus status = sampler.velocity_and_jacobian(x, t, part, slope);
+      if (status != SampleStatus::ok) return status;
       v = weight < 0 ? part : glm::mix(v, part, weight);
       jacobian = weight < 0 ? slope : jacobian * (1 - weight) + slope * weight;
       return status;
@@ -162,13 +164,14 @@ class SeriesField final : public VectorField {
   /// h²/8 |∂²v/∂t²| from three frames at a time, the largest over places spread evenly.
   double error_in_time() const {
     double largest = 0;
+    const Box3 box = finite_domain();
     for (std::size_t k = 1; k + 1 < frames_.size(); ++k) {
       const auto before = frames_[k - 1].field->sampler(), at = frames_[k].field->sampler(),
                  after = frames_[k + 1].field->sampler();
       const double h1 = frames_[k].time - frames_[k - 1].time;
       const double h2 = frames_[k + 1].time - frames_[k].time;
       for (int i = 0; i < 2000; ++i) {
-        const Vec3 x = spread_place(i);
+        const Vec3 x = spread_place(box, i);
         Vec3 v0, v1, v2;
         if (before->velocity(x, 0, v0) != SampleStatus::ok ||
             at->velocity(x, 0, v1) != SampleStatus::ok ||
@@ -182,14 +185,19 @@ class SeriesField final : public VectorField {
     return largest;
   }
 
-  /// Place i of a low-discrepancy sequence in the domain: multiples of the powers of 1/φ₃, the root
-  /// of φ⁴ = φ + 1. Along an axis without an end, of a field that repeats itself, on 1000 cells.
-  Vec3 spread_place(int i) const {
-    const Vec3 s = glm::fract(double(i) * Vec3(0.8191725134, 0.6710436067, 0.5497004779));
+  /// The domain; along an axis without an end, of a field that repeats itself, 1000 cells.
+  Box3 finite_domain() const {
     Box3 box = domain();
     for (int axis = 0; axis < 3; ++axis)
       if (!std::isfinite(box.max[axis] - box.min[axis]))
         box.min[axis] = 0, box.max[axis] = 1000 * cell_size().value_or(1);
+    return box;
+  }
+
+  /// Place i of a low-discrepancy sequence in the box: multiples of the powers of 1/φ₃, the root of
+  /// φ⁴ = φ + 1.
+  static Vec3 spread_place(const Box3& box, int i) {
+    const Vec3 s = glm::fract(double(i) * Vec3(0.8191725134, 0.6710436067, 0.5497004779));
     return box.min + (box.max - box.min) * s;
   }
 

@@ -25,7 +25,8 @@ struct FormatRow {
   FileMesh (*read_mesh)(const std::filesystem::path&) = nullptr;
   FileLines (*read_lines)(const std::filesystem::path&) = nullptr;
   PointSet (*read_points)(const std::filesystem::path&) = nullptr;
-  void (*write_mesh)(const std::filesystem::path&, const TriangleMesh&, const std::string&) = nullptr;
+  void (*write_mesh)(const std::filesystem::path&, const TriangleMesh&,
+                     const std::string&) = nullptr;
   void (*write_lines)(const std::filesystem::path&, const LineSet&, const std::string&) = nullptr;
   void (*write_points)(const std::filesystem::path&, const PointSet&, const std::string&) = nullptr;
 };

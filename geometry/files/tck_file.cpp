@@ -118,9 +118,8 @@ void append_point(std::string& out, const Vec3& x) {
 
 /// Where the data begin stands in the header, whose length hangs on it.
 std::string header_for(std::size_t count, const std::string& origin) {
-  const std::string head =
-      fmt::format("{}\ndatatype: Float32LE\ncount: {}\ncommand_history: {}\nfile: . ", magic,
-                  count, origin);
+  const std::string head = fmt::format(
+      "{}\ndatatype: Float32LE\ncount: {}\ncommand_history: {}\nfile: . ", magic, count, origin);
   const auto whole = [&](std::size_t offset) { return fmt::format("{}{}\nEND\n", head, offset); };
   std::size_t offset = whole(0).size();
   while (whole(offset).size() != offset) offset = whole(offset).size();
@@ -128,8 +127,7 @@ std::string header_for(std::size_t count, const std::string& origin) {
 }
 
 /// Positions in floats, as other readers expect them; nothing but positions is kept.
-void write_tck(const std::filesystem::path& path, const LineSet& lines,
-               const std::string& origin) {
+void write_tck(const std::filesystem::path& path, const LineSet& lines, const std::string& origin) {
   std::string out = header_for(lines.line_count(), origin);
   for (std::size_t line = 0; line < lines.line_count(); ++line) {
     for (std::uint64_t i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i)

@@ -188,7 +188,7 @@ void write_poly_data(const std::filesystem::path& path, const Geometry& geometry
 
 template <class Geometry>
 void write_unstructured(const std::filesystem::path& path, const Geometry& geometry,
-                     const std::string& origin) {
+                        const std::string& origin) {
   const Cells cells = cells_of(geometry);
   const std::vector<std::uint8_t> types(cells.ends.size(), kind_of(geometry).type);
   Piece piece;
@@ -206,22 +206,28 @@ void write_unstructured(const std::filesystem::path& path, const Geometry& geome
 
 }  // namespace
 
-void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& origin) {
+void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::string& origin) {
   write_poly_data(path, mesh, origin);
 }
-void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines, const std::string& origin) {
+void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines,
+                     const std::string& origin) {
   write_poly_data(path, lines, origin);
 }
-void write_vtp_points(const std::filesystem::path& path, const PointSet& points, const std::string& origin) {
+void write_vtp_points(const std::filesystem::path& path, const PointSet& points,
+                      const std::string& origin) {
   write_poly_data(path, points, origin);
 }
-void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh, const std::string& origin) {
+void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
+               const std::string& origin) {
   write_unstructured(path, mesh, origin);
 }
-void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines, const std::string& origin) {
+void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines,
+                     const std::string& origin) {
   write_unstructured(path, lines, origin);
 }
-void write_vtu_points(const std::filesystem::path& path, const PointSet& points, const std::string& origin) {
+void write_vtu_points(const std::filesystem::path& path, const PointSet& points,
+                      const std::string& origin) {
   write_unstructured(path, points, origin);
 }
 

@@ -11,20 +11,21 @@
 namespace pellucid::geometry {
 
 /// Writes .vtp or .vtu with all attributes, 8 bytes a coordinate and not compressed; points are
-/// cells of one point each. The `origin` is a string array of the field data. Throws as OutputFile does.
+/// cells of one point each. The `origin` is a string array of the field data. Throws as OutputFile
+/// does.
 ///@{
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& mesh,
                const std::string& origin);
 void write_vtp_lines(const std::filesystem::path& path, const LineSet& lines,
-               const std::string& origin);
+                     const std::string& origin);
 void write_vtp_points(const std::filesystem::path& path, const PointSet& points,
-               const std::string& origin);
+                      const std::string& origin);
 void write_vtu(const std::filesystem::path& path, const TriangleMesh& mesh,
                const std::string& origin);
 void write_vtu_lines(const std::filesystem::path& path, const LineSet& lines,
-               const std::string& origin);
+                     const std::string& origin);
 void write_vtu_points(const std::filesystem::path& path, const PointSet& points,
-               const std::string& origin);
+                      const std::string& origin);
 ///@}
 
 }  // namespace pellucid::geometry

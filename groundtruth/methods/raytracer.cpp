@@ -51,10 +51,12 @@ class Raytracer : public TurningRaytracer {
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     std::atomic<std::uint64_t> fragments = 0;
     tbb::enumerable_thread_specific<Buffers> crossings;
+    CountedProgress traced(request.progress, result.image.pixels.size(), "tracing");
     const Stopwatch watch;
     parallel_ranges(tbb::blocked_range2d<int>(0, scene_.height, tile, 0, scene_.width, tile),
                     [&](const tbb::blocked_range2d<int>& range) {
                       fragments += trace(range, crossings.local(), result);
+                      traced.add(range.rows().size() * range.cols().size());
                     });
     result.stats.steps = {{"trace", watch.seconds()}};
     if (options_.adaptive > 1) {
@@ -137,7 +139,8 @@ class Raytracer : public TurningRaytracer {
                              scene::Rendering& result) const {
     const int columns = x.end - x.begin, rows = y.end - y.begin;
     std::array<PixelSum, RayPacket::width> sums;
-    std::vector<PictureRay> rays(static_cast<std::size_t>(columns) * rows);
+    std::array<PictureRay, RayPacket::width> packet;
+    const std::span rays = std::span(packet).first(static_cast<std::size_t>(columns) * rows);
     for (const Vec2& sample : samples_) {
       for (std::size_t k = 0; k < rays.size(); ++k) {
         const int column = int(k) % columns, row = int(k) / columns;

@@ -61,12 +61,11 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
   for (Object& object : objects_) {
     object.center = center;
     const auto* mesh = dynamic_cast<const TriangleGeometry*>(object.geometry.get());
-    const RTCGeometry geometry = callbacks.built_in && mesh ? triangles(*mesh, callbacks.built_in)
-                                                            : boxes(object, callbacks);
-    rtcSetGeometryUserData(geometry, &object);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
+    const Geometry geometry = callbacks.built_in && mesh ? triangles(*mesh, callbacks.built_in)
+                                                         : boxes(object, callbacks);
+    rtcSetGeometryUserData(geometry.get(), &object);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene_.get(), geometry.get());
   }
   commit();
 }
@@ -96,29 +95,31 @@ void BoxHierarchy::keep_trees() {
   rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
 }
 
-RTCGeometry BoxHierarchy::boxes(Object& object, const Callbacks& callbacks) const {
-  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
-  if (motion_ == Motion::moving) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
-  rtcSetGeometryUserPrimitiveCount(geometry, object.geometry->box_count());
-  rtcSetGeometryBoundsFunction(geometry, give_box, nullptr);
-  rtcSetGeometryOccludedFunction(geometry, callbacks.decide);
-  rtcSetGeometryIntersectFunction(geometry, callbacks.decide_and_close);
+BoxHierarchy::Geometry BoxHierarchy::boxes(const Object& object, const Callbacks& callbacks) const {
+  Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+  if (motion_ == Motion::moving)
+    rtcSetGeometryBuildQuality(geometry.get(), RTC_BUILD_QUALITY_REFIT);
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), object.geometry->box_count());
+  rtcSetGeometryBoundsFunction(geometry.get(), give_box, nullptr);
+  rtcSetGeometryOccludedFunction(geometry.get(), callbacks.decide);
+  rtcSetGeometryIntersectFunction(geometry.get(), callbacks.decide_and_close);
   return geometry;
 }
 
-RTCGeometry BoxHierarchy::triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const {
-  const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                                               mesh.positions().size()));
+BoxHierarchy::Geometry BoxHierarchy::triangles(const TriangleGeometry& mesh,
+                                               RTCFilterFunctionN filter) const {
+  Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              3 * sizeof(float), mesh.positions().size()));
   for (const Vec3& x : mesh.positions())
     for (int k = 0; k < 3; ++k) *vertices++ = float(x[k] - center_[k]);
   auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                               3 * sizeof(std::uint32_t), mesh.triangles().size()));
   for (const auto& triangle : mesh.triangles())
     indices = std::copy(triangle.begin(), triangle.end(), indices);
-  rtcSetGeometryOccludedFilterFunction(geometry, filter);
+  rtcSetGeometryOccludedFilterFunction(geometry.get(), filter);
   return geometry;
 }
 

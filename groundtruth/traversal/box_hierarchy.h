@@ -60,12 +60,14 @@ class BoxHierarchy {
   struct Release {
     void operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
     void operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCGeometryTy* geometry) const { rtcReleaseGeometry(geometry); }
   };
+  using Geometry = std::unique_ptr<RTCGeometryTy, Release>;
 
   void keep_trees();
   void commit();
-  RTCGeometry boxes(Object& object, const Callbacks& callbacks) const;
-  RTCGeometry triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const;
+  Geometry boxes(const Object& object, const Callbacks& callbacks) const;
+  Geometry triangles(const TriangleGeometry& mesh, RTCFilterFunctionN filter) const;
   bool has_as_many_boxes(const std::vector<Object>& objects) const;
 
   Motion motion_;

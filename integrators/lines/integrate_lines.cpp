@@ -184,11 +184,14 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
   const Box3 domain = request.field->domain();
   tbb::enumerable_thread_specific<CountingSampler> samplers(
       [&] { return CountingSampler(*request.field); });
+  CountedProgress integrated(request.progress, request.seeds.size(), "lines");
   const std::vector<Line> lines =
       lines_within<Line>(vertex_budget(request, max_vertices), request.seeds.size(),
                          [&](std::size_t i, std::uint64_t most_vertices) {
                            const Vec3 seed = onto_edge(domain, request.seeds[i]);
-                           return one(options, seed, most_vertices, samplers.local());
+                           Line line = one(options, seed, most_vertices, samplers.local());
+                           integrated.add(1);
+                           return line;
                          });
   IntegratedLines result;
   result.lines = joined(lines, result.stats);

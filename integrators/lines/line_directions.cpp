@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "integrators/paths/backward.h"
 
@@ -62,9 +63,11 @@ void add(const LineStats& stats, LineStats& sum) {
 
 IntegratedLines run_in_directions(const LineRequest& request, const Run& run) {
   if (!request.both) return request.duration < 0 ? run_backward(request, run) : run(request);
-  const IntegratedLines back = run_backward(request, run);
-  LineRequest forward = request;
+  LineRequest backward = request, forward = request;
+  backward.progress = part_of(request.progress, 0, 0.5, "lines");
+  forward.progress = part_of(request.progress, 0.5, 1, "lines");
   forward.duration = std::abs(request.duration);
+  const IntegratedLines back = run_backward(std::move(backward), run);
   IntegratedLines result = run(forward);
   result.lines = joined(back.lines, result.lines);
   add(back.stats, result.stats);

@@ -119,21 +119,22 @@ fields::SampleStatus Trajectory::slope(double t, const State& y, State& f,
   if (!fields::is_finite(first(y))) return fields::SampleStatus::not_finite;
   const double time = options_->start_time + (options_->path ? t : 0);
   Vec3 v, w(0);
-  fields::SampleStatus status;
   if (is_by_jacobian(options_->companion)) {
     Mat3 jacobian;
-    status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
+    const auto status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
+    if (status != fields::SampleStatus::ok) return status;
     const bool is_normal = options_->companion == Companion::conormal;
     w = is_normal ? -(second(y) * jacobian) : jacobian * second(y);
-  } else {
-    status = sampler.velocity(first(y), time, v);
+  } else if (const auto status = sampler.velocity(first(y), time, v);
+             status != fields::SampleStatus::ok) {
+    return status;
   }
-  if (status == fields::SampleStatus::ok && is_ghost(options_->companion)) {
-    // Past the domain's edge the ghost keeps its distance.
-    if (sampler.velocity(second(y), time, w) != fields::SampleStatus::ok) w = v;
-  }
+  // Past the domain's edge the ghost keeps its distance.
+  if (is_ghost(options_->companion) &&
+      sampler.velocity(second(y), time, w) != fields::SampleStatus::ok)
+    w = v;
   f = joined(v, w);
-  return status;
+  return fields::SampleStatus::ok;
 }
 
 bool Trajectory::reach(double t, fields::FieldSampler& sampler) {

@@ -102,7 +102,7 @@ void add_facets(IntegratedSheet& sheet, const std::vector<Facet>& facets,
 SurfaceStats stats_of(const SheetRefinement& refined, std::uint64_t torn,
                       const SheetParticles& particles) {
   SurfaceStats stats;
-  stats.particles = refined.particles_sent();
+  stats.particles = particles.sent();
   stats.evaluations = particles.evaluations();
   stats.bytes = refined.bytes();
   for (const SheetVertex& vertex : refined.vertices())
@@ -144,8 +144,8 @@ IntegratedSheet integrate_sheet(std::string_view integrator, const SheetRequest&
   if (options.tolerance) positive("tolerance", options.tolerance, 0);
   const SheetDomain domain = sheet_domain(request);
   SheetParticles particles(request, domain, options.stepping, options.tolerance);
-  SheetRefinement refined(particles, domain, options,
-                          options.tolerance.value_or(1e-3 * particles.extent()), request.progress);
+  SheetRefinement refined(particles, domain, options, sheet_tolerance(options, particles.extent()),
+                          request.progress);
   refined.run();
   const auto [facets, torn] = refined.facets();
   IntegratedSheet sheet;

@@ -176,7 +176,7 @@ SurfaceError measure_sheet_error(const IntegratedSheet& sheet, const SheetReques
   const SheetOptions made = sheet_options().read(integrator);
   const SheetDomain domain = sheet_domain(request);
   SheetParticles particles(request, domain, exact_stepping(made), std::nullopt);
-  particles.be_exact(made.tolerance.value_or(1e-3 * particles.extent()));
+  particles.be_exact(sheet_tolerance(made, particles.extent()));
   ExactSheet truth(particles, domain);
   const std::vector<MeshSample> chosen = sample_mesh(sheet.mesh, samples);
   std::vector<Deviation> deviations(chosen.size());

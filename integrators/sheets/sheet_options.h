@@ -22,4 +22,9 @@ struct SheetOptions {
 /// Returns the table of SheetOptions.
 const OptionTable<SheetOptions>& sheet_options();
 
+/// Returns the tolerance in world units: a thousandth of the seeds' `extent` unless one is given.
+inline double sheet_tolerance(const SheetOptions& options, double extent) {
+  return options.tolerance.value_or(1e-3 * extent);
+}
+
 }  // namespace pellucid::integrators

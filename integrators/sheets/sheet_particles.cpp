@@ -57,6 +57,7 @@ Vec3 SheetParticles::velocity_at(const Release& release) {
 /// The particle's point at the end, with its companion; nothing, and why, when it is not there.
 std::optional<FlowPoint> SheetParticles::send(const Release& release, const Vec3& companion,
                                               Companion kind, std::optional<EndReason>& lost) {
+  ++sent_;
   TrajectoryOptions options = options_;
   options.companion = kind;
   // Who is let go at the end has no way; a duration has to be one.

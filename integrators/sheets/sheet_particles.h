@@ -4,6 +4,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 
@@ -50,6 +51,8 @@ class SheetParticles {
   double extent() const { return extent_; }  // world units, of the seeds
   const TrajectoryOptions& options() const { return options_; }
   std::uint64_t evaluations() const;
+  /// Returns how many were sent until now.
+  std::uint64_t sent() const { return sent_; }
 
  private:
   double end_time() const { return request_.start_time + request_.duration; }
@@ -63,6 +66,7 @@ class SheetParticles {
   double extent_;
   TrajectoryOptions options_;
   tbb::enumerable_thread_specific<CountingSampler> samplers_;
+  std::atomic<std::uint64_t> sent_ = 0;
 };
 
 }  // namespace pellucid::integrators

@@ -15,7 +15,7 @@ namespace {
 /// A quadratic surface is 4/9 of the sum of the sagittas of a facet's sides away from its middle:
 /// with 0.7 of the tolerance at each side, 0.94 there.
 constexpr double part_of_sides = 0.7;
-constexpr double largest_turn = 0.86602540378443865;  // cos 30°
+constexpr double cos_largest_turn = 0.86602540378443865;  // cos 30°
 
 }  // namespace
 
@@ -33,7 +33,6 @@ SheetRefinement::SheetRefinement(SheetParticles& particles, const SheetDomain& d
       settled_(facets_.size(), false) {
   parallel_for(std::size_t(0), vertices_.size(),
                [&](std::size_t i) { vertices_[i] = vertex_at(particles, domain.places[i]); });
-  sent_ = vertices_.size();
 }
 
 void SheetRefinement::run() {
@@ -47,7 +46,8 @@ bool SheetRefinement::pass() {
   const auto open = std::size_t(std::ranges::count_if(
       sides_, [](const Side& side) { return side.verdict == Verdict::halve && !side.halved; }));
   if (open == 0) return false;
-  if (!is_within_budget()) {
+  budget_ = exhausted_budget();
+  if (budget_) {
     unfinished_ = open;
     return false;
   }
@@ -55,10 +55,10 @@ bool SheetRefinement::pass() {
   return true;
 }
 
-bool SheetRefinement::is_within_budget() {
-  if (sent_ >= options_.max_particles) budget_ = EndReason::particles;
-  if (facets_.size() >= options_.max_triangles) budget_ = EndReason::triangles;
-  return !budget_;
+std::optional<EndReason> SheetRefinement::exhausted_budget() const {
+  if (facets_.size() >= options_.max_triangles) return EndReason::triangles;
+  if (particles_.sent() >= options_.max_particles) return EndReason::particles;
+  return std::nullopt;
 }
 
 std::uint32_t SheetRefinement::side_of(std::uint32_t a, std::uint32_t b) {
@@ -83,7 +83,6 @@ void SheetRefinement::judge_new_sides() {
         vertex_at(particles_, domain_.between(vertices_[a].place, vertices_[b].place, 0.5));
     judge(side);
   });
-  sent_ += sides_.size() - judged_;
   judged_ = sides_.size();
 }
 
@@ -97,7 +96,10 @@ void SheetRefinement::judge(Side& side) {
   const SheetVertex &a = vertices_[side.ends[0]], &b = vertices_[side.ends[1]];
   const SheetVertex& middle = side.middle;
   const bool is_there = a.is_there(), goes_on = is_there == middle.is_there();
-  if (length_of(side) * (options_.particles - 1) > 1.5)
+  // Sides of the first look, of which slanted ones are up to √2 as long as the distance between
+  // its particles, are left as they are.
+  constexpr double longest = 1.5;
+  if (length_of(side) * (options_.particles - 1) > longest)
     side.verdict = Verdict::halve;
   else if (is_there != b.is_there() || (is_there && goes_on && is_uneven(a, b, middle)))
     part_or_halve(side);
@@ -186,7 +188,7 @@ bool SheetRefinement::is_bent(const Facet& facet) const {
   if (!(height > tolerance_)) return false;
   return std::ranges::any_of(facet, [&, normal = direction_of(across)](std::uint32_t corner) {
     const Vec3 own = direction_of(vertices_[corner].particle.normal);
-    return own != Vec3(0) && glm::dot(own, normal) < largest_turn;
+    return own != Vec3(0) && glm::dot(own, normal) < cos_largest_turn;
   });
 }
 

@@ -44,7 +44,6 @@ class SheetRefinement {
     std::uint64_t torn = 0;
   };
   SheetFacets facets();
-  std::uint64_t particles_sent() const { return sent_; }
   /// Sides that would have been halved when the budget was used up.
   std::uint64_t unfinished() const { return unfinished_; }
   std::optional<EndReason> budget() const { return budget_; }
@@ -87,7 +86,7 @@ class SheetRefinement {
   void append_sides_of_gap(const Facet& facet, const Parting& parting, std::vector<Facet>& facets);
   void halve(Side& side);
   void halve_all(const Facet& facet);
-  bool is_within_budget();
+  std::optional<EndReason> exhausted_budget() const;
   void halve_sides();
 
   SheetParticles& particles_;
@@ -101,7 +100,7 @@ class SheetRefinement {
   std::vector<Side> sides_;
   std::size_t judged_ = 0;                                    // sides
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  // of sides, by their ends
-  std::uint64_t sent_ = 0, unfinished_ = 0;
+  std::uint64_t unfinished_ = 0;
   std::optional<EndReason> budget_;
 };
 

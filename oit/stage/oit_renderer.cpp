@@ -34,6 +34,18 @@ std::string describe_context(const scene::Scene& scene) {
 
 const Vec2 pixel_centre(0.5);
 
+/// What counts layers: in float, exact up to 2^24 of them.
+struct LayerCounter {
+  explicit LayerCounter(Stage& stage)
+      : counts(stage.gl(), GL_R32F, stage.width(), stage.height()),
+        target(stage.gl(), {{counts}}),
+        program(stage.geometry_program(oit_glsl::count_layers_frag_glsl())) {}
+
+  Texture counts;
+  Framebuffer target;
+  GeometryProgram program;
+};
+
 class OitRenderer final : public scene::Renderer {
  public:
   OitRenderer(const scene::Scene& scene, const scene::RenderContext& context,
@@ -88,11 +100,13 @@ class OitRenderer final : public scene::Renderer {
   Framebuffer picture_target_;
   std::unique_ptr<OitMethod> method_;
   std::optional<PartSums> partial_sums_;
+  std::optional<LayerCounter> counter_;  // once layers were asked for
 };
 
 scene::Rendering OitRenderer::render(const scene::RenderRequest& request) {
   stage_.make_current();
-  Frame frame(stage_, picture_, picture_target_);
+  Frame frame(stage_, picture_, picture_target_, request.progress,
+              scene::pixel_samples(scene_.samples).size());
   scene::Rendering rendering;
   rendering.image = Image(stage_.width(), stage_.height());
   draw_samples(frame, rendering.image);
@@ -148,20 +162,17 @@ void OitRenderer::add_opaque(scene::Rendering& rendering) {
   for (std::size_t i = 0; i < last.pixels.size(); ++i) rendering.layers.pixels[i] += last.pixels[i];
 }
 
-// Counts in float are exact up to 2^24 layers.
 CountImage OitRenderer::count_layers(const Vec2& sample, Counted counted) {
-  const Texture counts(stage_.gl(), GL_R32F, stage_.width(), stage_.height());
-  const Framebuffer target(stage_.gl(), {{counts}});
-  const GeometryProgram program = stage_.geometry_program(oit_glsl::count_layers_frag_glsl());
+  if (!counter_) counter_.emplace(stage_);
   stage_.sample_at(sample);
   stage_.draw_opaque_context();
-  target.clear_all(0);
-  const Pass pass(target, {Blend::add});
-  if (counted == Counted::all) stage_.draw_geometry(pass, program);
+  counter_->target.clear_all(0);
+  const Pass pass(counter_->target, {Blend::add});
+  if (counted == Counted::all) stage_.draw_geometry(pass, counter_->program);
   if (stage_.has_opaque_context())
     stage_.draw_screen(pass, stage_.screen_program(oit_glsl::count_opaque_frag_glsl()));
   std::vector<float> floats(stage_.pixel_count());
-  counts.read(GL_RED, GL_FLOAT, floats.size() * sizeof(float), floats.data());
+  counter_->counts.read(GL_RED, GL_FLOAT, floats.size() * sizeof(float), floats.data());
   stage_.context().check("counting layers");
   CountImage layers(stage_.width(), stage_.height());
   std::copy(floats.begin(), floats.end(), layers.pixels.begin());

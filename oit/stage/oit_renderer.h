@@ -15,9 +15,15 @@ namespace pellucid::oit {
 /// A Frame is one picture being made.
 class Frame {
  public:
-  /// Starts a picture, of which `picture` is the texture that `target` draws into.
-  Frame(const Stage& stage, const Texture& picture, const Framebuffer& target)
-      : stage_(stage), texture_(picture), picture_(target) {}
+  /// Starts a picture, of which `picture` is the texture that `target` draws into. Each of a
+  /// pixel's `samples` is as much of the work as the others.
+  Frame(const Stage& stage, const Texture& picture, const Framebuffer& target,
+        const Progress& progress = {}, std::size_t samples = 1)
+      : stage_(stage),
+        texture_(picture),
+        picture_(target),
+        progress_(progress),
+        samples_(samples) {}
 
   /// Returns which of the pixel's samples is being drawn, from 0: a method that draws random
   /// numbers wants others for each.
@@ -31,9 +37,10 @@ class Frame {
   scene::RenderStats& stats() { return stats_; }
 
   /// Runs one step and times it until OpenGL has finished it. Steps of one name are summed. Throws
-  /// WorkError when OpenGL has reported an error.
+  /// WorkError when OpenGL has reported an error, and what the progress throws to end the picture.
   template <class Pass>
   void step(std::string_view name, Pass&& pass) {
+    report(progress_, double(sample_) / double(samples_), "drawing");
     const Stopwatch watch;
     pass();
     finish(name, watch);
@@ -45,6 +52,8 @@ class Frame {
   const Stage& stage_;
   const Texture& texture_;
   const Framebuffer& picture_;
+  Progress progress_;
+  std::size_t samples_;
   std::uint32_t sample_ = 0;
   scene::RenderStats stats_;
 };

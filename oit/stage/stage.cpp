@@ -22,7 +22,11 @@ void check_size(const Gl& gl, int width, int height) {
         fmt::format("resolution: {} x {}; accepted: 1 … {} each way", width, height, largest));
 }
 
-Geometry geometry_of(const Gl& gl, const scene::Scene& scene, const scene::RenderContext& context) {
+Geometry geometry_of(const GlContext& in, const scene::Scene& scene,
+                     const scene::RenderContext& context) {
+  const Gl& gl = in.gl();
+  check_size(gl, scene.width, scene.height);
+  check_driver(in);
   if (!context.depths) return {gl, scene};
   return {gl, scene, *context.depths, primitive_ranges(scene)};
 }
@@ -42,10 +46,8 @@ Stage::Stage(const scene::Scene& scene, const scene::RenderContext& context)
       width_(scene.width),
       height_(scene.height),
       background_(scene.background),
-      geometry_(geometry_of(context_.gl(), scene, context)),
+      geometry_(geometry_of(context_, scene, context)),
       no_attributes_(context_.gl()) {
-  check_size(gl(), width_, height_);
-  check_driver(context_);
   if (!geometry_.kinds(true).empty()) {
     opaque_.emplace(context_, geometry_, width_, height_);
     record("opaque context", opaque_->bytes());

@@ -90,6 +90,7 @@ Rendering render_now(const scene::Scene& scene, const RenderRequest& request,
   report(progress, 0, "rendering");
   if (request.warm_up) renderer->render({.progress = progress});
   scene::Rendering made = renderer->render({.layers = true, .progress = progress});
+  compare::require_finite(made.image, request.call.text());
   Rendering rendering;
   rendering.stats =
       compare::render_json(request.call, request.opacities, scene, made.stats, *renderer);
@@ -140,10 +141,11 @@ void save_rendering(const Rendering& rendering, const py::object& path) {
 
 nlohmann::json numbers(const Vec3& x) { return {x.x, x.y, x.z}; }
 
-std::string_view name_of(scene::Lighting lighting) {
-  return lighting == scene::Lighting::none        ? "none"
-         : lighting == scene::Lighting::headlight ? "headlight"
-                                                  : "phong";
+/// Looks at the scene without Python's lock, as every thread does that waits for it.
+template <class Look>
+auto look_at(const Scene& scene, const Look& look) {
+  const py::gil_scoped_release unlocked;
+  return scene.with(look);
 }
 
 using SceneClass = py::class_<Scene, std::shared_ptr<Scene>>;
@@ -152,7 +154,7 @@ using SceneClass = py::class_<Scene, std::shared_ptr<Scene>>;
 void define_view_key(SceneClass& kind, const char* key,
                      std::function<nlohmann::json(const scene::Scene&)> get, const char* doc) {
   kind.def_property(
-      key, [get](const Scene& scene) { return python_of(scene.with(get)); },
+      key, [get](const Scene& scene) { return python_of(look_at(scene, get)); },
       [key](Scene& scene, const py::object& value) {
         const nlohmann::json text{{key, json_of(value, fmt::format("scene: {}", key))}};
         run_unlocked([&](const Progress&) { scene.set_view(text); });
@@ -209,7 +211,7 @@ void define_scene_class(SceneClass& kind) {
       .def_property_readonly(
           "objects",
           [](const Scene& scene) {
-            return python_of(scene.with([](const scene::Scene& s) {
+            return python_of(look_at(scene, [](const scene::Scene& s) {
               nlohmann::json names = nlohmann::json::array();
               for (const scene::SceneObject& object : s.objects) names.push_back(object.name);
               return names;
@@ -217,7 +219,7 @@ void define_scene_class(SceneClass& kind) {
           },
           "The objects' names in their order, a list.")
       .def("__repr__", [](const Scene& scene) {
-        return scene.with([](const scene::Scene& s) {
+        return look_at(scene, [](const scene::Scene& s) {
           return fmt::format("<pellucid.Scene: {}, {} × {} pixels>", scene::describe_primitives(s),
                              s.width, s.height);
         });

@@ -58,16 +58,16 @@ void read_channels(Imf::InputPart part, const Imath::Box2i& box,
   part.readPixels(box.min.y, box.max.y);
 }
 
-void write_exr_text(const Imf::Header& header, BlockWriter& out) {
-  if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(deep_attribute))
+void write_exr_text(const Imf::Header& header, const char* attribute, BlockWriter& out) {
+  if (const auto* text = header.findTypedAttribute<Imf::StringAttribute>(attribute))
     out.add_text("text", text->value());
 }
 
 }  // namespace
 
-void parse_exr_text(const std::filesystem::path& path, BlockWriter& out) {
+void parse_exr_text(const std::filesystem::path& path, const char* attribute, BlockWriter& out) {
   const Imf::MultiPartInputFile file(path.c_str(), 0);
-  write_exr_text(file.header(0), out);
+  write_exr_text(file.header(0), attribute, out);
 }
 
 void parse_exr(const std::filesystem::path& path, BlockWriter& out) {
@@ -81,7 +81,7 @@ void parse_exr(const std::filesystem::path& path, BlockWriter& out) {
   for (ChannelValues& channel : channels) channel.bits.resize(std::size_t(data.pixels()));
   read_channels(Imf::InputPart(file, 0), box, channels);
   write_windows(data, picture, out);
-  write_exr_text(header, out);
+  write_exr_text(header, deep_attribute, out);
   for (const ChannelValues& channel : channels)
     out.add(std::string(channel_prefix) + channel.name,
             channel.type == Imf::UINT ? NumberType::u32 : NumberType::f32, 1, channel.bits.size(),

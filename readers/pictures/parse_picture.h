@@ -16,9 +16,9 @@ namespace pellucid::readers {
 /// InputError, and what OpenEXR does.
 void parse_exr(const std::filesystem::path& path, BlockWriter& out);
 
-/// Parses what an OpenEXR file of partial sums says of itself, and writes that alone. Throws as
-/// parse_exr() does.
-void parse_exr_text(const std::filesystem::path& path, BlockWriter& out);
+/// Writes the text that an OpenEXR file has under the name of this attribute, if any, and no more.
+/// Throws as parse_exr() does.
+void parse_exr_text(const std::filesystem::path& path, const char* attribute, BlockWriter& out);
 
 /// Parses a PNG file by libpng, its palette resolved, and writes it as picture_file.h says. Throws
 /// InputError.

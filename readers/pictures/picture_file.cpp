@@ -75,8 +75,8 @@ PictureFile read_picture_file(const fs::path& path) {
   return of_picture(path, [&] { return picture_of(blocks_of(path, {})); });
 }
 
-std::string read_picture_text(const fs::path& path) {
-  return of_picture(path, [&] { return blocks_of(path, {"text"}).text("text"); });
+std::string read_picture_text(const fs::path& path, const std::string& attribute) {
+  return of_picture(path, [&] { return blocks_of(path, {"text", attribute}).text("text"); });
 }
 
 }  // namespace pellucid::readers

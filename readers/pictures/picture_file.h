@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/files/blocks.h"
+#include "readers/pictures/deep_channels.h"
 
 namespace pellucid::readers {
 
@@ -41,8 +42,10 @@ struct PictureFile {
   Blocks blocks;                // what the channels' values lie in
 };
 
-/// Reads PictureFile::text alone. Throws as read_picture_file() does.
-std::string read_picture_text(const std::filesystem::path& path);
+/// Reads one of the texts that an OpenEXR file holds, PictureFile::text by default; "" where it has
+/// none of that name. Throws as read_picture_file() does.
+std::string read_picture_text(const std::filesystem::path& path,
+                              const std::string& attribute = deep_attribute);
 
 /// Reads a picture of any format that OpenImageIO knows; OpenEXR and PNG by their own libraries,
 /// since OpenImageIO takes a third of a second to load. Throws InputError that names the file when

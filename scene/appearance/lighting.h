@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "core/vec.h"
 
@@ -15,6 +17,11 @@ enum class Lighting {
   headlight,  // times c: diffuse
   phong       // with ambient light and a white highlight beside it
 };
+
+/// The lightings' names in scene files, in the order of Lighting.
+inline constexpr std::array<std::string_view, 3> lighting_names{"none", "headlight", "phong"};
+
+inline std::string_view name_of(Lighting lighting) { return lighting_names[std::size_t(lighting)]; }
 
 /// Returns the colour in the light, in [0, 1] as `color` is. Phong: Illumination for Computer
 /// Generated Pictures, CACM 18 (1975): the reflected ray is twice as far from the eye as the

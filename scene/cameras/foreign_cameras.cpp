@@ -81,10 +81,10 @@ Camera read_foreign_camera(const ForeignCamera& from, const fs::path& base) {
   if (cameras.empty()) throw InputError(path.string() + ": it has no camera");
   const int count = int(cameras.size()), number = from.number.value_or(count == 1 ? 1 : 0);
   if (number < 1 || number > count)
-    throw InputError(fmt::format("{}: it has {} cameras; accepted: one of them by its number, "
-                                 "{}:1 to {}:{}",
-                                 path.string(), count, from.file.string(), from.file.string(),
-                                 count));
+    throw InputError(
+        fmt::format("{}: it has {} cameras; accepted: one of them by its number, "
+                    "{}:1 to {}:{}",
+                    path.string(), count, from.file.string(), from.file.string(), count));
   return cameras[std::size_t(number - 1)];
 }
 

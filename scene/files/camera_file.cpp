@@ -71,8 +71,8 @@ Camera read_camera(const JsonNode& node, const std::filesystem::path& folder) {
   if (!node.is_string()) return read_camera(node);
   const auto foreign = at_place(node, [&] { return foreign_camera(node.string()); });
   if (!foreign)
-    node.fail(fmt::format("'{}'; accepted: a camera's keys, or a file ending in {}",
-                          node.string(), foreign_camera_endings()));
+    node.fail(fmt::format("'{}'; accepted: a camera's keys, or a file ending in {}", node.string(),
+                          foreign_camera_endings()));
   return at_place(node, [&] { return read_foreign_camera(*foreign, folder); });
 }
 

@@ -2,6 +2,7 @@
 #include "scene/files/object_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -46,13 +47,14 @@ class ObjectReader {
   SceneObject read() {
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
-    node_.accept_keys({"name", "mesh", "surface", "lines", "points", "dataset", "isosurface",
-                       "color", "opacity", "importance", "opaque", "radius", "profile", "halo",
-                       "transform"});
-    if (std::count_if(kinds.begin(), kinds.end(),
-                      [&](const Kind& k) { return node_.has(k.key); }) != 1)
-      node_.fail(
-          "accepted: exactly one of the keys mesh, surface, lines, points, dataset, isosurface");
+    std::vector<std::string_view> of_kinds,
+        keys{"name",   "color",   "opacity", "importance", "opaque",
+             "radius", "profile", "halo",    "transform"};
+    for (const Kind& k : kinds) of_kinds.push_back(k.key);
+    keys.insert(keys.end(), of_kinds.begin(), of_kinds.end());
+    node_.accept_keys(keys);
+    if (std::ranges::count_if(of_kinds, [&](auto key) { return node_.has(key); }) != 1)
+      node_.fail(fmt::format("accepted: exactly one of the keys {}", fmt::join(of_kinds, ", ")));
     object_.name = node_.has("name") ? node_["name"].string() : node_.place();
     if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
     (this->*kind->read)(node_[kind->key]);

@@ -32,10 +32,8 @@ PixelSampling read_samples(const JsonNode& node) {
 }
 
 Lighting read_lighting(const JsonNode& node) {
-  const std::string name = node.one_of({"none", "headlight", "phong"});
-  return name == "none"        ? Lighting::none
-         : name == "headlight" ? Lighting::headlight
-                               : Lighting::phong;
+  return Lighting(std::ranges::find(lighting_names, node.one_of(lighting_names)) -
+                  lighting_names.begin());
 }
 
 EnergyWeights read_energy(const JsonNode& node) {
@@ -143,7 +141,8 @@ struct Loader {
     root["format"].one_of({"pellucid-scene"});  // of another kind of file all keys are unknown
     root.accept_keys(keys);
     root["version"].integer(1, 1);
-    read_view(root, source.folder, scene);  // a wrong camera is refused before anything is integrated
+    read_view(root, source.folder,
+              scene);  // a wrong camera is refused before anything is integrated
     take_size();
     check_view();
     check_path(root);

@@ -56,12 +56,6 @@ class RayGenerator {
 
   const CameraFrame& frame() const { return frame_; }
   Projection projection() const { return projection_; }
-  /// Returns the world vector by which one pixel to the right (x) or down (y) moves the ray's
-  /// direction (perspective) or its origin (orthographic).
-  ///@{
-  const Vec3& step_x() const { return step_x_; }
-  const Vec3& step_y() const { return step_y_; }
-  ///@}
 
  private:
   CameraFrame frame_;

@@ -76,6 +76,8 @@ TEST_F(UnitMergeSums, ASecondPhaseDrawnElsewhereIsTheSame) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(read_text(path("here.exr")), read_text(path("there.exr")));
   EXPECT_THAT(refusal("merge " + second + " --quiet -o " + path("m.exr")), HasSubstr("--totals"));
+  EXPECT_THAT(refusal("merge " + first + " --quiet -o " + path("m.exr") + totals),
+              HasSubstr("--totals: accepted: with -o and sums of phase 2"));
 }
 
 TEST_F(UnitMergeSums, WithoutAPartItIsOfTheWhole) {

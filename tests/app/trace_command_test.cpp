@@ -22,6 +22,8 @@ TEST_F(UnitCommandLine, TracesASurfaceAndPicturesItsError) {
   EXPECT_TRUE(fs::is_regular_file(picture));
   fs::remove(mesh);
   fs::remove(picture);
+  EXPECT_THAT(refusal(trace + " --against hultquists --error-picture " + picture.string()),
+              HasSubstr("unknown integrator 'hultquists'"));
   EXPECT_THAT(refusal(trace + " --samples 0 --error-picture " + picture.string()),
               HasSubstr("--error-picture"));
 }
@@ -44,6 +46,7 @@ TEST_F(UnitCommandLine, TracesStreakAndTimeSurfaces) {
     const Outcome outcome = run(call);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
+    // The tolerance is a thousandth of the seeds' extent, which is below 4.
     EXPECT_LE(json["distance"]["max"], 4e-3) << call;
     EXPECT_LE(json["distance"]["max_from_surface"], 4e-3) << call;
     EXPECT_EQ(json["sheets"], 1) << call;

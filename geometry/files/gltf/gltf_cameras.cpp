@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// glTF 2.0, 5.12 to 5.14: a camera looks along its node's -z, with +y up; yfov is the whole vertical
-// angle in radians, ymag half the height of the picture.
+// glTF 2.0, 5.12 to 5.14: a camera looks along its node's -z, with +y up; yfov is the whole
+// vertical angle in radians, ymag half the height of the picture.
 #include "geometry/files/gltf/gltf_cameras.h"
 
 #include <fmt/format.h>
@@ -48,8 +48,11 @@ class CameraReader {
 
   GltfCamera camera_of(const Json& index, const Mat4& world_from_node) const {
     const Json& camera = document_.element("cameras", index);
-    GltfCamera read{Vec3(world_from_node[3]), glm::normalize(-Vec3(world_from_node[2])),
-                    glm::normalize(Vec3(world_from_node[1])), {}, {}};
+    GltfCamera read{Vec3(world_from_node[3]),
+                    glm::normalize(-Vec3(world_from_node[2])),
+                    glm::normalize(Vec3(world_from_node[1])),
+                    {},
+                    {}};
     if (!std::isfinite(glm::dot(read.forward, read.up)))
       document_.fail(fmt::format("cameras[{}]: its node's transform is flat", index.dump()));
     if (camera.at("type") == "perspective")

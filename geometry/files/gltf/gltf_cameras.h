@@ -12,9 +12,9 @@ namespace pellucid::geometry {
 /// A GltfCamera stands at `eye` and looks along `forward`, both in the document's world, which
 /// places its meshes. It has either an angle or a height of view.
 struct GltfCamera {
-  Vec3 eye, forward, up;               // directions are unit
-  std::optional<double> fov_degrees;   // vertical, of a perspective camera
-  std::optional<double> height;        // world units, of an orthographic one
+  Vec3 eye, forward, up;              // directions are unit
+  std::optional<double> fov_degrees;  // vertical, of a perspective camera
+  std::optional<double> height;       // world units, of an orthographic one
 };
 
 /// Reads the cameras of a .gltf or .glb file's scene, in the order of its nodes. Throws InputError

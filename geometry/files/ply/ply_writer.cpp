@@ -22,7 +22,8 @@ void append(std::string& out, T value) {
 
 std::string encode_ply(const TriangleMesh& mesh, const std::string& origin) {
   std::string out = fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty double x\nproperty double "
+      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty double "
+      "x\nproperty double "
       "y\nproperty double z\n",
       origin, mesh.positions.size());
   if (!mesh.normals.empty()) out += "property double nx\nproperty double ny\nproperty double nz\n";

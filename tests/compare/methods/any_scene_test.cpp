@@ -7,6 +7,7 @@
 #include <string>
 
 #include "compare/methods/methods.h"
+#include "core/parallel.h"
 #include "tests/compare/methods/promise_scenes.h"
 
 namespace pellucid::compare {
@@ -48,6 +49,25 @@ TEST(PropertyMethods, PicturesAreFinite) {
       for (Rgba& color : object.mesh().colors) color.a = alpha;
     for (const scene::MethodRow& row : methods())
       EXPECT_TRUE(finite(render(row, scene).image)) << row.name << " alpha " << alpha;
+  }
+}
+
+/// Whoever asked for a picture may end it, at any report; the next one is as if nothing had been.
+TEST(PropertyMethods, APictureThatWasEndedLeavesNothingBehind) {
+  const scene::Scene scene = with_importance(triangle_cloud(16, 9, 60, 12));
+  for (const scene::MethodRow& row : methods()) {
+    const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
+    int reports = 0;
+    const auto whole = renderer->render({.progress = [&](double, std::string_view) { ++reports; }});
+    EXPECT_GT(reports, 0) << row.name << " never asks";
+    for (const int last : {1, 1 + reports / 2, reports}) {
+      int left = last;
+      const auto end = [&](double, std::string_view) {
+        if (--left == 0) throw Cancelled();
+      };
+      EXPECT_THROW(renderer->render({.progress = end}), Cancelled) << row.name;
+    }
+    EXPECT_EQ(renderer->render({}).image.pixels, whole.image.pixels) << row.name;
   }
 }
 

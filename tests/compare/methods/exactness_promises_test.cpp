@@ -26,7 +26,7 @@ TEST(PropertyExactness, ExactRowsAgreeWithEachOther) {
     const Image& reference = references.try_emplace(row.promises.edge_shift, image).first->second;
     EXPECT_LE(largest_difference(image, reference), float_composite) << row.name;
   }
-  EXPECT_EQ(references.size(), 2u);
+  EXPECT_GE(references.size(), 2u);  // ray tracing's edges and rasterization's
 }
 
 /// Every choice of the parameters that a row's exactness does not hang on, one at a time.

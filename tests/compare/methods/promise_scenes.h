@@ -67,13 +67,6 @@ inline RawOptions setting(std::string_view text) {
   return {{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))}};
 }
 
-/// Where a pixel counts as changed. Moments of the depths are nearly dependent on each other, and
-/// what they tell in float changes by up to 4e-3 with a rounding of the depths
-/// (docs/methods/moment.md).
-inline float smallest_change(const scene::MethodRow& row) {
-  return row.name == "moment" ? 5e-3f : 1e-3f;
-}
-
 /// Equal but for three pixels; of a row that is random, equal in the mean.
 inline void expect_same(const scene::MethodRow& row, const Image& a, const Image& b) {
   const double pixels = double(a.pixels.size());
@@ -81,7 +74,7 @@ inline void expect_same(const scene::MethodRow& row, const Image& a, const Image
   glm::dvec4 mean(0);
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const Rgba difference = a.pixels[i] - b.pixels[i];
-    changed += glm::length(difference) > smallest_change(row);
+    changed += glm::length(difference) > row.promises.change_by_rounding;
     mean += glm::dvec4(difference) / pixels;
   }
   EXPECT_LE(changed, row.promises.random ? a.pixels.size() : 3u);

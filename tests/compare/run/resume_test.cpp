@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies that go on, and parts of studies.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -58,6 +59,24 @@ TEST(UnitResume, AnotherReferenceOrDriverMakesOtherCells) {
   EXPECT_DOUBLE_EQ(*row_of(outcome, "one", "shifted").metrics.linear.of("rmse"), 0.125);
   options.context.gl = "egl";
   EXPECT_EQ(run_study(study, options).computed, 4u);
+}
+
+/// The other scene's picture has another error, though a row's own scene and its files are the
+/// same.
+TEST(UnitResume, AnotherReferenceSceneMakesOtherCells) {
+  const StudyFolder folder;
+  write_text(folder / "copy.json", read_text(folder / "one.json"));
+  const auto run_against = [&](const std::string& scene) {
+    const std::string key = fmt::format(R"("reference_scene": {{"one": "{}"}})", scene);
+    StudyOptions options;
+    options.folder = folder / "results";
+    options.resume = true;
+    return run_study(load_study(folder.study(R"(["shifted"])", key), fake_methods()), options);
+  };
+  EXPECT_EQ(run_against("one.json").computed, 4u);
+  EXPECT_EQ(run_against("one.json").computed, 0u);
+  write_scene(folder / "copy.json", 24, 17);
+  EXPECT_EQ(run_against("copy.json").computed, 2u);
 }
 
 TEST(UnitResume, AnotherBuildsRowsAreComputedAgain) {

@@ -89,7 +89,7 @@ TEST(UnitBlocks, ThroughAPipeComesWhatIsClaimedAndNoMoreThanIsAllowed) {
     out.finish();
     ::close(file);
   });
-  EXPECT_EQ(Blocks(ends[0], 800000).at("numbers").values<double>().back(), 0.25);
+  EXPECT_EQ(Blocks(ends[0], 800048).at("numbers").values<double>().back(), 0.25);
   writer.join();
   ::close(ends[0]);
 }

@@ -7,9 +7,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <thread>
+#include <vector>
 
 #include "core/error.h"
 #include "core/files/files_read.h"
@@ -99,6 +102,25 @@ TEST_F(UnitOutputFile, WhatAKilledProcessLeftIsRemoved) {
   EXPECT_TRUE(fs::exists(folder_ / ".a.b.txt"));
   EXPECT_TRUE(fs::exists(folder_ / ".b.4294967.txt"));
   ::close(held);
+}
+
+/// Each writes a file of its own, and does not take another's for one that a killed process left.
+TEST_F(UnitOutputFile, ThreadsMayWriteOneFileAtOnce) {
+  std::vector<std::thread> writers;
+  std::atomic<int> failures = 0;
+  for (int k = 0; k < 4; ++k)
+    writers.emplace_back([&, k] {
+      for (int i = 0; i < 100; ++i) try {
+          write_text(folder_ / "one.txt", std::string(1000 + std::size_t(k), char('a' + k)));
+        } catch (const std::exception&) {
+          ++failures;
+        }
+    });
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(failures, 0);
+  const std::string text = read_text(folder_ / "one.txt");
+  EXPECT_EQ(text, std::string(1000 + std::size_t(text[0] - 'a'), text[0]));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1);
 }
 
 TEST_F(UnitOutputFile, AnInputIsNotWrittenOver) {

@@ -87,8 +87,8 @@ TEST_F(UnitAttributes, OfFlatDataAreWhole) {
       EXPECT_NEAR(value(field, "p", x), pressure(x), 1e-9) << field << axis;
   }
   const std::vector<Vec3> slanted{{0, 0, 0}, {1, 0, 1}, {1, 1, 2}, {0, 1, 1}};
-  const std::string field = written("s.vtu", unstructured(slanted, {{9, {0, 1, 2, 3}}},
-                                                          arrays(slanted)));
+  const std::string field =
+      written("s.vtu", unstructured(slanted, {{9, {0, 1, 2, 3}}}, arrays(slanted)));
   const Vec3 x(0.4, 0.3, 0.7);
   EXPECT_NEAR(value(field, "p", x), pressure(x), 1e-9);
 }
@@ -96,13 +96,12 @@ TEST_F(UnitAttributes, OfFlatDataAreWhole) {
 TEST_F(UnitAttributes, OfASeriesAreLinearInTime) {
   const auto places = crossings(box);
   for (const double t : {0., 2.})
-    written(fmt::format("{}.vtr", t),
-            rectilinear(box, vectors("U", places, straight) +
-                                 scalars("p", places,
-                                         [&](const Vec3& x) { return pressure(x) * (1 + t); })));
+    written(fmt::format("{}.vtr", t), rectilinear(box, vectors("U", places, straight) +
+                                                           scalars("p", places, [&](const Vec3& x) {
+                                                             return pressure(x) * (1 + t);
+                                                           })));
   const std::string series = written(
-      "p.series",
-      R"({"files": [{"name": "0.vtr", "time": 0}, {"name": "2.vtr", "time": 2}]})");
+      "p.series", R"({"files": [{"name": "0.vtr", "time": 0}, {"name": "2.vtr", "time": 2}]})");
   EXPECT_NEAR(value(series, "p", inside, 0.5), 1.5 * pressure(inside), 1e-12);
   EXPECT_NEAR(value(series + ":time=last", "p", inside), 3 * pressure(inside), 1e-12);
   EXPECT_TRUE(std::isnan(value(series, "p", inside, 2.5)));
@@ -111,9 +110,8 @@ TEST_F(UnitAttributes, OfASeriesAreLinearInTime) {
 TEST_F(UnitAttributes, ArraysOfOneNameAreToldApart) {
   const auto corners = crossings(box), cells = crossings(middles(box));
   const std::string field = written(
-      "a.vtr", rectilinear(box, arrays(corners), scalars("p", cells, [](const Vec3&) {
-                             return 7.;
-                           })));
+      "a.vtr",
+      rectilinear(box, arrays(corners), scalars("p", cells, [](const Vec3&) { return 7.; })));
   EXPECT_NEAR(value(field, "p", inside), pressure(inside), 1e-12);
   EXPECT_NEAR(value(field, "point:p", inside), pressure(inside), 1e-12);
   EXPECT_NEAR(value(field, "cell:p", inside), 7, 1e-12);

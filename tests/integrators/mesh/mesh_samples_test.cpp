@@ -125,7 +125,7 @@ TEST(AgreementMeshSamples, TheErrorOfASurfaceIsTheIntegral) {
 TEST(AgreementMeshSamples, NormalsOfADiscAreItsOwn) {
   // About the axis the two sides of the seed curve go opposite ways; all facets lie in the plane,
   // and but for those of the one column of 499 that reaches over the axis they face as the surface
-  // does there. That column has less than a thousandth of the area.
+  // does there. That column has less than a thousandth of the area: a mean of 180° / 500 at most.
   const auto turn = testing::everywhere([](const Vec3& x) { return Vec3(-x.y, x.x, 0); });
   const SurfaceRequest request{&turn, segment_seed({-1, 0, 0}, {2, 0, 0}), 3, 0, false, {}};
   const auto surface = integrate_surface("fixed-front", request);

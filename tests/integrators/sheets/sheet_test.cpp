@@ -65,10 +65,10 @@ TEST(UnitSheets, AClosedSeedClosesTheSheet) {
   const MeshQuality quality = measure_quality(tube.mesh);
   EXPECT_EQ(quality.sheets, 1u);
   EXPECT_NEAR(testing::area_of(tube.mesh), 2 * pi, 1e-3);
-  // Two rims of the same number of edges, and no seam.
-  const double edges = double(quality.boundary_edges);
-  const double length = 2 * 2 * pi * 0.5 / edges;
-  EXPECT_LT(length, 0.1);
+  // A tube has Euler's characteristic 0; cut open along a seam it would be a disc, which has 1.
+  const std::size_t faces = tube.mesh.triangles.size();
+  const std::size_t edges = (3 * faces + quality.boundary_edges) / 2;
+  EXPECT_EQ(tube.mesh.positions.size() + faces, edges);
   EXPECT_EQ(quality.non_manifold_edges, 0u);
 }
 
@@ -184,6 +184,7 @@ TEST(UnitSheets, AFlowThatTurnsFoldsTheSheet) {
       integrate_sheet("streak-surface:tolerance=1e-3",
                       streak_of(*field, segment_seed({1, 0, 0}, {1, 0, 1}), end - begin, begin));
   const double width = 1 - std::exp(std::sin(end) - 1);
+  // Of either sheet the edge may be off by the tolerance.
   EXPECT_NEAR(testing::area_of(sheet.mesh), 2 * width, 2e-3);
   EXPECT_LT(sheet.mesh.triangles.size(), 100'000u);
 }
@@ -198,6 +199,7 @@ TEST(UnitSheets, ParticlesAtRestStayWhereTheyAre) {
       false);
   const IntegratedSheet sheet = integrate_sheet(
       "streak-surface:tolerance=1e-3", streak_of(field, segment_seed({0, 0, 0}, {0, 1, 0}), 3));
+  // Where the flow sets in, and where it ends, the edge may be off by the tolerance.
   EXPECT_NEAR(testing::area_of(sheet.mesh), 2, 2e-3);
 }
 
@@ -207,6 +209,9 @@ TEST(UnitSheets, AnUnfinishedSheetSaysSo) {
       integrate_sheet("streak-surface:tolerance=1e-6,max-particles=5000",
                       streak_of(*field, segment_seed({2.6, 3.1, 3.1}, {3.6, 3.1, 3.1}), 4));
   EXPECT_GT(sheet.stats.ends.at(EndReason::particles), 0u);
+  // The last look may send one to each side, of which there are up to twice as many as before in
+  // each of two directions.
+  EXPECT_LE(sheet.stats.particles, 5u * 5000u);
 }
 
 TEST(UnitSheets, TheSameForAnyNumberOfThreads) {

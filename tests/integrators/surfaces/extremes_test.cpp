@@ -49,9 +49,9 @@ TEST(UnitExtremes, LeavingTheDomainFollowsItsEdge) {
     const auto surface = sweep(field, integrator, segment_seed({-0.5, -0.9, 0}, {0.5, -0.9, 0}));
     expect_sound(surface, integrator);
     EXPECT_GT(surface.stats.ends.at(EndReason::left_domain), 0u) << integrator;
-    // Steps that leave are halved down to a thousand tolerances, each 1e-9 of the domain's diagonal
+    // Steps that leave are halved down to ten tolerances, each 1e-9 of the domain's diagonal
     // of 3.5: see edge_tolerances.
-    EXPECT_NEAR(surface.mesh.bounds().max.y, 1, 4e-6) << integrator;
+    EXPECT_NEAR(surface.mesh.bounds().max.y, 1, 4e-8) << integrator;
   }
 }
 

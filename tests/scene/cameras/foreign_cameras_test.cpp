@@ -50,9 +50,9 @@ class UnitForeignCameras : public testing::SceneFileTest {
 };
 
 TEST_F(UnitForeignCameras, ParaViewsAngleIsVerticalAndItsScaleHalfTheHeight) {
-  const std::string one = written(
-      "v.pvcc", "<?xml version=\"1.0\"?>\n<PVCameraConfiguration version=\"1.0\">" +
-                    view({1, 2, 3}, false) + "</PVCameraConfiguration>");
+  const std::string one =
+      written("v.pvcc", "<?xml version=\"1.0\"?>\n<PVCameraConfiguration version=\"1.0\">" +
+                            view({1, 2, 3}, false) + "</PVCameraConfiguration>");
   const Camera camera = camera_of_text(one, {});
   EXPECT_EQ(camera.projection, Projection::perspective);
   EXPECT_EQ(camera.eye, Vec3(1, 2, 3));
@@ -63,11 +63,11 @@ TEST_F(UnitForeignCameras, ParaViewsAngleIsVerticalAndItsScaleHalfTheHeight) {
 }
 
 TEST_F(UnitForeignCameras, OfAStateWithSeveralViewsOneIsChosen) {
-  const std::string chart = "<Proxy group=\"views\" type=\"XYChartView\">" +
-                            property("ViewSize", {1, 1}) + "</Proxy>";
-  const std::string state = written(
-      "s.pvsm", "<ParaView><ServerManagerState>" + chart + view({1, 2, 3}, false) +
-                    view({7, 8, 9}, true) + "</ServerManagerState></ParaView>");
+  const std::string chart =
+      "<Proxy group=\"views\" type=\"XYChartView\">" + property("ViewSize", {1, 1}) + "</Proxy>";
+  const std::string state =
+      written("s.pvsm", "<ParaView><ServerManagerState>" + chart + view({1, 2, 3}, false) +
+                            view({7, 8, 9}, true) + "</ServerManagerState></ParaView>");
   EXPECT_THAT(complaint(state), AllOf(HasSubstr("it has 2 cameras"), HasSubstr("s.pvsm:1 to")));
   EXPECT_THAT(complaint(state + ":3"), HasSubstr("it has 2 cameras"));
   EXPECT_THAT(complaint(state + ":0"), HasSubstr("'0'; accepted: which camera"));
