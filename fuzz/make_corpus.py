@@ -198,6 +198,17 @@ def gltf_files():
     yield "text", b'{"asset":{"version":"2.0"},"meshes":[{"primitives":3}]}'
 
 
+def trx_files():
+    """Two streamlines of two and one vertices, with and without the last offset, data of both kinds, and a wrong count."""
+    head = text("header.json", '{"NB_VERTICES": 3, "NB_STREAMLINES": 2}')
+    points = block("positions.3.float16", "u8", struct.pack("<9e", *range(9)))
+    first = block("offsets.uint32", "u8", struct.pack("<2I", 0, 2))
+    data = (block("dpv/fa.float32", "u8", struct.pack("<3f", 1, 2, 3)), block("dps/seed.3.uint8", "u8", bytes(range(6))))
+    yield "plain", blocks(head, points, first)
+    yield "all", blocks(head, points, block("offsets.uint64", "u8", struct.pack("<3Q", 0, 2, 3)), *data)
+    yield "count_beyond", blocks(text("header.json", '{"NB_VERTICES": 3, "NB_STREAMLINES": 4000000000}'), points, first)
+
+
 def view(*properties, group="views"):
     """A view of ParaView's: (name, numbers) of its properties."""
     lines = "".join(f'<Property name="{name}">' + "".join(f'<Element index="{i}" value="{x}"/>' for i, x in enumerate(numbers))
@@ -246,6 +257,7 @@ def main():
     files |= {f"vdb_blocks/{name}": data for name, data in grid_files()}
     files |= {f"binlines/{name}": data for name, data in line_files()}
     files |= {f"gltf/{name}": data for name, data in gltf_files()}
+    files |= {f"trx_blocks/{name}": data for name, data in trx_files()}
     files |= {f"cameras/{name}": data for name, data in camera_files()}
     files |= dict(track_files())
     files |= {"ply/little_endian": ply("binary_little_endian", "<"), "ply/big_endian": ply("binary_big_endian", ">"),
