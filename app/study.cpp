@@ -20,7 +20,7 @@ struct StudyArguments {
   std::string name_or_file;
   std::filesystem::path folder;
   bool resume = false;
-  std::string only;
+  std::vector<std::string> only;
   std::string report = "auto";
   bool plan = false, collect = false;
   std::string cell;
@@ -105,9 +105,12 @@ void add_study_command(CLI::App& app, GlobalOptions& globals) {
   CLI::Option* resume =
       command->add_flag("--resume", arguments->resume, "Keep the cells that are finished");
   CLI::Option* only =
-      command->add_option("--only", arguments->only,
-                          "Run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this "
-                          "pattern, such as 'abc/*'; the others' rows are kept");
+      command
+          ->add_option("--only", arguments->only,
+                       "Run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this "
+                       "pattern, such as 'abc/*', or that of a further --only; the others' rows "
+                       "are kept")
+          ->allow_extra_args(false);
   command
       ->add_option("--report", arguments->report,
                    "The report as one file, or as a folder whose page loads pictures when they are "

@@ -15,6 +15,7 @@
 #include "fields/readers/file_field.h"
 #include "integrators/lines/integrate_lines.h"
 #include "integrators/sheets/integrate_sheet.h"
+#include "integrators/sheets/sheet_options.h"
 #include "integrators/surfaces/integrate_surface.h"
 
 namespace pellucid::compare {
@@ -45,20 +46,38 @@ std::string file_of(const std::string& field) {
   return fields::file_format(name) ? name : "";
 }
 
-/// The largest side of the box of the seeds, or a circle's width, in world units.
-double extent_of(const json& seed) {
-  if (seed.contains("radius")) return 2 * seed["radius"].get<double>();
-  std::vector<json> points;
+Vec3 vector_of(const json& numbers) { return {numbers.at(0), numbers.at(1), numbers.at(2)}; }
+
+/// The box of the seeds, in world units; empty where they are a file's.
+Box3 box_of(const json& seed) {
+  Box3 box;
   for (const char* key : {"from", "to"})
-    if (seed.contains(key)) points.push_back(seed[key]);
+    if (seed.contains(key)) box.extend(vector_of(seed[key]));
   for (const char* key : {"points", "spline"})
-    if (seed.contains(key)) points.insert(points.end(), seed[key].begin(), seed[key].end());
-  double extent = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const json& a : points)
-      for (const json& b : points)
-        extent = std::max(extent, a.at(axis).get<double>() - b.at(axis).get<double>());
-  return extent > 0 ? extent : 1;
+    if (seed.contains(key))
+      for (const json& point : seed[key]) box.extend(vector_of(point));
+  if (seed.contains("corner"))
+    for (const double a : {0., 1.})
+      for (const double b : {0., 1.})
+        box.extend(vector_of(seed["corner"]) + a * vector_of(seed["u"]) + b * vector_of(seed["v"]));
+  if (seed.contains("radius")) {
+    // A circle reaches as far along an axis as its normal is across it, a sphere all the way.
+    const Vec3 center = vector_of(seed["center"]);
+    Vec3 reach(1);
+    if (seed.contains("normal")) {
+      const Vec3 n = glm::normalize(vector_of(seed["normal"]));
+      reach = glm::sqrt(glm::max(1.0 - n * n, 0.0));
+    }
+    box.extend(center - seed["radius"].get<double>() * reach);
+    box.extend(center + seed["radius"].get<double>() * reach);
+  }
+  return box;
+}
+
+/// The diagonal of the seeds' box, in world units; 1 where it has none, or is not known.
+double extent_of(const json& seed) {
+  const double extent = box_of(seed).diagonal();
+  return extent > 0 && std::isfinite(extent) ? extent : 1;
 }
 
 /// Nothing where the option is not given.
@@ -100,7 +119,8 @@ void take_default(NameAndOptions& call, const char* key) {
 /// What is so many becomes so many times more between the same ends.
 void multiply(NameAndOptions& call, const char* key, double factor) {
   take_default(call, key);
-  call.options[key] = fmt::format("{:.0f}", std::floor((*number_of(call, key) - 1) * factor) + 1);
+  const double more = std::floor((*number_of(call, key) - 1) * factor) + 1;
+  call.options[key] = fmt::format("{:.0f}", std::min(more, parameter_of(call, key)->max));
 }
 
 void divide(NameAndOptions& call, const char* key, double by) {
@@ -116,7 +136,7 @@ void take_default_threshold(NameAndOptions& call) {
 }
 
 /// A mesh's distance to its surface goes with the square of its triangles' sides.
-std::string meshed_finely(const std::string& integrator, double factor) {
+std::string meshed_finely(const std::string& integrator, const json& seed, double factor) {
   NameAndOptions call = parse_name_and_options(integrator);
   divide(call, "step", factor);
   if (parameter_of(call, "rows")) {
@@ -132,6 +152,8 @@ std::string meshed_finely(const std::string& integrator, double factor) {
   } else if (parameter_of(call, "releases")) {
     multiply(call, "releases", factor);
   } else if (parameter_of(call, "tolerance")) {
+    const double tolerance = integrators::sheet_tolerance({}, extent_of(seed));
+    call.options.try_emplace("tolerance", fmt::format("{}", tolerance));
     divide(call, "tolerance", factor * factor);
     multiply(call, "particles", factor);
   }
@@ -190,8 +212,8 @@ StageRefinement refine_integration(const BudgetTools&, DrawPlan& plan) {
 }
 
 StageRefinement refine_mesh(const BudgetTools& tools, DrawPlan& plan) {
-  Texts finer = refine_integrators(plan, [&](const std::string& integrator, const json&) {
-    return meshed_finely(integrator, tools.options.factor);
+  Texts finer = refine_integrators(plan, [&](const std::string& integrator, const json& seed) {
+    return meshed_finely(integrator, seed, tools.options.factor);
   });
   const std::vector<json*> meshes = isosurface_meshes(plan.scene);
   if (!meshes.empty() && plan.call.row->promises.draws_isosurfaces) {

@@ -51,7 +51,8 @@ class BudgetDrawing {
       const StageRefinement found = stage.refine(tools_, plan);
       lines_.push_back(
           {.stage = std::string(stage.name), .refinement = found.what, .why_not = found.why_not});
-      if (found.why_not.empty()) active_.push_back({&stage, found.what});
+      if (found.why_not.empty()) lines_.back().why_not = why_it_cannot(stage);
+      if (lines_.back().why_not.empty()) active_.push_back({&stage, found.what});
     }
   }
 
@@ -68,6 +69,18 @@ class BudgetDrawing {
   const std::vector<ActiveStage>& active() const { return active_; }
 
  private:
+  /// Of a stage whose finer scene is refused, as beyond a limit, why; else nothing.
+  std::string why_it_cannot(const BudgetStage& stage) {
+    DrawPlan plan = base_;
+    const std::string finer = stage.refine(tools_, plan).what;
+    try {
+      scene_of(plan);
+      return {};
+    } catch (const InputError& error) {
+      return fmt::format("refined to {}: {}", finer, error.what());
+    }
+  }
+
   /// Stages that need one that does not apply need none.
   StageOrder stage_order() const {
     StageOrder order;
@@ -235,7 +248,12 @@ void add_budget(const Cell& cell, const MethodCall& reference, const scene::Scen
   };
   if (const std::string why = why_none(cell, scene); !why.empty()) return explain(why);
   BudgetDrawing drawing(cell, reference, scene, context);
-  SplitError split = drawing.split();
+  SplitError split;
+  try {
+    split = drawing.split();
+  } catch (const InputError& error) {  // of stages that go alone, but not together
+    return explain(fmt::format("its stages cannot all be refined: {}", error.what()));
+  }
   if (split.budget.rmse < rounding_of_sums)
     return explain("nothing to split: the picture is its finest version");
   for (std::size_t i = 0; i < split.amounts.size(); ++i) {

@@ -57,13 +57,13 @@ constexpr const char* files_key = "files";
 std::vector<std::string> names_of_made(const CellFiles& files, const ResultRow& row) {
   std::vector<std::string> names;
   for (const fs::path& path : files.pictures_of(row))
-    if (fs::exists(path)) names.push_back(path.filename().string());
+    if (holds_something(path)) names.push_back(path.filename().string());
   return names;
 }
 
 /// A row that has lost a file is not finished. Builds before this one kept no list of them.
 bool is_complete(const CellFiles& files, const ResultRow& row, const json& made) {
-  if (!fs::exists(files.picture()) || !fs::exists(files.preview())) return false;
+  if (!holds_something(files.picture()) || !holds_something(files.preview())) return false;
   if (made.is_null()) return true;
   const std::vector<std::string> there = names_of_made(files, row);
   return std::ranges::all_of(made, [&](const json& name) {
@@ -82,6 +82,11 @@ bool are_unchanged(const std::map<std::string, std::string>& files, ContentHashe
 }
 
 }  // namespace
+
+bool holds_something(const fs::path& file) {
+  std::error_code code;
+  return fs::file_size(file, code) > 0 && !code;
+}
 
 std::vector<scene::PixelSampling> further_samplings(const Study& study) {
   if (!study.opacities) return {};

@@ -76,6 +76,9 @@ class CellFiles {
   std::string scene_, slug_, view_;
 };
 
+/// Returns whether the file is there and holds something: a disk that was full has left others.
+bool holds_something(const std::filesystem::path& file);
+
 /// Returns the row of a cell that nothing is known of yet: its names and parameters.
 ResultRow identity_row(const Cell& cell);
 

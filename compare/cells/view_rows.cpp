@@ -44,17 +44,28 @@ std::optional<double> mean_of(
   return numbers ? std::optional(mean(*numbers)) : std::nullopt;
 }
 
-/// Of whole numbers the nearest to their mean.
+/// The mean of those that are finite: the PSNR of equal pictures is infinite, and one such view
+/// would hide what all others are like.
+std::optional<double> mean_metric(
+    const Rows& rows, const std::function<std::optional<double>(const ResultRow&)>& number) {
+  auto numbers = all_of(rows, number);
+  if (!numbers) return std::nullopt;
+  if (std::ranges::any_of(*numbers, [](double x) { return std::isfinite(x); }))
+    std::erase_if(*numbers, [](double x) { return std::isinf(x); });
+  return mean(*numbers);
+}
+
+/// Of whole numbers the mean, rounded up: of what is lost in any view something is left.
 template <class Number>
 std::uint64_t mean_count(const Rows& rows, Number number) {
-  return std::uint64_t(std::llround(
+  return std::uint64_t(std::ceil(
       *mean_of(rows, [&](const ResultRow& row) { return std::optional(double(number(row))); })));
 }
 
 Metrics mean_metrics(const Rows& rows, Metrics Comparison::*which) {
   Metrics means = rows.front().metrics.*which;
   for (std::size_t m = 0; m < metrics().size(); ++m)
-    means[m] = mean_of(rows, [&](const ResultRow& row) { return (row.metrics.*which)[m]; });
+    means[m] = mean_metric(rows, [&](const ResultRow& row) { return (row.metrics.*which)[m]; });
   means.covered = mean_of(rows, [&](const ResultRow& row) { return (row.metrics.*which).covered; });
   const ResultRow& worst = *std::ranges::max_element(rows, {}, [&](const ResultRow& row) {
     return (row.metrics.*which).of("max_error").value_or(0);

@@ -57,8 +57,9 @@ struct RunChanges {
 /// Compares two runs cell by cell. A number with an interval differs where the two intervals have
 /// nothing in common; a time without one is not judged, nor is one from a single picture. A metric
 /// differs beyond `rounding_of_picture`, FLIP beyond 1e-4; PSNR and numbers of 8-bit values say the
-/// same again and are passed over. Counts and bytes are exact. Throws InputError where the runs are
-/// of different studies or have no cell in common.
+/// same again and are passed over. Counts are exact, bytes but for what threads have of their own.
+/// Shares of an error's budget differ beyond what such a rounding makes of them. Throws InputError
+/// where the runs are of different studies or have no cell in common.
 RunChanges compare_runs(const PastRun& before, const PastRun& after);
 
 /// Writes all of it for programs.

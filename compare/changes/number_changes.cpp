@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/results/columns.h"
@@ -26,8 +27,10 @@ bool is_repeated(const Column& column) {
 }
 
 /// FLIP raises differences of colour to the power 0.7: 2^-20 becomes 6e-5.
+constexpr double rounding_of_flip = 1e-4;
+
 double rounding_of(const Column& column) {
-  if (column.name.starts_with("flip")) return 1e-4;
+  if (column.name.starts_with("flip")) return rounding_of_flip;
   return rounding_of_picture;
 }
 
@@ -73,16 +76,36 @@ NumberChange change_of(const Column& column, const ResultRow& a, const ResultRow
   return change;
 }
 
-/// Measures of a method's own have no common range: theirs is relative.
-bool is_changed(const scene::Measure& m, const std::optional<double>& a,
-                const std::optional<double>& b) {
-  if (is_time(m.unit)) return false;
-  if (a.has_value() != b.has_value()) return true;
-  return a && differ(*a, *b, rounding_of_picture * std::max(std::abs(*a), std::abs(*b)));
-}
-
 std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.9g}", *value) : "–";
+}
+
+/// The worst of a metric over views is held to what the metric is. Measures of a method's own have
+/// no common range: theirs is relative.
+bool is_changed(const scene::Measure& m, const std::optional<double>& a,
+                const std::optional<double>& b) {
+  if (is_of_time(m)) return false;
+  if (a.has_value() != b.has_value()) return true;
+  if (!a || m.name == "psnr_worst") return false;
+  if (m.name == "flip_worst" || m.name == "flip_covered_worst")
+    return differ(*a, *b, rounding_of_flip);
+  if (m.name.ends_with("_worst") || m.name == "flicker") return differ(*a, *b, rounding_of_picture);
+  return differ(*a, *b, rounding_of_picture * std::max(std::abs(*a), std::abs(*b)));
+}
+
+/// A share is of the whole error's square: the smaller that is, the more a rounding tells.
+void add_budget(const ResultRow& a, const ResultRow& b, std::vector<NumberChange>& changes) {
+  if (!a.budget || !b.budget) return;
+  const double smaller = std::min(a.budget->rmse, b.budget->rmse);
+  const double rounding = smaller > 0 ? rounding_of_picture / smaller : 0;
+  for (const BudgetLine& line : a.budget->lines) {
+    const auto other = std::ranges::find(b.budget->lines, line.stage, &BudgetLine::stage);
+    if (other == b.budget->lines.end() || !line.why_not.empty() || !other->why_not.empty() ||
+        !differ(line.share, other->share, rounding))
+      continue;
+    changes.push_back({fmt::format("Share of '{}' in the error", line.stage), text_of(line.share),
+                       text_of(other->share)});
+  }
 }
 
 void add_measures(const ResultRow& a, const ResultRow& b, std::vector<NumberChange>& changes) {
@@ -104,6 +127,7 @@ std::vector<NumberChange> number_changes(const ResultRow& before, const ResultRo
     if (column.name != "repeats" && is_changed(column, before, after))
       changes.push_back(change_of(column, before, after));
   add_measures(before, after, changes);
+  add_budget(before, after, changes);
   return changes;
 }
 

@@ -11,6 +11,7 @@
 #include "compare/cells/cell.h"
 #include "compare/pictures/image_file.h"
 #include "compare/results/measure_columns.h"
+#include "core/error.h"
 
 namespace pellucid::compare {
 namespace {
@@ -35,7 +36,7 @@ double largest_difference(const Rgba& a, const Rgba& b) {
   return largest;
 }
 
-std::optional<PictureChange> change_from_view(const CellFiles& before, const CellFiles& after) {
+std::optional<PictureChange> compare_views(const CellFiles& before, const CellFiles& after) {
   for (const CellFiles* files : {&before, &after})
     if (!fs::exists(files->picture()))
       return PictureChange{.why_not = fmt::format("{} is missing", files->picture().string())};
@@ -44,6 +45,15 @@ std::optional<PictureChange> change_from_view(const CellFiles& before, const Cel
     return PictureChange{
         .why_not = fmt::format("{}×{} pixels, then {}×{}", a.width, a.height, b.width, b.height)};
   return picture_change(a, b);
+}
+
+/// A file that is no picture any more tells of its cell alone.
+std::optional<PictureChange> change_from_view(const CellFiles& before, const CellFiles& after) {
+  try {
+    return compare_views(before, after);
+  } catch (const InputError& error) {
+    return PictureChange{.why_not = error.what()};
+  }
 }
 
 }  // namespace

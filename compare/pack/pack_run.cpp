@@ -48,6 +48,15 @@ bool is_asked_alike(const Cell& cell, const Study& study, const ResultRow& row) 
          row.fingerprint;
 }
 
+void check_picture(const PastRun& run, const ResultRow& row) {
+  const fs::path picture = CellFiles(run.folder, row).picture();
+  if (row.error.empty() && !holds_something(picture))
+    throw InputError(
+        fmt::format("{}: is missing or empty; accepted: results with their pictures "
+                    "(study --resume)",
+                    picture.string()));
+}
+
 void check_cells(const PastRun& run, const Study& study) {
   const std::vector<Cell> cells = expand_cells(study);
   for (const ResultRow& row : run.rows) {
@@ -63,6 +72,7 @@ void check_cells(const PastRun& run, const Study& study) {
           fmt::format("{}: cell {} is not what {} asks for now; accepted: results of "
                       "the study as it is (study --resume)",
                       run.folder.string(), name, study.file.string()));
+    check_picture(run, row);
   }
 }
 
@@ -119,6 +129,8 @@ PackedRun pack_run(const PastRun& run, const Study& study) {
   std::set<fs::path> all{study_file};
   for (const auto& [path, hash] : inputs) all.insert(path);
   for (const fs::path& scene : study.scenes) all.insert(fs::absolute(scene).lexically_normal());
+  for (const LeftOutScene& scene : study.left_out)  // which the study's text names all the same
+    all.insert(fs::absolute(scene.file).lexically_normal());
   for (const fs::path& file : all)
     if (file.extension() == ".json") check_relative(read_json(file), file, inputs);
   const fs::path root = common_folder(all);

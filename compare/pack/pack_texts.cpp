@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "compare/cells/cell.h"
 #include "compare/pack/sha256.h"
 #include "core/files/json_text.h"
 #include "core/machine/build_info.h"
@@ -34,27 +35,53 @@ std::string first_fact(const PastRun& run, const std::string& name) {
   return "unknown";
 }
 
+/// A word between single quotes.
+std::string quoted(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + '\'';
+}
+
+/// Where a run has not all cells of its study, since others were asked for or screened out, the
+/// words that ask for its own: as patterns that fit nothing else.
+std::string only_its_cells(const PastRun& run, const Study& study) {
+  if (run.rows.size() == expand_cells(study).size()) return {};
+  std::string words;
+  for (const ResultRow& row : run.rows) {
+    std::string pattern;
+    for (const char c : cell_name(row)) {
+      if (std::string_view("*?[\\").find(c) != std::string_view::npos) pattern += '\\';
+      pattern += c;
+    }
+    words += fmt::format(" \\\n  --only {}", quoted(pattern));
+  }
+  return words;
+}
+
 /// Nothing in it depends on who packs, so that it is one text but for names.
-std::string run_script(const PastRun& run, const PackedRun& packed) {
-  std::string quoted;
-  for (const char c : packed.study) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+std::string run_script(const PastRun& run, const Study& study, const PackedRun& packed) {
   return fmt::format(R"sh(#!/bin/sh
 # Runs the study again into again/, and says where its pictures are not those of results/ to the last
 # bit, and which times differ beyond their spread. Ends with 0 where all but times is the same.
 # PELLUCID names the program where it is not on the PATH; it was {}, commit {}.
 set -u
-cd "$(dirname "$0")" || exit 2
 pellucid=${{PELLUCID:-pellucid}}
+case $pellucid in
+  /*) ;;
+  */*) pellucid=$PWD/$pellucid ;;
+esac
+cd "$(dirname "$0")" || exit 2
 if ! command -v "$pellucid" >/dev/null; then
   echo "run.sh: $pellucid: no such program; accepted: pellucid on the PATH, or PELLUCID=FILE" >&2
   exit 2
 fi
 sha256sum --check --quiet manifest.sha256 || exit 2
-"$pellucid" study './{}' -o again --gl {} --quiet || exit
+"$pellucid" study {} -o again --gl {} --quiet{} || exit
 exec "$pellucid" compare results again --ignore-times --output again/changes
 )sh",
-                     first_fact(run, "version"), first_fact(run, "commit"), quoted,
-                     gl_of(run.rows.front()));
+                     first_fact(run, "version"), first_fact(run, "commit"),
+                     quoted("./" + packed.study), gl_of(run.rows.front()),
+                     only_its_cells(run, study));
 }
 
 std::string readme(const PastRun& run, const Study& study) {
@@ -170,7 +197,7 @@ std::string manifest(const std::vector<PackedFile>& files, const std::vector<Dig
 std::vector<PackedFile> pack_texts(const PastRun& run, const Study& study,
                                    const PackedRun& packed) {
   std::vector<PackedFile> texts{
-      {.path = "run.sh", .text = run_script(run, packed), .executable = true},
+      {.path = "run.sh", .text = run_script(run, study, packed), .executable = true},
       {.path = "README.md", .text = readme(run, study)},
       {.path = "CITATION.cff", .text = citation(study)},
       {.path = "versions.json", .text = json_text(versions(run), 1) + "\n"}};

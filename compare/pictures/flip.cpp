@@ -70,6 +70,16 @@ inline float filtered(const Taps<radius>& w, const At& at) {
   return sum;
 }
 
+/// The same of a filter whose weights add up to 0, from the differences to the middle: 0 of what is
+/// constant, where the roundings of a sum would show, since FLIP takes their root.
+template <int radius, class At>
+inline float filtered_differences(const Taps<radius>& w, const At& at) {
+  float sum = 0;
+  const float middle = at(0);
+  for (int k = 1; k <= radius; ++k) sum += w[k] * ((at(k) - middle) + (at(-k) - middle));
+  return sum;
+}
+
 PELLUCID_WIDEST
 void filter_along(const FlipFilters& filters, const OpponentRow& in, int width, FilteredRow& out) {
   const float* y = in.y.data() + color_radius;
@@ -92,7 +102,7 @@ void filter_along(const FlipFilters& filters, const OpponentRow& in, int width, 
     const auto at = [&](int k) { return y[i + k]; };
     smooth[i] = filtered<feature_radius>(filters.smooth, at);
     edge[i] = filtered<feature_radius, -1>(filters.edge, at);
-    point[i] = filtered<feature_radius>(filters.point, at);
+    point[i] = filtered_differences<feature_radius>(filters.point, at);
   }
 }
 
@@ -155,7 +165,7 @@ void see_features(const FlipFilters& filters, const Column& column, int width, S
   for (int i = 0; i < width; ++i) {
     const auto of_smooth = [&](int k) { return smooth.at(k, i); };
     const float x = filtered<feature_radius>(filters.smooth, [&](int k) { return point.at(k, i); });
-    const float y = filtered<feature_radius>(filters.point, of_smooth);
+    const float y = filtered_differences<feature_radius>(filters.point, of_smooth);
     points[i] = std::sqrt(x * x + y * y);
   }
 }

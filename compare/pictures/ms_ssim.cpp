@@ -21,8 +21,10 @@ Image halved(const Image& image) {
     const int y0 = 2 * y, y1 = std::min(y0 + 1, image.height - 1);
     for (int x = 0; x < half.width; ++x) {
       const int x0 = 2 * x, x1 = std::min(x0 + 1, image.width - 1);
-      half.at(x, y) =
-          0.25f * ((image.at(x0, y0) + image.at(x1, y0)) + (image.at(x0, y1) + image.at(x1, y1)));
+      const auto at = [&](int i, int j) {
+        return glm::dvec4(image.at(i, j));
+      };  // four may overflow
+      half.at(x, y) = 0.25 * ((at(x0, y0) + at(x1, y0)) + (at(x0, y1) + at(x1, y1)));
     }
   });
   return half;

@@ -63,6 +63,28 @@ std::optional<double> measure_of(const ResultRow& row, std::string_view name) {
   return found == measures.end() ? std::nullopt : std::optional(found->value);
 }
 
+constexpr std::string_view longest_step = "longest_step";
+
+bool is_of_time(const scene::Measure& measure) {
+  return measure.unit == "s" || measure.unit == "ms" || measure.name == longest_step;
+}
+
+std::optional<Interval> interval_of_measure(const ResultRow& row, std::string_view name) {
+  const std::span<const scene::Measure> measures(row.measures);
+  const auto found = find(measures, name);
+  if (found == measures.end()) return std::nullopt;
+  const Interval itself{found->value, found->value};
+  if (!is_of_time(*found)) return itself;
+  const auto place = std::size_t(found->value) - 1;
+  if (name != longest_step || place >= row.steps.size()) return std::nullopt;
+  const auto& longest = row.steps[place].second.interval;
+  for (std::size_t i = 0; i < row.steps.size(); ++i)
+    if (const auto& other = row.steps[i].second.interval;
+        i != place && (!longest || !other || other->high >= longest->low))
+      return std::nullopt;
+  return itself;
+}
+
 int views_of(std::span<const ResultRow> rows) {
   double most = 1;
   for (const ResultRow& row : rows) most = std::max(most, measure_of(row, "views").value_or(1));

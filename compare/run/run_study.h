@@ -17,7 +17,7 @@ namespace pellucid::compare {
 struct StudyOptions {
   std::filesystem::path folder;  // where results go
   bool resume = false;  // keep cells that this build finished for the same scenes and parameters
-  std::string only;     // shell pattern; empty: every cell
+  std::vector<std::string> only;  // shell patterns; none: every cell
   scene::RenderContext context;
   std::string build = build_id();  // of the program whose rows these are
   ReportForm report;
@@ -33,8 +33,8 @@ struct StudyOutcome {
   std::size_t kept = 0;         // finished before
 };
 
-/// Runs the cells whose scene, method, or "SCENE/METHOD:PARAMETERS" fits `only`, each scene's
-/// reference first, and leaves in the folder:
+/// Runs the cells whose scene, method, or "SCENE/METHOD:PARAMETERS" fits one of `only`, each
+/// scene's reference first, and leaves in the folder:
 ///
 ///     cells/SCENE/METHOD.json                the cell's row, written last, whole or not at all
 ///     images/SCENE/METHOD.{exr,png}          the picture; METHOD.error.png, METHOD.flip.png,
@@ -47,8 +47,8 @@ struct StudyOutcome {
 /// the rows that `only` leaves out are kept whichever build made them, and the report says so where
 /// builds or machines differ. Where the study has a ScreenRule, cells that fall out by it have no
 /// row; screened.csv and a note in the report tell which. A cell that fails becomes a row with its
-/// error, and the study goes on. Throws InputError when the folder cannot be written or nothing
-/// fits `only`.
+/// error, and the study goes on. Throws InputError when the folder cannot be written or one of
+/// `only` fits nothing.
 StudyOutcome run_study(const Study& study, const StudyOptions& options);
 
 }  // namespace pellucid::compare

@@ -29,9 +29,24 @@ bool fits(const std::string& pattern, const std::string& text) {
   return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
 }
 
-bool is_selected(const Cell& cell, const std::string& only) {
-  return only.empty() || fits(only, cell.scene) || fits(only, cell.call.text()) ||
-         fits(only, std::string(cell.call.row->name)) || fits(only, cell.name());
+bool is_meant(const std::string& pattern, const Cell& cell) {
+  return fits(pattern, cell.scene) || fits(pattern, cell.call.text()) ||
+         fits(pattern, std::string(cell.call.row->name)) || fits(pattern, cell.name());
+}
+
+bool is_selected(const Cell& cell, const std::vector<std::string>& only) {
+  return only.empty() ||
+         std::ranges::any_of(only, [&](const auto& pattern) { return is_meant(pattern, cell); });
+}
+
+/// What fits nothing is a slip of the hand.
+void check_patterns(const std::vector<std::string>& only, const std::vector<Job>& jobs) {
+  for (const std::string& pattern : only)
+    if (std::ranges::none_of(jobs, [&](const Job& job) { return is_meant(pattern, job.cell); }))
+      throw InputError(
+          fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
+                      "or SCENE/METHOD:PARAMETERS, such as '{}'",
+                      pattern, jobs.back().cell.name()));
 }
 
 /// Files of one cell are encoded and written at once: nothing is timed meanwhile.
@@ -118,11 +133,7 @@ std::vector<Job> make_jobs(const Study& study, const StudyOptions& options) {
     jobs.push_back(make_job(study, cell, options));
     jobs.back().selected = is_selected(cell, options.only);
   }
-  if (std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.selected; }))
-    throw InputError(
-        fmt::format("--only '{}': fits no cell; accepted: a pattern of SCENE, METHOD "
-                    "or SCENE/METHOD:PARAMETERS, such as '{}'",
-                    options.only, jobs.back().cell.name()));
+  check_patterns(options.only, jobs);
   return jobs;
 }
 

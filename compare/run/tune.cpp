@@ -22,7 +22,9 @@ namespace pellucid::compare {
 namespace {
 
 constexpr int small_by = 4;             // a small picture has so many times fewer pixels on a side
-constexpr double contender_within = 2;  // the least of a few times is known to such a factor
+constexpr double contender_within = 2;  // the least of a few times is known to such a factor,
+constexpr double hopeless = 8;          // and one of two to such a one: what disturbs a machine
+constexpr int fair_times = 5;  // for a while, disturbs both of two that take turns so often
 constexpr std::size_t quick_times = 9;  // of a picture until so many seconds are spent on it:
 constexpr double quick_seconds = 0.1;   // what delays a process for some ms hits not all of them
 constexpr std::size_t most_contenders = 12;  // they have their memory at once
@@ -33,11 +35,19 @@ constexpr int fewest_times = 5;
 /// The others take longer than many a picture.
 const std::string judged_by[]{"rmse", "ssim", "psnr", "max_error", "rmse_covered", "ssim_covered"};
 
-/// Whose row comes first in the table: by the cost that was asked for, of equal bytes by time.
+/// An error that is not known is no small one.
+double rmse_of(const ResultRow& row) {
+  return row.metrics.linear.of("rmse").value_or(std::numeric_limits<double>::infinity());
+}
+
+/// Whose row comes first in the table: by the cost that was asked for, of equal bytes by the error.
 bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
   if (a.error.empty() != b.error.empty()) return a.error.empty();
   if (cost == Cost::seconds) return a.seconds.median < b.seconds.median;
-  return std::pair(known_bytes(a), a.seconds.median) < std::pair(known_bytes(b), b.seconds.median);
+  const auto bytes_and_error = [](const ResultRow& row) {
+    return std::pair(known_bytes(row), rmse_of(row));
+  };
+  return bytes_and_error(a) < bytes_and_error(b);
 }
 
 /// An Entrant is a candidate that competes.
@@ -104,6 +114,8 @@ class Tuning {
     report(request_.progress, std::min(part, 0.99), what);
   }
 
+  bool is_slower(CellMeter& one, CellMeter& than, double factor) const;
+  bool is_too_slow(Entrant& entrant);
   void choose_entrants();
   void draw_reference();
   void draw_small();
@@ -114,6 +126,7 @@ class Tuning {
   void judge(const Image& image, Entrant& entrant);
   void keep_contenders();
   void finish(Entrant& entrant, const TimingRule& rule);
+  void weigh();
   void time_contenders();
   TuneOutcome collect();
 
@@ -194,6 +207,40 @@ TuneEstimate Tuning::estimate() const {
   return estimate;
 }
 
+/// By times that are taken in turn: the least of either.
+bool Tuning::is_slower(CellMeter& one, CellMeter& than, double factor) const {
+  double of_one = std::numeric_limits<double>::infinity(), of_other = of_one;
+  for (int k = 0; k < fair_times && !is_over(); ++k)
+    for (auto& [meter, least] : {std::pair(&one, &of_one), std::pair(&than, &of_other)}) {
+      meter->time_once();
+      *least = std::min(*least, meter->seconds().back());
+    }
+  return of_one > factor * of_other;
+}
+
+/// Whether its small picture takes longer than the whole one of the fastest that is within the
+/// bound.
+bool Tuning::is_too_slow(Entrant& entrant) {
+  if (request_.cost != Cost::seconds) return false;
+  Entrant* best = nullptr;
+  for (Entrant& other : entrants_)
+    if (other.meter && (!best || other.least_seconds() < best->least_seconds())) best = &other;
+  const double small = entrant.small_seconds.value_or(0);
+  if (!best || small <= best->least_seconds()) return false;
+  if (small <= hopeless * best->least_seconds()) {
+    try {
+      CellMeter meter(cell(entrant.call), small_, request_.context);
+      if (!is_slower(meter, *best->meter, 1)) return false;
+    } catch (const std::exception&) {
+      return false;  // drawn in full, it says why
+    }
+  }
+  leave_out(entrant, fmt::format("its picture of 1/{} the size took {:.1f} ms, the whole one of "
+                                 "another within the bound {:.1f} ms",
+                                 small_by, 1e3 * small, 1e3 * best->least_seconds()));
+  return true;
+}
+
 /// Draws the whole picture, unless it cannot win any more.
 void Tuning::enter(std::size_t index) {
   Entrant& entrant = entrants_[index];
@@ -201,14 +248,7 @@ void Tuning::enter(std::size_t index) {
     if (is_reference(entrant)) return take_reference(entrant);
     return leave_out(entrant, "not drawn: the time was over", true);
   }
-  double best = std::numeric_limits<double>::infinity();
-  for (const Entrant& other : entrants_)
-    if (other.meter && request_.cost == Cost::seconds) best = std::min(best, other.least_seconds());
-  if (entrant.small_seconds.value_or(0) > best)
-    return leave_out(entrant,
-                     fmt::format("its picture of 1/{} the size took {:.1f} ms, the whole one of "
-                                 "another within the bound {:.1f} ms",
-                                 small_by, 1e3 * *entrant.small_seconds, 1e3 * best));
+  if (is_too_slow(entrant)) return;
   tell(entrant.call.text());
   try {
     draw(entrant);
@@ -237,7 +277,7 @@ void Tuning::draw(Entrant& entrant) {
   entrant.meter->time_once();
   entrant.row = entrant.meter->row();
   judge(entrant.meter->image(), entrant);
-  if (!entrant.within) return finish(entrant, fixed_repeats(1));
+  if (!entrant.within || request_.cost == Cost::bytes) return finish(entrant, fixed_repeats(1));
   // A second one at least, since chance may have delayed the first.
   for (double spent = 0;
        spent < quick_seconds && entrant.meter->seconds().size() < quick_times && !is_over();) {
@@ -259,24 +299,19 @@ void Tuning::judge(const Image& image, Entrant& entrant) {
   entrant.within = request_.bound.holds_for(row);
 }
 
-/// Ends those that are too slow, or need more bytes, to be the cheapest.
+/// Ends those that are too slow to be the fastest.
 void Tuning::keep_contenders() {
   std::vector<Entrant*> in;
   for (Entrant& entrant : entrants_)
     if (entrant.meter) in.push_back(&entrant);
-  if (in.empty()) return;
-  const auto bytes = [](const Entrant* e) { return known_bytes(e->meter->row()); };
-  const std::uint64_t fewest = bytes(std::ranges::min(in, {}, bytes));
-  if (request_.cost == Cost::bytes) {
-    for (Entrant* entrant : in)
-      if (bytes(entrant) > fewest) finish(*entrant, fixed_repeats(2));
-    std::erase_if(in, [](const Entrant* e) { return !e->meter; });
-  }
   std::ranges::stable_sort(in, {}, [](const Entrant* e) { return e->least_seconds(); });
-  const double best = in.front()->least_seconds();
-  for (std::size_t i = 1; i < in.size(); ++i)
-    if (in[i]->least_seconds() > contender_within * best || i >= most_contenders)
-      finish(*in[i], fixed_repeats(2));
+  for (std::size_t i = 1; i < in.size(); ++i) {
+    const double times = in[i]->least_seconds() / in.front()->least_seconds();
+    const bool is_out = i >= most_contenders || times > hopeless ||
+                        (times > contender_within &&
+                         is_slower(*in[i]->meter, *in.front()->meter, contender_within));
+    if (is_out) finish(*in[i], fixed_repeats(2));
+  }
 }
 
 /// Takes the row, with the errors that are known, and frees what the method holds.
@@ -288,7 +323,17 @@ void Tuning::finish(Entrant& entrant, const TimingRule& rule) {
   entrant.meter.reset();
 }
 
+/// Bytes are the same in every run: those of the fewest are tied, whatever time they take.
+void Tuning::weigh() {
+  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+  for (const Entrant& entrant : entrants_)
+    if (entrant.within) fewest = std::min(fewest, known_bytes(entrant.row));
+  for (Entrant& entrant : entrants_)
+    entrant.tied = entrant.within && known_bytes(entrant.row) == fewest;
+}
+
 void Tuning::time_contenders() {
+  if (request_.cost == Cost::bytes) return weigh();
   std::vector<Entrant*> contenders;
   for (Entrant& entrant : entrants_)
     if (entrant.meter) contenders.push_back(&entrant);
@@ -319,9 +364,7 @@ TuneOutcome Tuning::collect() {
     return is_cheaper(request_.cost, a.row, b.row);
   });
   const auto steady = [](const Entrant& e) {
-    constexpr double unknown = std::numeric_limits<double>::infinity();
-    return std::tuple(e.row.total_bytes(), e.row.metrics.linear.of("rmse").value_or(unknown),
-                      e.place);
+    return std::tuple(known_bytes(e.row), rmse_of(e.row), e.place);
   };
   const Entrant* cheapest = nullptr;
   for (const Entrant& entrant : entrants_)

@@ -14,7 +14,7 @@
 namespace pellucid::compare {
 
 /// A Cost says by what candidates are compared: the median time in seconds, or the bytes beyond the
-/// scene and the picture, and of equal bytes the time.
+/// scene and the picture, of which there is no doubt: who needs as few is tied, whatever the time.
 enum class Cost { seconds, bytes };
 
 /// A TuneEstimate is what tuning will do, told before it begins.
@@ -52,7 +52,7 @@ struct LeftOut {
 struct TuneOutcome {
   std::vector<ResultRow> rows;       // of those drawn in full, the cheapest first; failed ones last
   std::vector<bool> within_bound{};  // row by row
-  std::vector<bool> tied{};          // row by row: time does not tell it from the cheapest
+  std::vector<bool> tied{};          // row by row: its cost is not told from the cheapest's
   std::vector<LeftOut> left_out{};
   std::optional<std::size_t> cheapest{};  // a row; nothing where none is within the bound
 
@@ -68,8 +68,9 @@ struct TuneOutcome {
 ///    suffice. It tells the duration, and the order of what follows, the fastest first.
 /// 3. Each draws the whole picture, once. Its error is that against the reference's. Who took
 ///    longer for the small picture than the best yet within the bound for the whole is not drawn in
-///    full; who is beyond the bound, or took more than twice the time of the fastest in each of
-///    some pictures, is not timed further. When seven tenths of the time are over none is begun any
+///    full; who is beyond the bound, or took more than twice the time of the fastest, is not timed
+///    further: either by the least of five times in turn with it, unless it is eight times as much.
+///    By bytes none is timed. When seven tenths of the time are over none is begun any
 ///    more; the reference's own call has been drawn before. Who was not is undecided.
 /// 4. The contenders that are left are timed in turn, at most `repeats` times. Who is slower than
 ///    the fastest by intervals that do not overlap is out. It ends when one is left, when the

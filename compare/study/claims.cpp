@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "compare/results/measure_columns.h"
@@ -12,7 +13,8 @@
 namespace pellucid::compare {
 namespace {
 
-constexpr std::string_view needs_five = "has no interval, which takes five timed pictures";
+constexpr std::string_view needs_five =
+    "has no interval, as of a time that was taken less than five times";
 
 /// Nothing where the stage does not apply.
 std::optional<double> share_of_stage(const ResultRow& row, std::string_view stage) {
@@ -77,6 +79,13 @@ void check_factor(const Claim& claim, const ClaimedValue& better, const ClaimedV
                   ClaimCheck& check) {
   const Better way = claim.by.better;
   const Interval a = *better.interval, b = *worse.interval;
+  if (a.low < 0 || b.low < 0) {  // as a stage's share, or SSIM, may be
+    check.undecided.push_back(
+        fmt::format("{} and {} are not both above 0, so that no factor is "
+                    "between them",
+                    better.of, worse.of));
+    return;
+  }
   const double most = factor_of(way, better_end(way, a), worse_end(way, b));
   const double least = factor_of(way, worse_end(way, a), better_end(way, b));
   if (most < claim.factor)
@@ -104,6 +113,16 @@ void check_order(const Claim& claim, std::span<const std::size_t> groups, ClaimC
   }
 }
 
+/// Of what gets better from one to the next some may be equal, but not all.
+void check_change(ClaimCheck& check) {
+  const auto& first = check.values.front().interval;
+  const bool is_one = std::ranges::all_of(check.values, [&](const ClaimedValue& value) {
+    return first && value.interval && value.interval->low == first->low &&
+           value.interval->high == first->high;
+  });
+  if (is_one) check.against.push_back("it does not change");
+}
+
 /// The value that is not the bound, in digits that tell the two apart.
 std::string not_bound(const Claim& claim, double value) {
   const std::string here = claim.by.text(value), claimed = claim.by.text(*claim.bound);
@@ -125,16 +144,22 @@ void check_bound(const Claim& claim, ClaimCheck& check) {
   }
 }
 
+/// Whether `more` is greater than `less` by more than this part of the one that is nearer to 0.
+bool is_more(double more, double less, double within) {
+  return more - less > within * std::min(std::abs(more), std::abs(less));
+}
+
 /// Without a width two numbers are the same where their intervals overlap. With one the interval of
 /// their ratio has to lie within it; where it lies outside they are not.
 void check_same_pair(const Claim& claim, const ClaimedValue& a, const ClaimedValue& b,
                      ClaimCheck& check) {
   const auto [low_a, high_a] = *a.interval;
   const auto [low_b, high_b] = *b.interval;
-  const double most = 1 + claim.within.value_or(0);
-  const bool apart = claim.within ? low_a > most * high_b || low_b > most * high_a
+  const double within = claim.within.value_or(0);
+  const bool apart = claim.within ? is_more(low_a, high_b, within) || is_more(low_b, high_a, within)
                                   : !overlap(*a.interval, *b.interval);
-  const bool together = !claim.within || (high_a <= most * low_b && high_b <= most * low_a);
+  const bool together =
+      !claim.within || (!is_more(high_a, low_b, within) && !is_more(high_b, low_a, within));
   if (apart)
     check.against.push_back(
         fmt::format("{} and {} differ {}", a.of, b.of, both_intervals(claim, a, b)));
@@ -156,6 +181,7 @@ void hold_against(const Claim& claim, ClaimCheck& check) {
   std::vector<std::size_t> groups;
   for (const auto& group : claim.order) groups.push_back(group.size());
   check_order(claim, groups, check);
+  if (claim.monotone) check_change(check);
 }
 
 std::optional<ClaimCheck> check_scene(const Claim& claim, const std::string& scene,
@@ -172,16 +198,20 @@ std::optional<ClaimCheck> check_scene(const Claim& claim, const std::string& sce
   return check;
 }
 
-/// The mean of the i-th value of all checks; without an interval where one of them has none.
+/// The mean of the i-th value of all checks, without an interval where one of them has none. The
+/// PSNR of equal pictures is infinite, and counts where all are.
 ClaimedValue mean_value(std::span<const ClaimCheck> checks, std::size_t i) {
+  std::vector<const ClaimedValue*> values;
+  for (const ClaimCheck& check : checks) values.push_back(&check.values[i]);
+  const auto is_infinite = [](const ClaimedValue* value) { return std::isinf(value->value); };
+  if (!std::ranges::all_of(values, is_infinite)) std::erase_if(values, is_infinite);
   ClaimedValue mean{checks[0].values[i].of, 0, Interval{}};
-  for (const ClaimCheck& check : checks) {
-    const ClaimedValue& value = check.values[i];
-    mean.value += value.value / double(checks.size());
-    if (!value.interval) mean.interval.reset();
+  for (const ClaimedValue* value : values) {
+    mean.value += value->value / double(values.size());
+    if (!value->interval) mean.interval.reset();
     if (!mean.interval) continue;
-    mean.interval->low += value.interval->low / double(checks.size());
-    mean.interval->high += value.interval->high / double(checks.size());
+    mean.interval->low += value->interval->low / double(values.size());
+    mean.interval->high += value->interval->high / double(values.size());
   }
   return mean;
 }
@@ -229,6 +259,8 @@ std::optional<double> ClaimedNumber::of(const ResultRow& row) const {
 
 std::optional<Interval> ClaimedNumber::interval_of(const ResultRow& row) const {
   if (column && column->interval) return column->interval(row);
+  if (column && (column->unit == "s" || column->unit == "ms")) return std::nullopt;
+  if (!column && stage.empty()) return interval_of_measure(row, measure);
   const std::optional<double> exact = of(row);
   return exact ? std::optional(Interval{*exact, *exact}) : std::nullopt;
 }

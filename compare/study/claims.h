@@ -22,7 +22,7 @@ struct ClaimedNumber {
   /// Returns the row's number; nothing where it has none.
   std::optional<double> of(const ResultRow& row) const;
   /// Returns where the row's number lies: a number without noise is its own interval; a time has
-  /// none where it was measured less than five times.
+  /// none where it was measured less than five times, or where only one of it is kept.
   std::optional<Interval> interval_of(const ResultRow& row) const;
   /// Returns the number in few digits, in the unit for people.
   std::string text(double value) const;
@@ -40,6 +40,9 @@ struct Claim {
   std::vector<std::vector<std::string>> order;
   /// Each call is better than those of later groups by this factor at least.
   double factor = 1;
+  /// The order is that of a parameter: the last is better than the first, and none worse than one
+  /// before it.
+  bool monotone = false;
   /// The number of every call is not worse than this; in the unit of the column's value.
   std::optional<double> bound = std::nullopt;
   /// The numbers of the only group's calls are not to be told apart.

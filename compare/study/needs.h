@@ -16,6 +16,7 @@ namespace pellucid::compare {
 struct LeftOutScene {
   std::string scene;
   std::filesystem::path missing;
+  std::filesystem::path file = {};  // the scene's own
 
   /// Returns what is told of it, one line.
   std::string text() const;

@@ -155,6 +155,7 @@ void read_monotony(const JsonNode& node, std::string_view key, const Study& stud
                       "calls differ",
                       node[key].string()));
   if (calls.size() < 2) node["of"].fail("accepted: at least two calls, or a method that has them");
+  claim.monotone = true;
   for (const auto& [value, call] : calls) claim.order.push_back({call});
   if (key == "improves_with") std::ranges::reverse(claim.order);
 }

@@ -160,8 +160,10 @@ MethodCall read_opacities(const JsonNode& node, const Catalogue& methods, const 
 /// Takes out the scenes that lack a file that they need. A note says so in the report.
 void leave_out(std::vector<LeftOutScene> left_out, Study& study) {
   study.left_out = std::move(left_out);
-  for (const LeftOutScene& one : study.left_out) {
-    std::erase_if(study.scenes, [&](const fs::path& s) { return scene_name(s) == one.scene; });
+  for (LeftOutScene& one : study.left_out) {
+    const auto scene = std::ranges::find(study.scenes, one.scene, scene_name);
+    one.file = *scene;
+    study.scenes.erase(scene);
     study.notes.push_back("Of this study " + one.text() + '.');
   }
 }

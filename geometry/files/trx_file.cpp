@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .trx, tractography of the tee-ar-ex specification (github.com/tee-ar-ex/trx-spec): a .zip file, of
-// which each member is an array in C's order, little-endian, whose name tells its columns and its
-// numbers' type:
+// .trx, tractography of the tee-ar-ex specification (github.com/tee-ar-ex/trx-spec): a .zip file,
+// of which each member is an array in C's order, little-endian, whose name tells its columns and
+// its numbers' type:
 //
-//     header.json               NB_VERTICES, NB_STREAMLINES, and the voxels' grid, which is not needed
-//     positions.3.float16       of all vertices, in scanner coordinates (RAS, mm)
+//     header.json               NB_VERTICES, NB_STREAMLINES, and the voxels' grid, which is not
+//     needed positions.3.float16       of all vertices, in scanner coordinates (RAS, mm)
 //     offsets.uint32            of each streamline's first vertex; the end of the last may follow
 //     dpv/fa.float32            data per vertex
 //     dps/length.float32        data per streamline, dps/seed.3.float32 with three columns
@@ -56,18 +56,17 @@ struct NumberKind {
   std::size_t size;
   double (*at)(const std::byte*);
 };
-constexpr NumberKind kinds[] = {
-    {"float16", 2, half_at},
-    {"float32", 4, number_at<float>},
-    {"float64", 8, number_at<double>},
-    {"int8", 1, number_at<std::int8_t>},
-    {"int16", 2, number_at<std::int16_t>},
-    {"int32", 4, number_at<std::int32_t>},
-    {"int64", 8, number_at<std::int64_t>},
-    {"uint8", 1, number_at<std::uint8_t>},
-    {"uint16", 2, number_at<std::uint16_t>},
-    {"uint32", 4, number_at<std::uint32_t>},
-    {"uint64", 8, number_at<std::uint64_t>}};
+constexpr NumberKind kinds[] = {{"float16", 2, half_at},
+                                {"float32", 4, number_at<float>},
+                                {"float64", 8, number_at<double>},
+                                {"int8", 1, number_at<std::int8_t>},
+                                {"int16", 2, number_at<std::int16_t>},
+                                {"int32", 4, number_at<std::int32_t>},
+                                {"int64", 8, number_at<std::int64_t>},
+                                {"uint8", 1, number_at<std::uint8_t>},
+                                {"uint16", 2, number_at<std::uint16_t>},
+                                {"uint32", 4, number_at<std::uint32_t>},
+                                {"uint64", 8, number_at<std::uint64_t>}};
 
 /// A member "dpv/NAME.COLUMNS.TYPE", of which one column need not be said.
 struct Member {
@@ -126,14 +125,14 @@ std::uint64_t count_in(const nlohmann::json& header, const char* key) {
 std::vector<std::uint64_t> offsets_of(const Member& member, std::uint64_t lines,
                                       std::uint64_t vertices) {
   if (member.rows() != lines && member.rows() != lines + 1)
-    member.block->fail(
-        fmt::format("has {} rows for {} streamlines", member.rows(), lines));
+    member.block->fail(fmt::format("has {} rows for {} streamlines", member.rows(), lines));
   std::vector<std::uint64_t> offsets(lines + 1, vertices);
   for (std::uint64_t i = 0; i < member.rows(); ++i) {
     const double offset = member.at(i, 0);
     const double before = i == 0 ? 0 : double(offsets[i - 1]);
     if (!(offset >= before && offset <= double(vertices)) || (i == 0 && offset != 0))
-      member.block->fail(fmt::format("begins streamline {} at vertex {} of {}", i, offset, vertices));
+      member.block->fail(
+          fmt::format("begins streamline {} at vertex {} of {}", i, offset, vertices));
     offsets[i] = std::uint64_t(offset);
   }
   if (offsets.back() != vertices) member.block->fail("leaves vertices out");
@@ -143,8 +142,7 @@ std::vector<std::uint64_t> offsets_of(const Member& member, std::uint64_t lines,
 /// Columns called as colours are have the names of their channels, bytes of them in 255ths.
 std::string column_name(const Member& member, std::size_t column) {
   constexpr std::array<const char*, 4> channels{"red", "green", "blue", "alpha"};
-  const bool is_color =
-      is_color_name(member.name) && (member.columns == 3 || member.columns == 4);
+  const bool is_color = is_color_name(member.name) && (member.columns == 3 || member.columns == 4);
   if (is_color) return channels[column];
   return member.columns == 1 ? member.name : fmt::format("{}_{}", member.name, column);
 }

@@ -53,7 +53,8 @@ Results run_study(const py::object& study, const py::object& out, bool resume,
   compare::StudyOptions options;
   options.folder = path_of(out, "run_study: out");
   options.resume = resume;
-  options.only = text_of(only, "run_study: only");
+  options.only = texts_of(only, "run_study: only");
+  std::erase(options.only, "");
   options.context.gl = text_of(gl, "run_study: gl");
   return result_unlocked([&](const Progress& progress) {
     options.progress = progress;
@@ -67,7 +68,7 @@ constexpr const char* study_doc =
     R"(Runs a study file, or a study by its name (`pellucid list studies`).
 
 out: the folder that gets results.csv, results.json, pictures and report.html. resume: keep finished
-cells. only: run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this pattern.
+cells. only: run the cells whose SCENE, METHOD or SCENE/METHOD:PARAMETERS fits this pattern, or one of several.
 A cell that fails is a row with its error. Raises InputError.)";
 
 }  // namespace

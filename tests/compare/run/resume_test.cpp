@@ -90,7 +90,7 @@ TEST(UnitResume, AnotherBuildsRowsAreComputedAgain) {
   options.resume = true;
   EXPECT_EQ(run_study(study, options).computed, 0u);
   options.build = "another";
-  options.only = "shifted*";
+  options.only = {"shifted*"};
   EXPECT_EQ(run_study(study, options).computed, 2u);  // those left out stay the first build's,
   const auto mixed = nlohmann::json::parse(read_text(folder / "results/results.json"));
   EXPECT_EQ(mixed["warnings"].size(), 1u);  // and the report says so

@@ -54,7 +54,7 @@ StudyOutcome run_screened(const StudyFolder& folder, bool resume = false,
   StudyOptions options;
   options.folder = folder / "results";
   options.resume = resume;
-  options.only = only;
+  if (!only.empty()) options.only = {only};
   return run_study(study, options);
 }
 

@@ -20,7 +20,7 @@ inline StudyOutcome run(const StudyFolder& folder, const std::string& methods, b
   StudyOptions options;
   options.folder = folder / "results";
   options.resume = resume;
-  options.only = only;
+  if (!only.empty()) options.only = {only};
   return run_study(study, options);
 }
 

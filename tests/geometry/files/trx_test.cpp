@@ -42,15 +42,15 @@ std::string zip(const Members& members, const char* compression) {
 
 /// Streamlines of three points and of two. 0x3800 is 0.5 in 16 bits, 0xC400 is -4, 0x0001 2^-24.
 Members two_streamlines() {
-  return {{"header.json", R"({"NB_VERTICES": 5, "NB_STREAMLINES": 2, "DIMENSIONS": [1, 1, 1]})"},
-          {"positions.3.float16",
-           bytes_of<std::uint16_t>({0x3800, 0xC400, 0x0001, 0, 0, 0, 0x3C00, 0, 0, 0, 0x3C00, 0, 0,
-                                    0, 0x3C00})},
-          {"offsets.uint32", bytes_of<std::uint32_t>({0, 3})},
-          {"dpv/fa.float32", bytes_of<float>({0.5f, 1, 2, 3, 4})},
-          {"dpv/color.3.uint8", std::string("\xff\0\x33\xff\0\x33\xff\0\x33\xff\0\x33\xff\0\x33", 15)},
-          {"dps/length.float64", bytes_of<double>({7, 9})},
-          {"groups/all.uint32", bytes_of<std::uint32_t>({0, 1})}};
+  return {
+      {"header.json", R"({"NB_VERTICES": 5, "NB_STREAMLINES": 2, "DIMENSIONS": [1, 1, 1]})"},
+      {"positions.3.float16", bytes_of<std::uint16_t>({0x3800, 0xC400, 0x0001, 0, 0, 0, 0x3C00, 0,
+                                                       0, 0, 0x3C00, 0, 0, 0, 0x3C00})},
+      {"offsets.uint32", bytes_of<std::uint32_t>({0, 3})},
+      {"dpv/fa.float32", bytes_of<float>({0.5f, 1, 2, 3, 4})},
+      {"dpv/color.3.uint8", std::string("\xff\0\x33\xff\0\x33\xff\0\x33\xff\0\x33\xff\0\x33", 15)},
+      {"dps/length.float64", bytes_of<double>({7, 9})},
+      {"groups/all.uint32", bytes_of<std::uint32_t>({0, 1})}};
 }
 
 class UnitTrx : public FormatFiles {
