@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +10,7 @@
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
+#include "core/options/lower_case.h"
 #include "core/parallel.h"
 #include "geometry/files/mesh_file.h"
 #include "groundtruth/queries/ray_query.h"
@@ -26,8 +28,9 @@ struct CrossingsArguments {
 /// The columns x y z and dx dy dz of a table.
 std::vector<FreeRay> read_rays(const std::string& file) {
   geometry::PointSet table = geometry::read_points(file);
-  const auto column = [&](const char* name) -> const std::vector<double>& {
-    const auto found = table.scalars.find(name);
+  const auto column = [&](std::string_view name) -> const std::vector<double>& {
+    const auto found = std::ranges::find_if(
+        table.scalars, [&](const auto& scalar) { return lower_case(scalar.first) == name; });
     if (found == table.scalars.end())
       throw InputError(
           fmt::format("{}: the column {} is missing; accepted: x, y, z, dx, dy, dz", file, name));

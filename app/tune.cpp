@@ -74,9 +74,10 @@ std::string error_text(const compare::ResultRow& row, std::string_view name, boo
   return name == "rmse" ? fmt::format("{:.3e}", *value) : fmt::format("{:.4f}", *value);
 }
 
-/// Not a number where a program of one's own does not tell.
-double megabytes_of(const compare::ResultRow& row) {
-  return !row.given.empty() && row.bytes.empty() ? NAN : 1e-6 * double(row.total_bytes());
+/// A dash where a program of one's own does not tell.
+std::string megabytes_text(const compare::ResultRow& row) {
+  if (!row.given.empty() && row.bytes.empty()) return "-";
+  return fmt::format("{:.1f}", 1e-6 * double(row.total_bytes()));
 }
 
 /// The options that ask for the view.
@@ -108,9 +109,9 @@ void print_rows(const compare::TuneOutcome& outcome, bool covered) {
       fmt::print("{:36} the picture {}\n", row.call(), fault);
     const auto& interval = row.seconds.interval;
     fmt::print(
-        "{:36} {:9.1f} {:>19} {:8.1f} {:>10} {:>8}  {}\n", row.call(), 1e3 * row.seconds.median,
+        "{:36} {:9.1f} {:>19} {:>8} {:>10} {:>8}  {}\n", row.call(), 1e3 * row.seconds.median,
         interval ? fmt::format("{:.1f} to {:.1f}", 1e3 * interval->low, 1e3 * interval->high) : "",
-        megabytes_of(row), error_text(row, "rmse", covered), error_text(row, "ssim", covered),
+        megabytes_text(row), error_text(row, "rmse", covered), error_text(row, "ssim", covered),
         place_of(outcome, i));
   }
   for (const compare::LeftOut& out : outcome.left_out)
@@ -136,7 +137,9 @@ void print_answer(const TuneArguments& arguments, const compare::TuneOutcome& ou
   const bool is_given = !outcome.best()->given.empty();
   fmt::print("\nthe cheapest in {}: {}\n", arguments.cost, is_given ? arguments.command : best);
   if (const auto tied = tied_calls(outcome); !tied.empty())
-    fmt::print("    tied: time does not tell it from {}\n", fmt::join(tied, ", "));
+    fmt::print("    tied: {} {}\n",
+               arguments.cost == "bytes" ? "as few are needed by" : "time does not tell it from",
+               fmt::join(tied, ", "));
   if (const std::size_t n = undecided_calls(outcome).size(); n > 0)
     fmt::print("    undecided: {} settings were not drawn in time and may be cheaper\n", n);
   if (is_given) return;

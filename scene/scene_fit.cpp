@@ -20,4 +20,9 @@ Camera fitted_camera(const Scene& scene, const ViewDirection& from) {
   return fit.camera();
 }
 
+bool has_fitted_camera(const Scene& scene) {
+  const auto how = scene.provenance.find("camera");
+  return how != scene.provenance.end() && how->second.starts_with("fitted");
+}
+
 }  // namespace pellucid::scene

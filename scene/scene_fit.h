@@ -13,7 +13,11 @@ double drawn_radius(const SceneObject& object);
 void show(const SceneObject& object, CameraFit& fit);
 
 /// Returns the camera that looks from this side and sees all that is drawn, by the projection and
-/// the shape of the scene's picture.
-Camera fitted_camera(const Scene& scene, const ViewDirection& from);
+/// the shape of the scene's picture; without a side from above the front right corner, as a scene
+/// is looked at that says nothing.
+Camera fitted_camera(const Scene& scene, const ViewDirection& from = view_directions().front());
+
+/// Returns whether nobody has given the scene's camera, so that it was fitted to what is drawn.
+bool has_fitted_camera(const Scene& scene);
 
 }  // namespace pellucid::scene

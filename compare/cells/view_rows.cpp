@@ -2,10 +2,12 @@
 #include "compare/cells/view_rows.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 
 #include "compare/cells/ray_curves.h"
@@ -134,6 +136,39 @@ void average_counts(const Rows& rows, ResultRow& row) {
     row.coverage = mean_coverage(rows);
 }
 
+/// What looks wrong with a picture from elsewhere: once where it is the same from all views, else
+/// with the views from which it does.
+std::vector<std::string> all_faults(const Rows& rows) {
+  std::vector<std::string> faults;
+  std::map<std::string, std::vector<std::size_t>> views;
+  for (std::size_t view = 0; view < rows.size(); ++view)
+    for (const std::string& fault : rows[view].given_faults) {
+      if (!views.contains(fault)) faults.push_back(fault);
+      views[fault].push_back(view + 1);
+    }
+  for (std::string& fault : faults)
+    if (const auto& seen = views[fault]; seen.size() < rows.size())
+      fault =
+          fmt::format("view{} {}: {}", seen.size() > 1 ? "s" : "", fmt::join(seen, ", "), fault);
+  return faults;
+}
+
+/// What a picture from elsewhere costs is only known where it is from all views, and in one way.
+void forget_unknown_costs(const Rows& rows, ResultRow& row) {
+  const auto steps = [](const ResultRow& r) {
+    std::vector<std::string> names;
+    for (const auto& [name, spread] : r.steps) names.push_back(name);
+    return names;
+  };
+  const auto all = [&](auto holds) { return std::ranges::all_of(rows, holds); };
+  if (!all([&](const ResultRow& r) { return steps(r) == steps(row); })) {
+    row.steps.clear();
+    row.explanation.emplace_back("its time was not taken in one way from all views: not known");
+  }
+  if (!all([](const ResultRow& r) { return !r.bytes.empty(); })) row.bytes.clear();
+  if (!all([](const ResultRow& r) { return r.fragments > 0; })) row.fragments = 0;
+}
+
 /// A measure that some view lacks has no mean; those of probes, which are pixels of the first view,
 /// are that view's.
 void average_measures(const Rows& rows, ResultRow& row) {
@@ -198,6 +233,8 @@ ResultRow ViewRows::row() const {
   average_times(rows_, row);
   average_counts(rows_, row);
   average_measures(rows_, row);
+  row.given_faults = all_faults(rows_);
+  if (!row.given.empty()) forget_unknown_costs(rows_, row);
   row.measures.push_back({"views", "Views", "", double(rows_.size()), Better::neither});
   say_of_which_view(row.curves);
   add_metrics(rows_, row);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* wall_clock = "wall clock of the command";
 constexpr const char* as_reported = "as the command says";
-constexpr double most = 1e18;  // of any cost
+constexpr double most = 1e15;  // of any cost
 
 /// The folder in which a command runs: the place's, made anew, or one that goes away.
 class RunFolder {
@@ -84,9 +84,8 @@ void read_costs(const JsonNode& node, double seconds, scene::RenderStats& stats)
     read_steps(node["steps"], milliseconds, stats);
   else
     stats.steps = {{node.has("ms") ? as_reported : wall_clock, milliseconds / 1e3}};
-  if (node.has("bytes"))
-    stats.bytes = {{as_reported, std::uint64_t(node["bytes"].number(0, most))}};
-  if (node.has("fragments")) stats.fragments = std::uint64_t(node["fragments"].number(0, most));
+  if (node.has("bytes")) stats.bytes = {{as_reported, node["bytes"].whole(most)}};
+  if (node.has("fragments")) stats.fragments = node["fragments"].whole(most);
 }
 
 class ExternalRenderer final : public GivenRenderer {
@@ -96,7 +95,7 @@ class ExternalRenderer final : public GivenRenderer {
 
   std::vector<std::string> explain() const override {
     std::vector<std::string> lines{fmt::format("drawn by: {}", fmt::join(command_.words, " ")),
-                                   fmt::format("its time is the {}", time_)};
+                                   fmt::format("its time: {}", time_)};
     if (!place_.folder.empty())
       lines.push_back(fmt::format("what it printed and wrote is in {}", place_.folder.string()));
     return lines;
@@ -187,7 +186,25 @@ class ExternalMethod final : public GivenMethod {
 
 }  // namespace
 
+namespace {
+
+/// "{sceen}" would be passed on as it stands. Other braces, as of JSON, are the program's.
+void refuse_unknown_marks(const std::string& word) {
+  constexpr std::string_view known[] = {"scene", "camera", "output", "view"};
+  for (std::size_t at = 0; (at = word.find('{', at)) != word.npos; ++at) {
+    const std::size_t end = word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", at + 1);
+    if (end == word.npos || word[end] != '}' || end == at + 1) continue;
+    const std::string name = word.substr(at + 1, end - at - 1);
+    if (std::ranges::find(known, name) == std::end(known))
+      throw InputError(fmt::format("'{}': nothing is known as {{{}}}; accepted: {{{}}}", word, name,
+                                   fmt::join(known, "}, {")));
+  }
+}
+
+}  // namespace
+
 MethodCall external_call(const ExternalCommand& command) {
+  for (const std::string& word : command.words) refuse_unknown_marks(word);
   const bool has_output = std::ranges::any_of(
       command.words, [](const std::string& word) { return word.find("{output}") != word.npos; });
   if (!has_output)

@@ -50,7 +50,10 @@ json spread_json(const Spread& s) {
 }
 
 Spread spread_from(const json& j) {
-  Spread spread{j.at("median"), j.at("min"), j.at("max")};
+  const auto number = [&](const char* key) {
+    return j.at(key).is_null() ? 0 : j.at(key).get<double>();
+  };
+  Spread spread{number("median"), number("min"), number("max")};
   if (j.contains("interval")) spread.interval = {j["interval"].at(0), j["interval"].at(1)};
   return spread;
 }
@@ -69,6 +72,8 @@ json seconds_json(const ResultRow& row) {
     steps.back()["name"] = name;
   }
   json seconds = spread_json(row.seconds);
+  if (!row.given.empty() && row.steps.empty())  // which nobody told
+    for (const char* key : {"median", "min", "max"}) seconds[key] = nullptr;
   seconds["steps"] = steps;
   seconds["setup"] = row.setup_seconds;
   seconds["first"] = row.first_seconds;
@@ -93,7 +98,8 @@ json bytes_json(const ResultRow& row) {
   json parts = json::array();
   for (const scene::NamedBytes& part : row.bytes)
     parts.push_back({{"name", part.name}, {"bytes", part.bytes}});
-  return {{"total", row.total_bytes()}, {"parts", parts}};
+  const bool is_known = row.given.empty() || !row.bytes.empty();
+  return {{"total", is_known ? json(row.total_bytes()) : json()}, {"parts", parts}};
 }
 
 json coverage_json(const CoverageCheck& c) {
@@ -151,11 +157,13 @@ void add_results(const ResultRow& row, json& j) {
   j["metrics"] = to_json(row.metrics);
   j["seconds"] = seconds_json(row);
   j["bytes"] = bytes_json(row);
-  j["fragments"] = row.fragments;
+  // Of a picture from elsewhere only what its maker told is known.
+  const bool is_own = row.given.empty();
+  j["fragments"] = is_own || row.fragments > 0 ? json(row.fragments) : json();
   j["stored"] = row.stored;
   j["dropped"] = row.dropped;
   j["truncated_pixels"] = row.truncated;
-  j["max_layers"] = row.max_layers;
+  j["max_layers"] = is_own ? json(row.max_layers) : json();
   if (row.coverage) j["coverage"] = coverage_json(*row.coverage);
   if (!row.given.empty()) j["faults"] = row.given_faults;
   j["measures"] = measures_json(row);
@@ -171,11 +179,11 @@ void results_from(const json& j, ResultRow& row) {
   seconds_from(j.at("seconds"), row);
   for (const json& part : j.at("bytes").at("parts"))
     row.bytes.push_back({part.at("name"), part.at("bytes")});
-  row.fragments = j.at("fragments");
+  row.fragments = j.at("fragments").is_null() ? 0 : j.at("fragments").get<std::uint64_t>();
   row.stored = j.at("stored");
   row.dropped = j.at("dropped");
   row.truncated = j.at("truncated_pixels");
-  row.max_layers = j.at("max_layers");
+  row.max_layers = j.at("max_layers").is_null() ? 0 : j.at("max_layers").get<std::uint32_t>();
   if (j.contains("coverage")) row.coverage = coverage_from(j.at("coverage"));
   if (j.contains("faults")) row.given_faults = j.at("faults");
   for (const json& measure : j.at("measures")) row.measures.push_back(measure_from(measure));

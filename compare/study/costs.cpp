@@ -26,7 +26,8 @@ void find_bottleneck(CostLine& line) {
 }
 
 CostLine measured_line(const ResultRow& row, CostTable& table) {
-  CostLine line{row.scene, row.call(), 1e3 * row.seconds.median, double(row.total_bytes()), {}, {}};
+  CostLine line{row.scene, row.call(), 1e3 * row.seconds.median, {}, {}, {}};
+  if (row.given.empty() || !row.bytes.empty()) line.bytes = double(row.total_bytes());
   for (const auto& [name, spread] : row.steps) {
     const std::size_t place = place_of(name, table);
     line.steps.resize(std::max(line.steps.size(), place + 1));

@@ -63,7 +63,7 @@ MethodCall read_picture(const JsonNode& node, const std::filesystem::path& base,
                        .bytes = {}};
   refuse_unknown_marks(node["picture"], {"scene", "view"});
   if (node.has("ms")) picture.milliseconds = node["ms"].number(0, most);
-  if (node.has("bytes")) picture.bytes = std::uint64_t(node["bytes"].number(0, most));
+  if (node.has("bytes")) picture.bytes = node["bytes"].whole(most);
   picture.base = base;
   return picture_call(picture);
 }

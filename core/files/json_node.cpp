@@ -77,6 +77,12 @@ int JsonNode::integer(int min, int max) const {
   return value_->get<int>();
 }
 
+std::uint64_t JsonNode::whole(double max) const {
+  const double value = number(0, max);
+  if (value != std::floor(value)) refuse("a whole number");
+  return std::uint64_t(value);
+}
+
 bool JsonNode::boolean() const {
   if (!value_->is_boolean()) refuse("true or false");
   return value_->get<bool>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -36,6 +37,7 @@ class JsonNode {
 
   double number(double min, double max) const;  // inclusive bounds
   int integer(int min, int max) const;
+  std::uint64_t whole(double max) const;  // 0 to max, which is at most 2^53
   bool boolean() const;
   std::string string() const;
   std::string one_of(std::span<const std::string_view> accepted) const;

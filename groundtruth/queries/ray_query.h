@@ -30,7 +30,8 @@ class RayQuery {
   explicit RayQuery(geometry::TriangleMesh mesh);
 
   /// Returns all crossings in front of the origin, in their order along the ray. Throws InputError,
-  /// as all do, for a ray that is not finite and for a direction of length 0.
+  /// as all do, for a ray of which a number is not finite, or from 1e300 on, and for a direction of
+  /// length 0.
   std::vector<RayHit> all(const FreeRay& ray) const;
   /// Returns the nearest crossing, if there is one.
   std::optional<RayHit> first(const FreeRay& ray) const;

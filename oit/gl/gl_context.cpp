@@ -2,6 +2,7 @@
 #include "oit/gl/gl_context.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "core/error.h"
 #include "oit/gl/egl_devices.h"
@@ -36,10 +37,21 @@ std::string driver_name(const Gl& gl) {
   return fmt::format("{}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
 }
 
+/// Mesa's threads, which all contexts of a process share, are not there in one that it forks: who
+/// waits for them there waits for ever.
+void refuse_fork() {
+  static const pid_t first = ::getpid();
+  if (::getpid() != first)
+    throw WorkError(
+        "OpenGL was used before this process was forked, and cannot be used in it; accepted: a "
+        "process that is started anew, as by Python's multiprocessing with 'spawn'");
+}
+
 }  // namespace
 
 GlContext::GlContext(std::string_view kind)
     : platform_(make_platform(kind)), message_(std::make_unique<std::string>()) {
+  refuse_fork();
   platform_->make_current();
   gl_ = load(*platform_);
   driver_ = driver_name(gl_);

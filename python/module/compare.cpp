@@ -18,9 +18,11 @@ namespace {
 compare::PictureRead picture_of(const py::object& value, std::string_view what) {
   if (py::isinstance<Rendering>(value)) return {*value.cast<Rendering&>().image};
   const bool is_file = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
-  if (!is_file)
-    return {image_of(value, what),
-            py::len(value.attr("shape")) == 3 && value.attr("shape")[py::int_(2)].cast<int>() == 4};
+  if (!is_file) {
+    std::vector<py::ssize_t> shape;
+    Image image = image_of(value, what, &shape);
+    return {std::move(image), shape.size() == 3 && shape[2] == 4};
+  }
   const std::string file = path_of(value, what);
   return result_unlocked([&](const Progress&) { return compare::read_picture(file); });
 }
@@ -38,8 +40,10 @@ py::dict metrics_dict(const nlohmann::json& json, const compare::Metrics& metric
 
 /// Lists of lists, and arrays of one channel, as arrays of two dimensions; what is else as it is.
 py::object flat_array(py::object value) {
-  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
-    value = py::module_::import("numpy").attr("asarray")(value);
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    value = py::array::ensure(value);
+    if (!value) throw InputError("compare: mask: accepted: truth values or real numbers, (H, W)");
+  }
   if (!py::isinstance<py::array>(value)) return value;
   const auto array = value.cast<py::array>();
   return array.ndim() == 3 && array.shape(2) == 1 ? value.attr("squeeze")(2) : value;

@@ -49,15 +49,16 @@ std::shared_ptr<Scene> scene_of_dict(const py::handle& dict, const std::string& 
   const scene::SceneSource source{"scene", folder, names.take()};
   return std::make_shared<Scene>(
       result_unlocked([&](const Progress& p) { return scene::read_scene(text, source, p); }),
-      !text.contains("camera"));
+      folder);
 }
 
 std::shared_ptr<Scene> load_scene(const py::object& what, const py::object& folder) {
   const std::string start = folder.is_none() ? "" : path_of(folder, "load_scene: folder");
-  if (py::isinstance<py::dict>(what)) return scene_of_dict(what, start);
+  if (is_mapping(what)) return scene_of_dict(what, start);
   const std::filesystem::path path = std::filesystem::path(start) / path_of(what, "load_scene");
   return std::make_shared<Scene>(
-      result_unlocked([&](const Progress& p) { return scene::load_scene(path, p); }), false);
+      result_unlocked([&](const Progress& p) { return scene::load_scene(path, p); }),
+      path.parent_path());
 }
 
 void add(Scene& scene, const py::object& object, const py::kwargs& keys) {
@@ -66,8 +67,11 @@ void add(Scene& scene, const py::object& object, const py::kwargs& keys) {
   if (const Shape* shape = shape_in(object)) text = nlohmann::json::object({{shape->key(), text}});
   if (!text.is_object())
     throw InputError("add: accepted: a Mesh, Lines, Points, or an object of a scene as a dict");
-  text.update(scene_text(keys, "object", names));
-  const scene::SceneSource source{"scene", {}, names.take()};
+  const nlohmann::json further = scene_text(keys, "object", names);
+  for (const auto& [key, value] : further.items())
+    if (!text.emplace(key, value).second)
+      throw InputError(fmt::format("add: {}: the object has one; accepted: each key once", key));
+  const scene::SceneSource source{"scene", scene.folder(), names.take()};
   run_unlocked([&](const Progress& progress) {
     scene.change([&](scene::Scene& s) { scene::append_object(text, source, s, progress); });
   });
@@ -254,13 +258,13 @@ void Scene::change(const std::function<void(scene::Scene&)>& change) {
   probe_ = nullptr;
   change(scene_);
   if (!fits_camera_) return;
-  scene_.camera = scene::fitted_camera(scene_.bounds());
+  scene_.camera = scene::fitted_camera(scene_);
   scene::place_halos(scene_);
 }
 
 void Scene::set_view(const nlohmann::json& text) {
   change([&](scene::Scene& s) {
-    scene::change_view(text, s);
+    scene::change_view(text, folder_, s);
     if (text.contains("camera")) fits_camera_ = false;
   });
 }

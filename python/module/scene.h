@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "core/raster.h"
 #include "groundtruth/sums/ray_sums.h"
 #include "scene/files/scene_file.h"
+#include "scene/scene_fit.h"
 
 namespace pellucid::python {
 
@@ -20,8 +22,14 @@ namespace pellucid::python {
 /// alone, and no thread waits for it while it has Python's lock.
 class Scene {
  public:
-  explicit Scene(scene::Scene scene, bool fits_camera)
-      : scene_(std::move(scene)), fits_camera_(fits_camera) {}
+  /// Takes where relative paths of what is added start. A camera that nobody has given is fitted
+  /// again when the scene changes.
+  Scene(scene::Scene scene, std::filesystem::path folder)
+      : scene_(std::move(scene)),
+        folder_(std::move(folder)),
+        fits_camera_(scene::has_fitted_camera(scene_)) {}
+
+  const std::filesystem::path& folder() const { return folder_; }
 
   /// Calls look(scene), without Python's lock.
   template <class Look>
@@ -47,6 +55,7 @@ class Scene {
   std::shared_ptr<const groundtruth::RayProbe> probe_of_now();
 
   scene::Scene scene_;
+  std::filesystem::path folder_;
   bool fits_camera_;
   mutable std::shared_mutex mutex_;
   std::mutex probe_mutex_;

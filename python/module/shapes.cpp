@@ -45,9 +45,9 @@ void set_normals(const py::handle& value, geometry::Vertices& vertices, const st
 }
 
 void set_scalars(const py::handle& value, geometry::Vertices& vertices, const std::string& kind) {
-  if (!py::isinstance<py::dict>(value))
+  if (!is_mapping(value))
     throw InputError(kind + ": scalars; accepted: a dict of names and arrays");
-  for (const auto& [key, values] : py::reinterpret_borrow<py::dict>(value)) {
+  for (const auto& [key, values] : py::dict(py::reinterpret_borrow<py::object>(value))) {
     const std::string name = text_of(key, kind + ": scalars: a name");
     vertices.scalars[name] =
         scalar_of(values, vertices.positions.size(), fmt::format("{}: scalars['{}']", kind, name));

@@ -59,7 +59,7 @@ class JsonMaker {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
     if (py::isinstance<py::int_>(value)) return integer_of(value, here);
     if (py::isinstance<py::float_>(value)) return number_of(value, here);
-    if (py::isinstance<py::dict>(value)) return object(value, place, level);
+    if (is_mapping(value)) return object(value, place, level);
     if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
       return array(value, place, level);
     return path_of(value, here);
@@ -68,7 +68,7 @@ class JsonMaker {
  private:
   nlohmann::json object(const py::handle& value, const std::string& place, int level) const {
     nlohmann::json json = nlohmann::json::object();
-    for (const auto& [key, item] : py::reinterpret_borrow<py::dict>(value)) {
+    for (const auto& [key, item] : py::dict(py::reinterpret_borrow<py::object>(value))) {
       const std::string name = text_of(key, fmt::format("{}: {}: a key", what_, place));
       json[name] = make(item, place.empty() ? name : place + '.' + name, level + 1);
     }
@@ -110,6 +110,11 @@ void check_shape(const py::array& array, py::ssize_t columns, std::string_view w
 }
 
 }  // namespace
+
+bool is_mapping(const py::handle& value) {
+  return py::isinstance<py::dict>(value) ||
+         py::isinstance(value, py::module_::import("collections.abc").attr("Mapping"));
+}
 
 void refuse_masked(const py::handle& value, std::string_view what) {
   if (!py::isinstance<py::array>(value)) return;
@@ -232,8 +237,9 @@ std::vector<Rgba> colors_of(const py::handle& value, py::ssize_t dimensions, std
   return colors;
 }
 
-Image image_of(const py::handle& value, std::string_view what) {
-  std::vector<py::ssize_t> shape;
+Image image_of(const py::handle& value, std::string_view what,
+               std::vector<py::ssize_t>* shape_of_array) {
+  std::vector<py::ssize_t>& shape = *shape_of_array;
   Image image;
   image.pixels = colors_of(value, 3, what, &shape);
   constexpr py::ssize_t most = 1 << 28;

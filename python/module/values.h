@@ -35,9 +35,12 @@ double number_of(const py::handle& value, std::string_view what);
 long long integer_of(const py::handle& value, std::string_view what);
 ///@}
 
-/// Returns what a JSON file would hold for nested dicts, lists, tuples, NumPy's arrays and numbers,
-/// texts and paths. `on_other` returns the text that stands for an object of another kind; empty:
-/// there is none. Throws InputError.
+/// Returns whether `value` is a dict or another collections.abc.Mapping.
+bool is_mapping(const py::handle& value);
+
+/// Returns what a JSON file would hold for nested mappings, lists, tuples, NumPy's arrays and
+/// numbers, texts and paths. `on_other` returns the text that stands for an object of another kind;
+/// empty: there is none. Throws InputError.
 nlohmann::json json_of(const py::handle& value, std::string_view what,
                        const std::function<std::string(const py::handle&)>& on_other = {});
 
@@ -64,8 +67,9 @@ std::vector<Vec3> vectors_of(const py::handle& value, std::string_view what);
 std::vector<Rgba> colors_of(const py::handle& value, py::ssize_t dimensions, std::string_view what,
                             std::vector<py::ssize_t>* shape = nullptr);
 
-/// Returns the array `value` of H × W × 3 or 4 numbers as a picture. Throws InputError.
-Image image_of(const py::handle& value, std::string_view what);
+/// Returns the array `value` of H × W × 3 or 4 numbers as a picture. `shape` gets the array's.
+/// Throws InputError.
+Image image_of(const py::handle& value, std::string_view what, std::vector<py::ssize_t>* shape);
 
 /// Returns a NumPy array of the numbers at `data`, which `owner` keeps.
 template <class T>

@@ -210,7 +210,7 @@ void append_object(const nlohmann::json& object, const SceneSource& source, Scen
   for (auto& [where, how] : provenance) scene.provenance[place + where] = std::move(how);
 }
 
-void change_view(const nlohmann::json& text, Scene& scene) {
+void change_view(const nlohmann::json& text, const fs::path& folder, Scene& scene) {
   const JsonNode root("scene", text);
   root.accept_keys(view_keys);
   Scene view;
@@ -221,7 +221,7 @@ void change_view(const nlohmann::json& text, Scene& scene) {
   view.background = scene.background;
   view.lighting = scene.lighting;
   view.energy = scene.energy;
-  read_view(root, view);
+  read_view(root, folder, view);
   view.name = std::move(scene.name);
   view.file = std::move(scene.file);
   view.objects = std::move(scene.objects);

@@ -46,7 +46,8 @@ void append_object(const nlohmann::json& object, const SceneSource& source, Scen
                    const Progress& progress = {});
 
 /// Changes those of a scene's keys resolution, samples, camera, background, lighting and energy
-/// that `text` has; halos follow the camera. Throws InputError, and leaves the scene as it was.
-void change_view(const nlohmann::json& text, Scene& scene);
+/// that `text` has; halos follow the camera. `folder` is where relative paths start. Throws
+/// InputError, and leaves the scene as it was.
+void change_view(const nlohmann::json& text, const std::filesystem::path& folder, Scene& scene);
 
 }  // namespace pellucid::scene
