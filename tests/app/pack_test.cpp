@@ -52,6 +52,28 @@ TEST_F(UnitPack, ItRunsWhereItRan) {
   EXPECT_THAT(read_text(folder_ / "p/again/results.json"), HasSubstr("egl:software"));
 }
 
+/// A run of some cells, of a study of which a scene's data are missing here as they are there; the
+/// program by a path from where one stands.
+TEST_F(UnitPack, APartOfAStudyIsRunAgainAsThatPart) {
+  write_text(folder_ / "gone.json", read_text(folder_ / "scene.json"));
+  write_text(folder_ / "studies" / "s.json",
+             R"({"format": "pellucid-study", "version": 1,
+                 "scenes": ["../scene.json", "../gone.json"], "needs": {"gone": "../none.vdb"},
+                 "reference": "raytrace", "methods": ["weighted-average", "weighted-sum"],
+                 "repeats": 1})");
+  fs::remove_all(folder_ / "results");
+  ASSERT_EQ(run("study " + file("studies/s.json") + " --quiet --only '*-sum' --only raytrace -o " +
+                file("results"))
+                .exit_code,
+            0);
+  ASSERT_EQ(run(pack("p") + " --quiet").exit_code, 0);
+  fs::create_symlink(PELLUCID_PROGRAM, folder_ / "own");
+  EXPECT_EQ(shell("PELLUCID=./own p/run.sh > said 2>&1"), 0) << read_text(folder_ / "said");
+  EXPECT_FALSE(fs::exists(folder_ / "p/again/images/scene/weighted-average.exr"));
+  write_text(folder_ / "results/images/scene/weighted-sum.exr", "");
+  EXPECT_THAT(refusal(pack("q")), HasSubstr("weighted-sum.exr: is missing or empty"));
+}
+
 TEST_F(UnitPack, WhatIsChangedInThePackageIsSeen) {
   ASSERT_EQ(run(pack("p") + " --quiet").exit_code, 0);
   std::string sheet = read_text(folder_ / "p/inputs/sheet.ply");

@@ -43,6 +43,64 @@ def test_a_negative_duration_goes_the_way_back():
         assert surface.scalars["t"].min() == pytest.approx(-2)
 
 
+def test_a_fitted_camera_stays_what_the_loader_fits():
+    near, far = sheet(0, (0.5, 0.2, 0.1, 0.5)), sheet(7, (0.1, 0.2, 0.5, 0.5))
+    both = pellucid.load_scene({"resolution": (64, 48), "objects": [{"mesh": near}, {"mesh": far}]})
+    camera = both.camera
+    both.background = both.background
+    assert both.camera == camera
+    grown = pellucid.load_scene({"resolution": (64, 48), "objects": [{"mesh": near}]})
+    grown.add(far)
+    assert grown.camera == camera
+
+
+def test_what_is_added_is_found_beside_the_scene(tmp_path):
+    sheet(0, (0.5, 0.2, 0.1, 0.5)).save(tmp_path / "near.ply")
+    sheet(3, (0.5, 0.2, 0.1, 0.5)).save(tmp_path / "far.ply")
+    (tmp_path / "scene.json").write_text('{"format": "pellucid-scene", "version": 1, "resolution": [32, 24],'
+                                         ' "objects": [{"mesh": "near.ply"}]}')
+    scene = pellucid.load_scene(tmp_path / "scene.json")
+    before = scene.camera
+    scene.add({"mesh": "far.ply"})
+    assert len(scene.objects) == 2 and scene.camera != before
+    with pytest.raises(pellucid.InputError, match="add: mesh: the object has one"):
+        scene.add(sheet(1, (0.5, 0.2, 0.1, 0.5)), mesh="far.ply")
+
+
+def test_any_mapping_and_any_sequence_will_do():
+    from types import MappingProxyType
+    scene = pellucid.load_scene(MappingProxyType({"resolution": (16, 16), "objects": [
+        MappingProxyType({"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))})]}))
+    picture = scene.render()
+    lists = picture.image.tolist()
+    assert pellucid.compare(lists, picture.image)["rmse"] == 0
+    with pytest.raises(pellucid.InputError):
+        pellucid.compare(lists, lists, mask=[[1, 2], [3]])
+
+
+def draw_in_fork(queue):
+    try:
+        pellucid.load_scene({"resolution": (16, 16), "objects": [{"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))}]}).render(
+            "weighted-sum")
+        queue.put("drawn")
+    except pellucid.WorkError as error:
+        queue.put(str(error))
+
+
+def test_a_forked_process_is_told_that_opengl_does_not_follow():
+    import multiprocessing
+    here = pellucid.load_scene({"resolution": (16, 16), "objects": [{"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))}]})
+    here.render("weighted-sum")
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=draw_in_fork, args=(queue,))
+    child.start()
+    try:
+        assert "before this process was forked" in queue.get(timeout=60)
+    finally:
+        child.kill()
+
+
 def test_layers_tell_covered_pixels():
     scene = pellucid.load_scene({"resolution": (64, 48), "objects": [{"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))}]})
     exact = scene.render()

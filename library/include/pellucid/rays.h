@@ -30,7 +30,7 @@ struct RayCrossing {
 /// cross in front of their origin. Where a ray meets an edge, a vertex, a triangle seen edge-on, or
 /// begins on a triangle, it is taken to be moved by an infinitesimal, always the same. Its const
 /// functions may be called by several threads at once. They throw std::invalid_argument for
-/// numbers that are not finite and for a direction of length 0.
+/// numbers that are not finite or from 1e300 on, and for a direction of length 0.
 class PELLUCID_EXPORT MeshRays {
  public:
   /// Copies the mesh and builds a hierarchy of boxes, in n log n. Throws std::invalid_argument for

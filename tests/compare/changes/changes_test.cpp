@@ -67,6 +67,33 @@ TEST(UnitNumberChanges, FewTimesHaveTheirExtremes) {
   EXPECT_THAT(number_changes(a, b), IsEmpty());
 }
 
+/// The worst of views is a metric, which step took longest a time, and a share of an error's budget
+/// as uncertain as the error is small.
+TEST(UnitNumberChanges, MeasuresAreHeldToWhatTheyAre) {
+  const auto with = [](const char* name, double value) {
+    ResultRow row = with_rmse(0.1);
+    row.measures.push_back({name, name, "", value, scene::Measure::Better::lower});
+    return row;
+  };
+  const auto count = [&](const char* name, double a, double b) {
+    return number_changes(with(name, a), with(name, b)).size();
+  };
+  EXPECT_EQ(count("rmse_worst", 1e-8, 2e-8), 0u);
+  EXPECT_EQ(count("rmse_worst", 1e-8, 1e-5), 1u);
+  EXPECT_EQ(count("flip_worst", 0.1, 0.10009), 0u);
+  EXPECT_EQ(count("flicker", 0, 1e-7), 0u);
+  EXPECT_EQ(count("longest_step", 2, 3), 0u);
+  EXPECT_EQ(count("hull_pixels", 2, 3), 1u);
+  const auto with_share = [](double share) {
+    ResultRow row = with_rmse(0.1);
+    row.budget = ErrorBudget{.rmse = 0.01, .lines = {{.stage = "mesh", .share = share}}};
+    return row;
+  };
+  EXPECT_THAT(titles(number_changes(with_share(0.1), with_share(0.9))),
+              ElementsAre("Share of 'mesh' in the error"));
+  EXPECT_THAT(number_changes(with_share(0.1), with_share(0.10005)), IsEmpty());
+}
+
 TEST(UnitNumberChanges, MetricsDifferBeyondRounding) {
   EXPECT_THAT(number_changes(with_rmse(0.5), with_rmse(0.5 + 0.9 * rounding_of_picture)),
               IsEmpty());

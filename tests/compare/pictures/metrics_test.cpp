@@ -137,6 +137,7 @@ void expect_equal(const Metrics& got, const json& expected, double rounding,
 TEST(UnitMetrics, BelowAWindowAtTheCoarsestScaleThereIsNoMsSsim) {
   EXPECT_FALSE(ms_ssim(grey(175, 400, 0.f), grey(175, 400, 1.f)).has_value());
   EXPECT_EQ(ms_ssim(grey(176, 176, 0.5f), grey(176, 176, 0.5f)), 1);
+  EXPECT_EQ(ms_ssim(grey(176, 176, 2e38f), grey(176, 176, 2e38f)), 1);  // four are beyond a float
 }
 
 // Constants differ in luminance alone, which only the coarsest scale looks at: the power of its

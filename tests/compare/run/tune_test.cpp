@@ -54,6 +54,24 @@ TEST_F(UnitTune, FindsTheFirstOfThoseWithinTheBound) {
   EXPECT_NE(outcome.rows.back().error, "");
 }
 
+/// Of as many bytes all are tied, in every run, and the least error goes first.
+TEST_F(UnitTune, BytesAreNoMatterOfChance) {
+  const TuneOutcome outcome =
+      tune({.scene = folder_ / "one.json",
+            .reference = fake("truth"),
+            .candidates = {fake("shifted", {{"by", "0.5"}}), fake("exact-shifted"), fake("truth")},
+            .bound = {.max_rmse = 0.5, .min_ssim = {}, .max_bytes = {}},
+            .cost = Cost::bytes,
+            .repeats = 30,
+            .context = {},
+            .progress = {},
+            .on_row = {}});
+  ASSERT_TRUE(outcome.best());
+  EXPECT_EQ(outcome.best()->method, "truth");
+  EXPECT_THAT(outcome.within_bound, ElementsAre(true, true, true));
+  EXPECT_THAT(outcome.tied, ElementsAre(false, true, true));
+}
+
 TEST_F(UnitTune, NoneIsWithinABoundThatAllMiss) {
   EXPECT_FALSE(run({.max_rmse = 0.1249, .min_ssim = {}, .max_bytes = {}}).best());
   EXPECT_FALSE(run({.max_rmse = 1, .min_ssim = 1, .max_bytes = {}}).best());

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "compare/cells/view_rows.h"
 #include "compare/pictures/image_file.h"
 #include "compare/results/measure_columns.h"
 #include "core/error.h"
@@ -108,6 +109,31 @@ TEST(UnitViews, TheWorstOfEqualPicturesIsInfinitelyGood) {
   const ResultRow& same = row_of(outcome, "one", "same");
   EXPECT_EQ(measure_of(same, "rmse_worst"), 0);
   EXPECT_EQ(measure_of(same, "psnr_worst"), std::numeric_limits<double>::infinity());
+}
+
+/// One view is equal, and in one alone something is lost: means tell of both.
+TEST(UnitViews, AMeanHidesNeitherErrorsNorLosses) {
+  const StudyFolder folder;
+  const auto seen = [&](const ResultRow& row, double error) {
+    ResultRow view = row;
+    view.metrics.linear.of("psnr") = error > 0 ? 20 : std::numeric_limits<double>::infinity();
+    view.dropped = error > 0 ? 1 : 0;
+    view.given = "command";
+    view.given_faults = error > 0 ? std::vector<std::string>{"always", "upside down"}
+                                  : std::vector<std::string>{"always"};
+    if (error > 0) view.bytes = {{"all", 7}};
+    return view;
+  };
+  const ResultRow one = row_of(see(folder, three_views), "one", "steady");
+  const Image picture(2, 2, Rgba(0));
+  ViewRows rows(false);
+  for (const double error : {0., 0.1, 0., 0.}) rows.add(seen(one, error), picture, picture);
+  const ResultRow mean = rows.row();
+  EXPECT_EQ(*mean.metrics.linear.of("psnr"), 20);
+  EXPECT_EQ(mean.dropped, 1u);
+  EXPECT_THAT(mean.given_faults, ElementsAre("always", "view 2: upside down"));
+  EXPECT_TRUE(mean.bytes.empty());  // of three views they are not known
+  EXPECT_TRUE(to_json(mean)["bytes"]["total"].is_null());
 }
 
 TEST(UnitViews, TheErrorOverTheViewsIsACurve) {

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <limits>
+
 #include "compare/report/tables.h"
 #include "compare/study/study.h"
 #include "core/options/names.h"
@@ -146,7 +149,70 @@ TEST(UnitClaims, TimesWithoutAnIntervalDecideNothing) {
   unknown.seconds.interval.reset();
   EXPECT_EQ(verdict_of(claim("seconds", {{"a", "c"}, {"b"}}),
                        {timed("a", 1, 2), unknown, timed("c", 1, 2)}),
-            "undecided: b has no interval, which takes five timed pictures");
+            "undecided: b has no interval, as of a time that was taken less than five times");
+}
+
+/// Of the first picture, or of one stage, there is one time alone; which step took longest hangs on
+/// times, too.
+TEST(UnitClaims, ATimeOfWhichOnlyOneIsKeptDecidesNothing) {
+  ResultRow a = timed("a", 1, 2), b = timed("b", 3, 4);
+  a.first_seconds = 1, b.first_seconds = 100;
+  EXPECT_THAT(verdict_of(claim("first_frame_ms", {{"a"}, {"b"}}), {a, b}), HasSubstr("undecided"));
+  const auto with_steps = [&](double second_low) {
+    ResultRow row = timed("a", 1, 2);
+    row.steps = {{"one", {1, 1, 1, Interval{0.9, 1.1}}},
+                 {"two", {1.3, 1.3, 1.3, Interval{second_low, 1.5}}}};
+    row.measures.push_back({"longest_step", "", "", 2, Better::neither});
+    return row;
+  };
+  const auto held = [&](const ResultRow& row) {
+    Claim least{"", {nullptr, "longest_step", Better::higher}, {{"a"}}};
+    least.bound = 2;
+    return verdict_of(least, {row});
+  };
+  EXPECT_EQ(held(with_steps(1.2)), "the same here");
+  EXPECT_THAT(held(with_steps(1.05)), HasSubstr("undecided"));
+}
+
+TEST(UnitClaims, WhatDoesNotChangeGetsNoBetter) {
+  Claim better = claim("rmse", {{"a"}, {"b"}, {"c"}});
+  better.monotone = true;
+  const auto of = [&](double a, double b, double c) {
+    return verdict_of(better, {row("one", "a", a), row("one", "b", b), row("one", "c", c)});
+  };
+  EXPECT_EQ(of(0.1, 0.2, 0.3), "the same here");
+  EXPECT_EQ(of(0.1, 0.1, 0.3), "the same here");  // some may be equal
+  EXPECT_EQ(of(0.1, 0.1, 0.1), "otherwise here: it does not change");
+  EXPECT_EQ(of(0.2, 0.1, 0.3), "otherwise here: b before a");
+}
+
+/// As a stage's share may be, or SSIM.
+TEST(UnitClaims, NumbersBelowZeroHaveNoFactorButMayBeTheSame) {
+  Claim same = claim("rmse", {{"a", "b"}});
+  same.same = true;
+  same.within = 0.1;
+  const auto of = [&](double a, double b) {
+    return verdict_of(same, {row("one", "a", a), row("one", "b", b)});
+  };
+  EXPECT_EQ(of(-0.5, -0.5), "the same here");
+  EXPECT_EQ(of(-0.5, -0.52), "the same here");
+  EXPECT_THAT(of(-0.5, -0.6), HasSubstr("otherwise here: a and b differ"));
+  EXPECT_THAT(of(-0.5, 0.5), HasSubstr("otherwise here: a and b differ"));
+  Claim factor = claim("rmse", {{"a"}, {"b"}});
+  factor.factor = 2;
+  EXPECT_THAT(verdict_of(factor, {row("one", "a", -0.1), row("one", "b", 0.5)}),
+              HasSubstr("undecided: a and b are not both above 0"));
+}
+
+TEST(UnitClaims, AnInfiniteNumberDoesNotHideTheOthersInTheMean) {
+  std::vector<ResultRow> psnr{row("one", "a", 0), row("two", "a", 0.1)};
+  psnr[0].metrics.linear.of("psnr") = std::numeric_limits<double>::infinity();
+  psnr[1].metrics.linear.of("psnr") = 20;
+  const auto checks = check_claim(claim("psnr", {{"a"}}), scenes, psnr);
+  EXPECT_EQ(checks.back().of, "mean");
+  EXPECT_EQ(checks.back().values[0].value, 20);
+  psnr[1].metrics.linear.of("psnr") = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(std::isinf(check_claim(claim("psnr", {{"a"}}), scenes, psnr).back().values[0].value));
 }
 
 // b / a is between 3/2 and 4/1.
