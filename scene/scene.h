@@ -95,12 +95,8 @@ struct SceneObject {
   Box3 bounds() const;
 };
 
-/// A Scene says what is drawn and how; its picture is `width` × `height` pixels. Objects are
-/// ordered: crossings at equal depth are ordered by object, then by primitive: triangle; triangle
-/// of a ribbon (two a segment, see ribbon.h); segment; point; cell of an isosurface.
-struct Scene {
-  std::string name;
-  std::string file;  // that it was read from, for messages; empty: none
+/// A SceneView says how objects are drawn; the picture is `width` × `height` pixels.
+struct SceneView {
   int width = 1000;
   int height = 1000;
   PixelSampling samples;
@@ -108,6 +104,14 @@ struct Scene {
   Vec3 background{1, 1, 1};  // red, green, blue in [0, 1]
   Lighting lighting = Lighting::none;
   EnergyWeights energy;  // for methods that optimize opacities
+};
+
+/// A Scene says what is drawn and how. Objects are ordered: crossings at equal depth are ordered by
+/// object, then by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h); segment;
+/// point; cell of an isosurface.
+struct Scene : SceneView {
+  std::string name;
+  std::string file;  // that it was read from, for messages; empty: none
   std::vector<SceneObject> objects;
   std::vector<Camera> camera_path;                // empty: none; `camera` need not be on it
   std::map<std::string, std::string> provenance;  // how the objects were made

@@ -48,14 +48,14 @@ EnergyWeights read_energy(const JsonNode& node) {
 constexpr std::array<std::string_view, 6> view_keys{"resolution", "samples",  "camera",
                                                     "background", "lighting", "energy"};
 
-void read_resolution(const JsonNode& node, Scene& scene) {
+void read_resolution(const JsonNode& node, SceneView& scene) {
   const auto sides = node.elements();
   if (sides.size() != 2) node.fail("accepted: two integers, width and height");
   scene.width = sides[0].integer(1, max_side);
   scene.height = sides[1].integer(1, max_side);
 }
 
-void read_view(const JsonNode& root, const std::filesystem::path& folder, Scene& scene) {
+void read_view(const JsonNode& root, const fs::path& folder, SceneView& scene) {
   if (root.has("resolution")) read_resolution(root["resolution"], scene);
   if (root.has("samples")) scene.samples = read_samples(root["samples"]);
   if (root.has("camera")) {
@@ -213,22 +213,10 @@ void append_object(const nlohmann::json& object, const SceneSource& source, Scen
 void change_view(const nlohmann::json& text, const fs::path& folder, Scene& scene) {
   const JsonNode root("scene", text);
   root.accept_keys(view_keys);
-  Scene view;
-  view.width = scene.width;
-  view.height = scene.height;
-  view.samples = scene.samples;
-  view.camera = scene.camera;
-  view.background = scene.background;
-  view.lighting = scene.lighting;
-  view.energy = scene.energy;
+  SceneView view = scene;
   read_view(root, folder, view);
-  view.name = std::move(scene.name);
-  view.file = std::move(scene.file);
-  view.objects = std::move(scene.objects);
-  view.camera_path = std::move(scene.camera_path);
-  view.provenance = std::move(scene.provenance);
-  if (root.has("camera")) view.provenance["camera"] = "given";
-  scene = std::move(view);
+  static_cast<SceneView&>(scene) = view;
+  if (root.has("camera")) scene.provenance["camera"] = "given";
   for (SceneObject& object : scene.objects) light(object, scene.lighting);
   place_halos(scene);
 }

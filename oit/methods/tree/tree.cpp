@@ -15,10 +15,7 @@ namespace {
 /// The scene with these objects alone.
 scene::Scene with_objects(const scene::Scene& scene, std::vector<scene::SceneObject> objects) {
   scene::Scene part;
-  part.width = scene.width;
-  part.height = scene.height;
-  part.camera = scene.camera;
-  part.lighting = scene.lighting;
+  static_cast<scene::SceneView&>(part) = scene;
   part.objects = std::move(objects);
   return part;
 }
