@@ -13,16 +13,16 @@ bool has_halo(const scene::SceneObject& object) {
   return lines && lines->halo;
 }
 
-/// A MeasuredScene is a scene without its objects' shapes, but for one object alone.
-struct MeasuredScene {
+/// A BoundedScene is a scene without its objects' shapes, but for one object alone.
+struct BoundedScene {
   scene::Scene scene;
   Box3 bounds;  // of all objects, world
   bool any_halo = false;
 };
 
-MeasuredScene measure(const fs::path& path, const Progress& progress,
+BoundedScene measure(const fs::path& path, const Progress& progress,
                       const scene::ViewRequest& view) {
-  MeasuredScene measured;
+  BoundedScene measured;
   measured.scene = scene::load_scene_by_objects(
       path, progress, view, [&](scene::SceneObject& object, std::size_t count) {
         const Box3 box = object.bounds();
@@ -39,7 +39,7 @@ MeasuredScene measure(const fs::path& path, const Progress& progress,
 groundtruth::ScenePart load_part(const fs::path& path, const Progress& progress,
                                  const scene::ViewRequest& view, const scene::PartNumber& part,
                                  scene::PartOf of) {
-  MeasuredScene measured = measure(path, progress, view);
+  BoundedScene measured = measure(path, progress, view);
   if (measured.scene.objects.size() == 1)
     return groundtruth::take_part(std::move(measured.scene), part, of);
   if (measured.any_halo)
