@@ -15,6 +15,7 @@
 #include "compare/parts/load_part.h"
 #include "compare/parts/scene_fingerprint.h"
 #include "compare/pictures/image_file.h"
+#include "compare/pictures/picture_pair.h"
 #include "compare/pictures/sums_file.h"
 #include "compare/results/probe_json.h"
 #include "compare/results/render_json.h"
