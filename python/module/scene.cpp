@@ -8,6 +8,7 @@
 #include "compare/methods/methods.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
+#include "compare/pictures/picture_pair.h"
 #include "compare/pictures/png_file.h"
 #include "compare/results/render_json.h"
 #include "core/error.h"
