@@ -36,7 +36,7 @@ std::string first_fact(const PastRun& run, const std::string& name) {
 }
 
 /// A word between single quotes.
-std::string quoted(std::string_view word) {
+std::string shell_word(std::string_view word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
   return text + '\'';
@@ -53,7 +53,7 @@ std::string only_its_cells(const PastRun& run, const Study& study) {
       if (std::string_view("*?[\\").find(c) != std::string_view::npos) pattern += '\\';
       pattern += c;
     }
-    words += fmt::format(" \\\n  --only {}", quoted(pattern));
+    words += fmt::format(" \\\n  --only {}", shell_word(pattern));
   }
   return words;
 }
@@ -80,7 +80,7 @@ sha256sum --check --quiet manifest.sha256 || exit 2
 exec "$pellucid" compare results again --ignore-times --output again/changes
 )sh",
                      first_fact(run, "version"), first_fact(run, "commit"),
-                     quoted("./" + packed.study), gl_of(run.rows.front()),
+                     shell_word("./" + packed.study), gl_of(run.rows.front()),
                      only_its_cells(run, study));
 }
 
