@@ -5,7 +5,9 @@
 // Algorithm 1 of Tian and Guenther hangs a new node below the last one of its search path: input
 // that is sorted makes a list of the tree. Here nodes have random priorities and none is above one
 // of a higher priority (a treap: Seidel and Aragon 1996, "Randomized search trees", Algorithmica
-// 16), so that a path has about 2 ln n nodes, whatever the order of the input.
+// 16), so that a path has about 2 ln n nodes, whatever the order of the input. What a search meets
+// first depends on the tree's shape: first_met keeps that of Algorithm 1, and a path may then be as
+// long as the pixel has layers, up to `longest_path`.
 //
 // Layers are also linked from front to back: a traversal needs neither recursion nor a stack.
 #include "oit/stage/random.glsl"
@@ -36,8 +38,14 @@ struct Place {
   uint parent;   // what a new layer would hang below; 0: it would be the root
   bool left;     // … on which side
   uint subtree;  // … and whose place it would take
-  int steps;     // length of the search path
+  uint priority;
+  int steps;      // length of the search path
+  bool too_deep;  // the path is longer than longest_path: nothing else is known
 };
+
+// Steps of a search path at most. llvmpipe ends a shader's loops after 65535 iterations, counted
+// over the 8 pixels that it runs at once, without an error. Only first_met comes near.
+const int longest_path = 4000;
 
 Layer load_layer(uint id);
 void store_layer(uint id, Layer layer);
@@ -48,9 +56,14 @@ uint load_order(uint id);  // of a crossing
 bool is_crossing(Layer layer) { return (layer.priority & 1u) == 1u; }
 
 // A function of the entry alone: the tree of a pixel is the same whatever other pixels hold.
-uint priority_of(Entry entry) {
+//
+// Of equal priorities, which those have that first_met may merge, the later one hangs below: their
+// tree is that of Algorithm 1. Crossings, of which the algorithm knows nothing, are balanced below.
+uint priority_of(Entry entry, bool first_met) {
+  const uint highest = 0xfffffffeu;
   uint bits = hash(floatBitsToUint(entry.depth) ^ hash(entry.order));
-  return entry.crossing ? bits | 1u : bits & ~1u;
+  if (!entry.crossing) return first_met ? highest : bits & ~1u;
+  return first_met ? min(bits | 1u, highest - 1u) : bits | 1u;
 }
 
 // Diff of Algorithm 1: the squared difference of depths.
@@ -72,20 +85,21 @@ Place find_place(Tree tree, Entry entry, float epsilon2, bool first_met) {
   Place place;
   place.nearest = place.before = place.parent = place.subtree = 0u;
   place.left = false;
+  place.priority = priority_of(entry, first_met);
   place.steps = 0;
   float nearest = epsilon2;
   bool descending = true;
-  uint priority = priority_of(entry);
-  for (uint id = tree.root; id != 0u; ++place.steps) {
+  uint id = tree.root;
+  for (; id != 0u && place.steps < longest_path; ++place.steps) {
     Layer layer = load_layer(id);
     float difference = depth_difference(entry.depth, layer.depth);
-    bool is_taken = first_met && place.nearest != 0u;
-    if (difference < nearest && !is_taken && !entry.crossing && !is_crossing(layer)) {
+    if (difference < nearest && !entry.crossing && !is_crossing(layer)) {
       nearest = difference;
       place.nearest = id;
+      if (first_met) break;
     }
     bool left = is_in_front(entry, id, layer);
-    if (descending && priority > layer.priority) {
+    if (descending && place.priority > layer.priority) {
       descending = false;
       place.subtree = id;
     }
@@ -96,6 +110,7 @@ Place find_place(Tree tree, Entry entry, float epsilon2, bool first_met) {
     if (!left) place.before = id;
     id = left ? layer.left : layer.right;
   }
+  place.too_deep = id != 0u && place.nearest == 0u;
   return place;
 }
 
@@ -130,7 +145,7 @@ Tree insert_layer(Tree tree, Entry entry, Place place, uint id) {
   Layer layer;
   layer.left = layer.right = 0u;
   layer.depth = entry.depth;
-  layer.priority = priority_of(entry);
+  layer.priority = place.priority;
   store_layer(id, layer);
   split(entry, place.subtree, id);
   if (place.parent == 0u) tree.root = id;

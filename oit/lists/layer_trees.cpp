@@ -8,7 +8,8 @@ namespace pellucid::oit {
 namespace {
 
 // llvmpipe silently ends the loops of a shader after 65535 iterations, counted over all 8 pixels
-// that it runs at once: what a pixel may take of them before it waits for the next pass.
+// that it runs at once: what a pixel may take of them before it waits for the next pass. Its last
+// search may take `longest_path` of layer_tree.glsl more, so that 8 pixels stay below 8 * 8000.
 constexpr int most_steps = 4000;
 
 /// Makes room for `bytes`; what is there stays.
@@ -59,7 +60,7 @@ LayerTrees::LayerTrees(Stage& stage, double epsilon2, const LayerRule& rule)
       trees_(stage.target("trees", GL_RG32UI)),
       fragment_count_(stage.gl(), sizeof(std::uint32_t)),
       layer_count_(stage.gl(), sizeof(std::uint32_t)),
-      unfinished_(stage.gl(), sizeof(std::uint32_t)),
+      unfinished_(stage.gl(), 2 * sizeof(std::uint32_t)),
       pool_(make_fragment_pool(stage.gl(), "tree", 0)),
       no_targets_(stage.gl(), stage.width(), stage.height()),
       build_(stage.geometry_program(oit_glsl::list_build_frag_glsl(),
@@ -130,6 +131,10 @@ void LayerTrees::insert() {
     const Resource counter = layer_count_.as_atomic_counter(bindings::layer_counter);
     stage_.draw_screen({no_targets_, {Blend::replace}, lists() + trees() + counter}, insert_);
     finish_stores();
+    if (unfinished_.read_word(1) > 0)
+      throw WorkError(
+          "tree: a search path is longer than 4000 layers, and merge=first does not balance the "
+          "tree; use merge=nearest, or a larger epsilon2");
     const std::uint64_t wanted = layer_count_.read_word(0);
     layers_ = std::min(wanted, capacity_);
     if (wanted <= capacity_) continue;

@@ -60,7 +60,8 @@ class LayerTrees {
   /// Rasterizes `geometry` into lists of fragments. If they are `crossings`, each is a layer by
   /// itself.
   void rasterize(const Geometry& geometry, bool crossings);
-  /// Puts the fragments that were rasterized into the trees.
+  /// Puts the fragments that were rasterized into the trees. Throws WorkError when a path of
+  /// `first_met` is longer than 4000 layers.
   void insert();
   /// Composites each pixel's layers front to back into `picture`. Throws WorkError when a pixel has
   /// more layers than a shader's loop reaches.
@@ -88,7 +89,8 @@ class LayerTrees {
   Stage& stage_;
   bool has_normals_;
   Texture heads_, trees_;
-  Buffer fragment_count_, layer_count_, unfinished_;
+  Buffer fragment_count_, layer_count_;
+  Buffer unfinished_;  // pixels that wait; pixels whose search path is too long
   FragmentPool pool_;
   BufferTexture nodes_, links_, colors_, normals_;  // see layer_nodes.glsl
   std::uint64_t capacity_ = 0;                      // of these, without layer 0

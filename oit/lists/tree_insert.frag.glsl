@@ -5,7 +5,7 @@
 #include "oit/lists/layer_nodes.glsl"
 
 layout(binding = layer_counter) uniform atomic_uint layer_count;
-layout(binding = unfinished_storage) buffer Unfinished { uint unfinished; };
+layout(binding = unfinished_storage) buffer Unfinished { uint unfinished, too_deep; };
 
 uniform float epsilon2;
 uniform bool crossings;   // the lists hold crossings of meshes
@@ -56,6 +56,10 @@ void main() {
     vec4 color = imageLoad(colors, int(fragment));
     Entry entry = Entry(uintBitsToFloat(texel.y), crossings, crossings ? texel.z : 0u);
     Place place = find_place(tree, entry, epsilon2, first_met);
+    if (place.too_deep) {
+      atomicAdd(too_deep, 1u);
+      break;
+    }
     if (place.nearest != 0u)
       merge(place.nearest, entry.depth, color, texel.w);
     else {

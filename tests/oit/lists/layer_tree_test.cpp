@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -47,6 +48,8 @@ struct PixelTree {
     const glsl::Entry entry{depth, crossing, order};
     const glsl::Place place = glsl::find_place(tree, entry, epsilon2, first_met);
     longest = std::max(longest, place.steps);
+    too_deep += place.too_deep;
+    if (place.too_deep) return;
     if (place.nearest != 0) return merge(place.nearest, depth);
     const auto id = glm::uint(glsl::memory.layers.size());
     glsl::memory.layers.emplace_back();
@@ -75,7 +78,8 @@ struct PixelTree {
   glsl::Tree tree{0, 0};
   float epsilon2;
   bool first_met = false;
-  int longest = 0;  // search path
+  int longest = 0;   // search path
+  int too_deep = 0;  // fragments that found no place
 };
 
 std::vector<float> random_depths(int n, unsigned seed) {
@@ -205,6 +209,101 @@ TEST(UnitLayerTree, CrossingsAreMergedWithNothing) {
   for (const glm::uint id : pixel.in_order())
     if (glsl::is_crossing(glsl::load_layer(id))) orders.push_back(glsl::load_order(id));
   EXPECT_EQ(orders, (std::vector<glm::uint>{3, 5, 7}));
+}
+
+/// Algorithm 1 of Tian and Guenther in the paper's words, with its two slips mended: every fragment
+/// of the list is traversed, once, and Diff, which is squared, is held against the square.
+struct Algorithm1 {
+  struct Node {
+    float depth;
+    int count = 1;
+    std::unique_ptr<Node> left, right;
+  };
+  using Layers = std::vector<std::pair<float, int>>;  // depth, fragments
+
+  void traverse(float frag, std::unique_ptr<Node>& node) {
+    if (!node) {
+      node = std::make_unique<Node>(Node{frag, 1, nullptr, nullptr});
+    } else if ((frag - node->depth) * (frag - node->depth) < epsilon2) {
+      node->count += 1;
+      node->depth += (frag - node->depth) / float(node->count);
+    } else {
+      traverse(frag, frag < node->depth ? node->left : node->right);
+    }
+  }
+  /// The order in which Algorithm 2 blends.
+  void visit(const std::unique_ptr<Node>& node, Layers& layers) const {
+    if (!node) return;
+    visit(node->left, layers);
+    layers.emplace_back(node->depth, node->count);
+    visit(node->right, layers);
+  }
+  Layers layers() const {
+    Layers all;
+    visit(root, all);
+    return all;
+  }
+
+  float epsilon2;
+  std::unique_ptr<Node> root = nullptr;
+};
+
+/// The layers of a tree that are not crossings.
+Algorithm1::Layers merged_layers(const PixelTree& pixel) {
+  Algorithm1::Layers all;
+  for (const glm::uint id : pixel.in_order())
+    if (const glsl::Layer layer = glsl::load_layer(id); !glsl::is_crossing(layer))
+      all.emplace_back(layer.depth, int(glsl::memory.extra[id]));
+  return all;
+}
+
+// To the last bit, also where means have passed each other and searches go astray.
+TEST(AgreementLayerTree, TheFirstMetIsThatOfAlgorithm1) {
+  for (unsigned seed = 0; seed < 300; ++seed)
+    for (const int n : {3, 10, 300})
+      for (const float epsilon : {0.02f, 0.1f, 0.4f}) {
+        PixelTree pixel(epsilon);
+        pixel.first_met = true;
+        Algorithm1 published{pixel.epsilon2};
+        for (const float d : random_depths(n, 1000 + seed)) {
+          pixel.add(d);
+          published.traverse(d, published.root);
+        }
+        ASSERT_EQ(merged_layers(pixel), published.layers()) << seed << ' ' << n << ' ' << epsilon;
+      }
+}
+
+// Crossings, of which the algorithm knows nothing, change nothing of what is merged beside them.
+TEST(PropertyLayerTree, CrossingsDoNotChangeWhatIsMetFirst) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    PixelTree pixel(0.1f);
+    pixel.first_met = true;
+    Algorithm1 published{pixel.epsilon2};
+    std::mt19937 random(seed);
+    glm::uint crossings = 0;
+    for (const float d : random_depths(300, 2000 + seed)) {
+      const bool crossing = random() % 2 == 0;
+      pixel.add(d, crossing, crossing ? ++crossings : 0);
+      if (!crossing) published.traverse(d, published.root);
+    }
+    ASSERT_EQ(merged_layers(pixel), published.layers()) << seed;
+    ASSERT_EQ(pixel.in_order().size(), crossings + published.layers().size()) << seed;
+  }
+}
+
+// Sorted layers make a list of Algorithm 1's tree, whose last ones find no place; crossings do not.
+TEST(UnitLayerTree, PathsOfAlgorithm1EndAtTheirBound) {
+  constexpr int n = glsl::longest_path + 1;  // the last one hangs below that many
+  PixelTree pixel(0);
+  pixel.first_met = true;
+  for (int i = 0; i < n + 10; ++i) pixel.add(float(i));
+  EXPECT_EQ(pixel.in_order().size(), std::size_t(n));
+  EXPECT_EQ(pixel.too_deep, 10);
+  PixelTree crossings(0);
+  crossings.first_met = true;
+  for (int i = 0; i < 10 * n; ++i) crossings.add(float(i), true, glm::uint(i));
+  EXPECT_EQ(crossings.in_order().size(), std::size_t(10 * n));
+  EXPECT_LT(crossings.longest, 6 * std::log(10 * n));
 }
 
 /// Trees of fragments at random depths, few epsilons apart, whose layers do not lie in order.

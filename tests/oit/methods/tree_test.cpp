@@ -172,6 +172,38 @@ TEST(UnitTree, MeshesAreSamplesWhereToldSo) {
   EXPECT_EQ(render(method("tree"), scene, {{"sampled", "all"}}, true).stats.max_layers, 3u);
 }
 
+// Of three sheets the middle one is within ε of both others. The last drawn is the first in a
+// pixel's list and so the root of Algorithm 1's tree, which the middle one meets first.
+TEST(UnitTree, TheRootTakesWhatIsWithinReachOfIt) {
+  const Rgba red(1, 0, 0, 0.5f), green(0, 1, 0, 0.5f), blue(0, 0, 1, 0.5f);
+  for (const bool front_is_root : {false, true})
+    for (const double middle : {-0.04, -0.01, 0., 0.02, 0.036}) {
+      scene::Scene scene = empty_scene(3, 3);
+      scene.background = Vec3(0);
+      scene.objects = {sheet(middle, blue), sheet(0.5, red), sheet(-0.4, green)};
+      if (front_is_root) std::swap(scene.objects[1], scene.objects[2]);
+      const Rgba both = front_is_root ? Rgba(0.5f, 0, 0.5f, 0.5f) : Rgba(0, 0.5f, 0.5f, 0.5f);
+      const Image image = render(method("tree"), scene,
+                                 {{"epsilon2", "0.64"}, {"merge", "first"}, {"sampled", "all"}})
+                              .image;
+      const auto expected = front_is_root ? composite({both, green}, scene.background)
+                                          : composite({red, both}, scene.background);
+      EXPECT_LE(largest_difference(image, expected), float_composite) << middle;
+    }
+}
+
+// 4100 sorted sheets: a path that Algorithm 1 makes, and no loop of llvmpipe ends.
+TEST(UnitTree, APathBeyondItsBoundIsAnError) {
+  const scene::Scene scene = stack(1, 1, random_layers(4100, 1e-3f, 25));
+  const RawOptions options{{"epsilon2", "0"}, {"merge", "first"}, {"sampled", "all"}};
+  try {
+    render(method("tree"), scene, options);
+    ADD_FAILURE() << "drawn";
+  } catch (const WorkError& error) {
+    EXPECT_NE(std::string(error.what()).find("merge=nearest"), std::string::npos) << error.what();
+  }
+}
+
 // Two layers 0.01 apart of a scene of depth 2: ε² of view depth is 4 times that of d.
 TEST(UnitTree, EpsilonIsInViewDepthUnlessItIsSaidToBeInD) {
   scene::Scene scene = sampled_by_lines({{1, 0, 0, 0.4f}}, 1, 0);
