@@ -117,7 +117,8 @@ void define_layers(py::class_<Kind>& kind) {
   define_array(kind, "d", &Layers::d, "Depth in (0, 1) between the scene's ends: float64 (N,).");
   define_array(kind, "object", &Layers::object, "Index of the scene's object: uint32 (N,).");
   define_array(kind, "primitive", &Layers::primitive,
-               "Index of the object's triangle, segment, point or cell: uint32 (N,).");
+               "Index of the object's primitive: a triangle, of which a ribbon has two for each "
+               "segment; a segment of a tube; a point; a cell: uint32 (N,).");
   define_array(kind, "opacity", &Layers::opacity, "α in [0, 1]: float64 (N,).");
   define_array(kind, "importance", &Layers::importance, "g in [0, 1]: float64 (N,).");
   define_array(kind, "transmittance", &Layers::transmittance,
