@@ -144,6 +144,23 @@ void check_bound(const Claim& claim, ClaimCheck& check) {
   }
 }
 
+/// A printed number stands for all that is rounded to it: those within half a unit of its last
+/// digit.
+void check_printed(const Claim& claim, ClaimCheck& check) {
+  const double least = *claim.bound - *claim.within, most = *claim.bound + *claim.within;
+  for (const ClaimedValue& value : check.values) {
+    if (lack_intervals(value, value, check)) continue;
+    const std::string of = check.values.size() > 1 ? value.of + " " : "";
+    const auto [low, high] = *value.interval;
+    if (high < least || low > most)
+      check.against.push_back(of + not_bound(claim, value.value));
+    else if (low < least || high > most)
+      check.undecided.push_back(fmt::format("{}{} is around {}", of,
+                                            interval_text(claim.by, *value.interval),
+                                            claim.by.text(*claim.bound)));
+  }
+}
+
 /// Whether `more` is greater than `less` by more than this part of the one that is nearer to 0.
 bool is_more(double more, double less, double within) {
   return more - less > within * std::min(std::abs(more), std::abs(less));
@@ -176,7 +193,7 @@ void check_same(const Claim& claim, ClaimCheck& check) {
 }
 
 void hold_against(const Claim& claim, ClaimCheck& check) {
-  if (claim.bound) return check_bound(claim, check);
+  if (claim.bound) return claim.same ? check_printed(claim, check) : check_bound(claim, check);
   if (claim.same) return check_same(claim, check);
   std::vector<std::size_t> groups;
   for (const auto& group : claim.order) groups.push_back(group.size());

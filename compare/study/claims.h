@@ -43,11 +43,11 @@ struct Claim {
   /// The order is that of a parameter: the last is better than the first, and none worse than one
   /// before it.
   bool monotone = false;
-  /// The number of every call is not worse than this; in the unit of the column's value.
+  /// The number of every call is not worse than this, or `same` as it; in the column's unit.
   std::optional<double> bound = std::nullopt;
   /// The numbers of the only group's calls are not to be told apart.
   bool same = false;
-  /// With `same`: their ratios are within 1 + this; nothing: their intervals overlap.
+  /// With `same`: of ratios from 1, or of numbers from `bound`; nothing: their intervals overlap.
   std::optional<double> within = std::nullopt;
   /// The claim is about these alone; empty: all scenes of the study.
   std::vector<std::string> scenes = {};

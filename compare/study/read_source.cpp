@@ -174,6 +174,14 @@ void read_same(const JsonNode& node, const Study& study, Claim& claim) {
                     claim.by.heading()));
 }
 
+/// A number that the source printed, give or take half a unit of its last digit.
+void read_printed(const JsonNode& node, Claim& claim) {
+  constexpr double most = 1e15;
+  claim.same = true;
+  claim.bound = node["equals"].number(-most, most);
+  claim.within = node["within"].number(0, most);
+}
+
 /// "at_most" of what is better when it is lower, "at_least" of the rest: a bound is on the worse
 /// side.
 void read_bound(const JsonNode& node, Claim& claim) {
@@ -192,9 +200,13 @@ void read_bound(const JsonNode& node, Claim& claim) {
 Claim read_claim(const JsonNode& node, const Study& study) {
   node.accept_keys({"claim", "by", "measure", "stage", "better", "order", "factor", "of", "at_most",
                     "at_least", "same", "within", "improves_with", "worsens_with", "scenes",
-                    "scene_order", "somewhere"});
+                    "scene_order", "somewhere", "equals"});
+  for (const std::string_view key :
+       {"order", "same", "at_most", "at_least", "improves_with", "worsens_with", "scene_order"})
+    refuse_beside(node, "equals", {key});
   refuse_beside(node, "order", {"of", "at_most", "at_least", "same", "within", "scene_order"});
-  refuse_beside(node, "of", {"factor", "same", "within"});
+  refuse_beside(node, "of", {"factor", "same"});
+  if (!node.has("equals")) refuse_beside(node, "of", {"within"});
   refuse_beside(node, "same", {"factor", "at_most", "at_least", "scene_order"});
   refuse_beside(node, "scene_order", {"at_most", "at_least", "scenes", "somewhere"});
   for (const std::string_view key : {"improves_with", "worsens_with"})
@@ -211,7 +223,9 @@ Claim read_claim(const JsonNode& node, const Study& study) {
     read_monotony(node, "worsens_with", study, claim);
   } else {
     claim.order = {read_bounded(node["of"], study)};
-    if (node.has("scene_order"))
+    if (node.has("equals"))
+      read_printed(node, claim);
+    else if (node.has("scene_order"))
       read_scene_order(node["scene_order"], study, claim);
     else
       read_bound(node, claim);

@@ -81,6 +81,27 @@ TEST(UnitClaims, ABoundHoldsForEveryCall) {
   EXPECT_EQ(check_claim(least, scenes, rows)[1].against.size(), 1u);
 }
 
+// The RMSE of a is 0.1 on scene one and 0.4 on two; of b 0.2 and 0.25.
+TEST(UnitClaims, APrintedNumberIsMissedOnEitherSide) {
+  Claim printed = claim("rmse", {{"a"}});
+  printed.same = true;
+  printed.bound = 0.1004;
+  printed.within = 0.0005;
+  EXPECT_EQ(verdict(check_claim(printed, scenes, rows)[0]), "the same here");
+  EXPECT_EQ(verdict(check_claim(printed, scenes, rows)[1]),
+            "otherwise here: 4.00e-01, not 1.00e-01");
+  printed.bound = 0.0994;
+  EXPECT_EQ(verdict(check_claim(printed, scenes, rows)[0]),
+            "otherwise here: 1.00e-01, not 9.94e-02");
+  printed.bound = 0.41;
+  EXPECT_EQ(verdict(check_claim(printed, scenes, rows)[1]),
+            "otherwise here: 4.00e-01, not 4.10e-01");
+  printed.order = {{"a", "b"}};
+  printed.bound = 0.1;
+  EXPECT_THAT(check_claim(printed, scenes, rows)[0].against,
+              ElementsAre("b 2.00e-01, not 1.00e-01"));
+}
+
 TEST(UnitClaims, AClaimMayBeAboutSomeScenes) {
   Claim one = claim("rmse", {{"a"}, {"b"}});
   one.scenes = {"two"};
@@ -236,6 +257,21 @@ TEST(UnitClaims, ABoundWithinAnIntervalIsUndecided) {
   EXPECT_EQ(verdict_of(most, one), "undecided: 1000.0–2000.0 is around 1900.0");
   most.bound = 0.9;
   EXPECT_EQ(verdict_of(most, one), "otherwise here: 1500.0, not 900.0");
+}
+
+// Between 0.95 and 1.05 s every number is rounded to 1.0.
+TEST(UnitClaims, APrintedTimeIsUndecidedWhereItsIntervalReachesBeyond) {
+  Claim printed = claim("seconds", {{"a"}});
+  printed.same = true;
+  printed.bound = 1;
+  printed.within = 0.05;
+  EXPECT_EQ(verdict_of(printed, {timed("a", 0.96, 1.04)}), "the same here");
+  EXPECT_EQ(verdict_of(printed, {timed("a", 0.94, 1.04)}),
+            "undecided: 940.0–1040.0 is around 1000.0");
+  EXPECT_EQ(verdict_of(printed, {timed("a", 0.96, 1.06)}),
+            "undecided: 960.0–1060.0 is around 1000.0");
+  EXPECT_EQ(verdict_of(printed, {timed("a", 0.5, 0.94)}), "otherwise here: 720.0, not 1000.0");
+  EXPECT_EQ(verdict_of(printed, {timed("a", 1.06, 2)}), "otherwise here: 1530.0, not 1000.0");
 }
 
 TEST(UnitClaims, TimesMayBeClaimedNotToBeToldApart) {

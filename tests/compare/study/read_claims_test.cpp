@@ -89,6 +89,19 @@ TEST(UnitReadClaims, ASameNumberIsATimeOrHasAWidth) {
               HasSubstr("at least two calls"));
 }
 
+TEST(UnitReadClaims, APrintedNumberHasTheWidthOfItsLastDigit) {
+  const std::string number = R"("claim": "x", "by": "ssim", "of": "broken", "equals": 0.959)";
+  const Claim read = read_first(R"(["broken"])", "{" + number + R"(, "within": 0.0005})");
+  EXPECT_TRUE(read.same);
+  EXPECT_EQ(read.bound, 0.959);
+  EXPECT_EQ(read.within, 0.0005);
+  EXPECT_THAT(claims_error("{" + number + "}"), HasSubstr("within"));
+  EXPECT_THAT(claims_error("{" + number + R"(, "within": 0.0005, "at_least": 0.9})"),
+              HasSubstr("claims[0].at_least: beside 'equals'"));
+  EXPECT_THAT(claims_error("{" + number + R"(, "within": 0.0005, "order": ["broken", "truth"]})"),
+              HasSubstr("claims[0].order: beside 'equals'"));
+}
+
 TEST(UnitReadClaims, AStudyNamesCallsThatItHas) {
   EXPECT_EQ(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth", ["broken"]]})"),
             "no error");
