@@ -40,6 +40,17 @@ std::vector<Vec3> before_rounding(std::span<const Vec3> colors, const Vec3& pixe
   return moved;
 }
 
+/// A rasterizer snaps vertices, llvmpipe to 1/256 of a pixel: at the very edge of a primitive it
+/// draws what a ray so far from the pixel's centre crosses. Adds those rays' colours.
+void add_colors_beside(const groundtruth::RayProbe& probe, int x, int y,
+                       std::vector<Vec3>& colors) {
+  constexpr double snap = 1. / 256;
+  for (const double dy : {-snap, 0., snap})
+    for (const double dx : {-snap, 0., snap})
+      for (const auto& layer : probe.at(x + 0.5 + dx, y + 0.5 + dy).layers)
+        colors.push_back(layer.color);
+}
+
 /// 0 where the method saw another number of layers than there are crossings: at the very edge of a
 /// triangle it may have drawn other colours than the ray's.
 Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& cell) {
@@ -55,8 +66,13 @@ Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& 
       std::vector<Vec3> colors{scene.background};
       for (const groundtruth::RayLayer& layer : layers) colors.push_back(layer.color);
       const Vec3 pixel(cell.image.at(x, y));
-      if (rounded) colors = before_rounding(colors, pixel);
-      distances.at(x, y) = hull_distance(pixel, colors);
+      const auto distance = [&] {
+        return hull_distance(pixel, rounded ? before_rounding(colors, pixel) : colors);
+      };
+      distances.at(x, y) = distance();
+      if (distances.at(x, y) <= visible) return;
+      add_colors_beside(probe, x, y, colors);
+      distances.at(x, y) = distance();
     });
   }
   return distances;

@@ -67,5 +67,30 @@ TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
   EXPECT_EQ(cell.row.measures[0].value, 11);
 }
 
+/// A red sheet that ends, and a green one that begins, so many pixels to the right of the centres
+/// of column 1, over blue.
+scene::Scene red_beside_green(double beside) {
+  scene::Scene scene = empty_scene(4, 4);
+  scene.background = {0, 0, 1};
+  const double edge = -0.25 + beside * 0.5;
+  scene.objects = {{"red", rectangle(-9, edge, -9, 9, 0, Rgba(1, 0, 0, 0.5))},
+                   {"green", rectangle(edge, 9, -9, 9, 0, Rgba(0, 1, 0, 0.5))}};
+  return scene;
+}
+
+// What a rasterizer that snaps the edge to 1/256 of a pixel draws there is green, of one layer as
+// well; farther off it is wrong.
+TEST(UnitHullMeasure, ColoursAtAnEdgeAreThoseOfEitherSide) {
+  for (const double beside : {0.9 / 256, 1.1 / 256}) {
+    const scene::Scene scene = red_beside_green(beside);
+    CellMeasurement cell = picture_of(scene, Rgba(0.5, 0, 0.5, 1));
+    for (int y = 0; y < 4; ++y)
+      for (int x = 1; x < 4; ++x) cell.image.at(x, y) = Rgba(0, 0.5, 0.5, 1);
+    cell.layers = CountImage(4, 4, 1);
+    hull_measure().measure(seen(scene, {}), cell);
+    EXPECT_EQ(cell.row.measures[0].value, beside < 1. / 256 ? 0 : 4);
+  }
+}
+
 }  // namespace
 }  // namespace pellucid::compare
