@@ -30,21 +30,35 @@ struct Chord {
   double begin, end;
 };
 
-/// Returns the depths of the chord's ends. Where rounding leaves in doubt on which side of the eye
+/// A SolidEnd is where a ray crosses the surface of a ball or of a capsule.
+struct SolidEnd {
+  double depth;   // view depth, units
+  double along;   // of a capsule: where on its axis the nearest point lies, -1 at a … 1 at b
+  double cosine;  // n · v, n the outer normal, v the ray's direction
+};
+
+/// SolidEnds are where a ray enters a convex solid, and where it leaves it.
+struct SolidEnds {
+  SolidEnd enters, leaves;
+};
+
+/// Returns the depths of the two ends. Where rounding leaves in doubt on which side of the eye
 /// one lies, `side()` is asked for eye_side().
 template <class Side>
-SolidDepths solid_depths(const SceneRay& ray, const LocalRay& local, const Chord& chord,
-                         const Side& side) {
-  const SolidDepths depths{local.depth(chord.begin), local.depth(chord.end)};
+SolidDepths solid_depths(const SceneRay& ray, const SolidEnds& ends, const Side& side) {
+  const SolidDepths depths{ends.enters.depth, ends.leaves.depth};
   if (std::min(std::abs(depths.enters), std::abs(depths.leaves)) >= ray.doubt.most) return depths;
   return with_signs_of(side(), depths);
 }
 
-/// Returns the ray's chord in a ball, if it meets it; `center` is relative to the ray's origin.
-std::optional<Chord> ball_chord(const LocalRay& ray, const Vec3& center, double radius);
+/// Returns where the ray crosses the ball around `center`, in view coordinates, if it meets it.
+/// Nothing but ray, centre and radius counts: whoever shares a ball gets the same bits.
+std::optional<SolidEnds> ball_ends(const SceneRay& ray, const Vec3& center, double radius);
 
-/// Returns the ray's chord in a capsule, if it meets it: all within `radius` of the segment from
-/// -half to +half, relative to the ray's origin; a cylinder and the balls at its ends.
-std::optional<Chord> capsule_chord(const LocalRay& ray, const Vec3& half, double radius);
+/// Returns where the ray crosses a capsule, if it meets it: all within `radius` of the segment from
+/// a to b, in view coordinates; a cylinder and the balls at its ends. Each end is that of the part
+/// it lies on: a ball's is ball_ends(), the cylinder's is the same from a to b and from b to a.
+std::optional<SolidEnds> capsule_ends(const SceneRay& ray, const Vec3& a, const Vec3& b,
+                                      double radius);
 
 }  // namespace pellucid::groundtruth

@@ -12,17 +12,14 @@ Box3 SphereGeometry::box(std::uint32_t point) const {
 
 void SphereGeometry::cross(std::uint32_t point, const SceneRay& ray,
                            std::vector<Crossing>& crossings) const {
-  const LocalRay local(ray, center(point));
-  const auto chord = ball_chord(local, Vec3(0), radius());
-  if (!chord) return;
-  // At the ends of the chord n · v is half its length over the radius.
-  const double cosine = 0.5 * (chord->end - chord->begin) / radius();
-  const SolidDepths depths = solid_depths(ray, local, *chord, [&] {
+  const auto met = ball_ends(ray, center(point), radius());
+  if (!met) return;
+  const SolidDepths depths = solid_depths(ray, *met, [&] {
     const Vec3& center = world_center(point);
     return eye_side(frame(), ray.picture, center, center, radius());
   });
-  crossings.push_back({depths.enters, 0, -cosine, object_index(), point});
-  crossings.push_back({depths.leaves, 0, cosine, object_index(), point});
+  crossings.push_back({depths.enters, 0, met->enters.cosine, object_index(), point});
+  crossings.push_back({depths.leaves, 0, met->leaves.cosine, object_index(), point});
 }
 
 }  // namespace pellucid::groundtruth

@@ -7,15 +7,6 @@
 #include "groundtruth/shapes/round_solids.h"
 
 namespace pellucid::groundtruth {
-namespace {
-
-/// Where on the segment from -half to +half lies the point nearest to x: -1 … 1.
-double nearest_on_axis(const Vec3& x, const Vec3& half) {
-  const double squared = glm::dot(half, half);
-  return squared > 0 ? std::clamp(glm::dot(x, half) / squared, -1.0, 1.0) : 0;
-}
-
-}  // namespace
 
 TubeGeometry::TubeGeometry(const scene::LineObject& lines, std::uint32_t index,
                            const GeometryContext& context)
@@ -38,27 +29,19 @@ Box3 TubeGeometry::box(std::uint32_t segment) const {
 
 void TubeGeometry::cross(std::uint32_t segment, const SceneRay& ray,
                          std::vector<Crossing>& crossings) const {
-  // From the same end whichever is stored first, so that depths are the same to the last bit.
-  auto [a, b] = ends(segment);
-  const bool backwards = in_coordinate_order(b, a);
-  if (backwards) std::swap(a, b);
-  const Vec3 half = 0.5 * (b - a);
-  const LocalRay local(ray, a + half);
-  const auto chord = capsule_chord(local, half, radius_);
-  if (!chord) return;
-  const SolidDepths depths = solid_depths(ray, local, *chord, [&] {
+  const auto [a, b] = ends(segment);
+  const auto met = capsule_ends(ray, a, b, radius_);
+  if (!met) return;
+  const SolidDepths depths = solid_depths(ray, *met, [&] {
     const std::uint32_t i = segments_.first_point(segment);
     return eye_side(frame_, ray.picture, set_.positions[i], set_.positions[i + 1], radius_);
   });
-  const auto add = [&](double t, double depth, double side) {
-    const Vec3 x = local.at(t);
-    const double axis = nearest_on_axis(x, half);
-    const double cosine = glm::dot(x - axis * half, local.direction) / radius_;
-    crossings.push_back({depth, 0.5 + 0.5 * (backwards ? -axis : axis), std::copysign(cosine, side),
-                         index_, segment});
+  const auto add = [&](const SolidEnd& end, double depth, double side) {
+    crossings.push_back(
+        {depth, 0.5 + 0.5 * end.along, std::copysign(end.cosine, side), index_, segment});
   };
-  add(chord->begin, depths.enters, -1);
-  add(chord->end, depths.leaves, 1);
+  add(met->enters, depths.enters, -1);
+  add(met->leaves, depths.leaves, 1);
 }
 
 Fragment TubeGeometry::shade(const Crossing& crossing, const Vec3&) const {

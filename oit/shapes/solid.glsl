@@ -82,9 +82,11 @@ LocalRay local_ray(Ray ray, dvec3 origin) {
   return LocalRay(offset, ray.direction, nearest_depth);
 }
 
-// Chords: from and to which t a ray is in a convex solid; none if to <= from.
+// Chords: from and to which t, or view depth, a ray is in a convex solid; none if to < from.
 const double ENDLESS = 1e300lf;
 const dvec2 no_chord = dvec2(ENDLESS, -ENDLESS);
+
+bool has_chord(dvec2 chord) { return chord.x < chord.y; }
 
 // Around the t that is nearest, where the ray comes as near to the middle as `distance`; `a`: the
 // square of what a t of 1 is across.
@@ -96,9 +98,10 @@ dvec2 round_chord(double nearest, double distance, double a, double radius) {
   return chord;
 }
 
-dvec2 ball_chord(LocalRay ray, dvec3 center, double radius) {
-  precise double nearest = dot(center - ray.offset, ray.direction);
-  precise dvec3 across = ray.offset + nearest * ray.direction - center;
+// The ray is seen from the ball's centre.
+dvec2 ball_chord(LocalRay ray, double radius) {
+  precise double nearest = -dot(ray.offset, ray.direction);
+  precise dvec3 across = ray.offset + nearest * ray.direction;
   precise double distance = sqrt(dot(across, across));
   return round_chord(nearest, distance, 1.0lf, radius);
 }
@@ -138,31 +141,58 @@ dvec2 cylinder_chord(LocalRay ray, dvec3 half_axis, double radius) {
   dvec2 around = endless_cylinder_chord(offset_across, direction_across, radius);
   dvec2 along = slab_chord(x, dx, half_length);
   dvec2 chord = dvec2(max(around.x, along.x), min(around.y, along.y));
-  return chord.x < chord.y ? chord : no_chord;
+  return has_chord(chord) ? chord : no_chord;
 }
 
-// A capsule is convex: its chord spans those of its parts.
-dvec2 capsule_chord(LocalRay ray, dvec3 half_axis, double radius) {
-  dvec2 a = ball_chord(ray, -half_axis, radius);
-  dvec2 b = ball_chord(ray, half_axis, radius);
-  dvec2 c = cylinder_chord(ray, half_axis, radius);
-  return dvec2(min(min(a.x, b.x), c.x), max(max(a.y, b.y), c.y));
-}
+const int BALL_A = 0, BALL_B = 1, CYLINDER = 2;
 
+// A segment as the ray meets it.
 struct Segment {
+  dvec2 depths;     // where the ray enters and leaves; no_chord if it does not meet it
+  dvec3 half_axis;  // from the end that comes first in the order of coordinates
+  bool backwards;   // that is the second end
+  // Of the end that is drawn: the part it lies on, the ray from that part's centre, its t.
+  int part;
   LocalRay ray;
-  dvec3 half_axis;
-  dvec2 chord, depths;  // view depths of the chord's ends
+  double t;
 };
 
+bool meets_ray(Segment segment) { return segment.depths.x <= segment.depths.y; }
+
+void widen(inout Segment segment, int part, LocalRay ray, dvec2 chord) {
+  precise dvec2 depths = dvec2(ray.nearest_depth) + chord * ray.direction.z;
+  bool sooner = depths.x < segment.depths.x, later = depths.y > segment.depths.y;
+  if (sooner) segment.depths.x = depths.x;
+  if (later) segment.depths.y = depths.y;
+  if (!(leaves() ? later : sooner)) return;
+  segment.part = part;
+  segment.ray = ray;
+  segment.t = leaves() ? chord.y : chord.x;
+}
+
+// By x, then y, then z.
+bool in_coordinate_order(dvec3 p, dvec3 q) {
+  return p.x < q.x || (p.x == q.x && (p.y < q.y || (p.y == q.y && p.z < q.z)));
+}
+
+// A capsule is convex: its chord spans those of its parts. Each end is computed from the centre of
+// its part: segments that share a ball, or a cylinder from either side, have the same bits.
 Segment cast_at(int solid, Ray ray) {
   int first = int(links_of(solid).x);
-  precise dvec3 a = load_point(first).position;
-  precise dvec3 half_axis = 0.5lf * (load_point(first + 1).position - a);
-  LocalRay local = local_ray(ray, a + half_axis);
-  dvec2 chord = capsule_chord(local, half_axis, radius_of(solid));
-  precise dvec2 depths = dvec2(local.nearest_depth) + chord * local.direction.z;
-  return Segment(local, half_axis, chord, depths);
+  double radius = radius_of(solid);
+  dvec3 a = load_point(first).position, b = load_point(first + 1).position;
+  bool backwards = in_coordinate_order(b, a);
+  precise dvec3 half_axis = 0.5lf * (backwards ? a - b : b - a);
+  precise dvec3 middle = (backwards ? b : a) + half_axis;
+  LocalRay local = local_ray(ray, a);
+  Segment segment = Segment(no_chord, half_axis, backwards, BALL_A, local, 0.0lf);
+  for (int part = BALL_A; part <= CYLINDER; ++part) {
+    if (part != BALL_A) local = local_ray(ray, part == BALL_B ? b : middle);
+    dvec2 chord = part == CYLINDER ? cylinder_chord(local, half_axis, radius)
+                                   : ball_chord(local, radius);
+    if (has_chord(chord)) widen(segment, part, local, chord);
+  }
+  return segment;
 }
 
 // Crossings of a line in order: by depth, entries first, by segment.
@@ -171,8 +201,6 @@ bool is_within(int solid, dvec2 depths, int other, dvec2 others) {
     return others.x <= depths.y && (depths.y < others.y || (depths.y == others.y && solid < other));
   return (others.x < depths.x || (others.x == depths.x && other < solid)) && depths.x <= others.y;
 }
-
-bool has_chord(Segment segment) { return segment.chord.x < segment.chord.y; }
 
 // Returns whether the ray's crossing with a segment is one with its line. (One loop for it and for
 // those that it overlaps: a driver compiles the cast once.)
@@ -184,9 +212,9 @@ bool meet_line(int solid, Ray ray, out Segment segment) {
     Segment found = cast_at(other, ray);
     if (i == 0u) {
       segment = found;
-      meets = has_chord(found);
+      meets = meets_ray(found);
     } else {
-      meets = !has_chord(found) || !is_within(solid, segment.depths, other, found.depths);
+      meets = !meets_ray(found) || !is_within(solid, segment.depths, other, found.depths);
     }
   }
   return meets;
@@ -216,8 +244,8 @@ bool meet_solid() {
   SolidPoint center = load_point(point);
   double radius = radius_of(vertex_solid);
   LocalRay ray = local_ray(pixel_ray_of_target(), center.position);
-  dvec2 chord = ball_chord(ray, dvec3(0.0lf), radius);
-  if (!(chord.x < chord.y)) return false;
+  dvec2 chord = ball_chord(ray, radius);
+  if (!has_chord(chord)) return false;
   set_vertex(point, center);
   precise double t = leaves() ? chord.y : chord.x;
   vertex_direction = vec3((ray.offset + t * ray.direction) / radius);
@@ -238,12 +266,17 @@ bool meet_solid() {
   Ray ray = pixel_ray_of_target();
   Segment segment;
   if (!meet_line(vertex_solid, ray, segment)) return false;
-  dvec3 x = segment.ray.offset + (leaves() ? segment.chord.y : segment.chord.x) *
-                                     segment.ray.direction;
-  double squared = dot(segment.half_axis, segment.half_axis);
-  double along = squared > 0.0lf ? clamp(dot(x, segment.half_axis) / squared, -1.0lf, 1.0lf) : 0.0lf;
+  dvec3 x = segment.ray.offset + segment.t * segment.ray.direction;
+  double along = segment.part == BALL_A ? -1.0lf : 1.0lf;
+  dvec3 from_axis = x;
+  if (segment.part == CYLINDER) {
+    double forwards = dot(x, segment.half_axis) / dot(segment.half_axis, segment.half_axis);
+    forwards = clamp(forwards, -1.0lf, 1.0lf);
+    from_axis -= forwards * segment.half_axis;
+    along = segment.backwards ? -forwards : forwards;
+  }
   set_vertices(int(links_of(vertex_solid).x), float(0.5lf + 0.5lf * along));
-  dvec3 normal = (x - along * segment.half_axis) / radius_of(vertex_solid);
+  dvec3 normal = from_axis / radius_of(vertex_solid);
   vertex_direction = vec3(normal);
   solid_facing = min(float(abs(dot(normal, segment.ray.direction))), 1.0);
   return set_depth(leaves() ? segment.depths.y : segment.depths.x);

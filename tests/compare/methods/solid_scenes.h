@@ -2,6 +2,8 @@
 #pragma once
 // Scenes of spheres and tubes.
 
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -89,6 +91,36 @@ inline scene::Scene mixed_with_others() {
   return scene;
 }
 
+/// Tubes whose own surfaces coincide: an orbit that closes, a particle that rests, a line there and
+/// back; and a ball on a vertex. What lies at equal depth differs in colour.
+inline scene::Scene coincident_solids() {
+  scene::Scene scene = testing::empty_scene(60, 45);
+  scene.camera = {.eye = {1.5, 1.2, 4}, .target = {0, 0, 0}, .fov = 40};
+  const auto add = [&](const std::vector<Vec3>& line, double radius) {
+    std::vector<Rgba> colors;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const float t = float(i) / float(line.size() - 1);
+      colors.emplace_back(t, 0.2f, 1 - t, 0.6f);
+    }
+    scene.objects.push_back(tube(line, radius, colors));
+  };
+  std::vector<Vec3> orbit, rest, back;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 2 * std::numbers::pi * i / 23, s = i / 23.0;
+    orbit.emplace_back(std::cos(a), std::sin(a), 0.1 * std::sin(2 * a));
+    rest.emplace_back(s - 1, 0.3 * s, 0.1 * s + 1);
+    back.emplace_back(s, 0.2 * std::sin(3 * s), 0.3 * s - 1);
+  }
+  orbit.back() = orbit.front();
+  rest.insert(rest.begin() + 12, 6, rest[12]);
+  back.insert(back.end(), back.rbegin() + 1, back.rend());
+  add(orbit, 0.3);
+  add(rest, 0.15);
+  add(back, 0.1);
+  scene.objects.push_back(spheres({rest.front()}, 0.15, {{0.9, 0.9, 0.1, 0.5}}));
+  return scene;
+}
+
 inline std::vector<SolidScene> solid_scenes() {
   return {{"Perspective", true, some_solids},
           {"Parallel", true,
@@ -137,6 +169,7 @@ inline std::vector<SolidScene> solid_scenes() {
              scene.objects[2].opaque = scene.objects[5].opaque = true;
              return scene;
            }},
+          {"Coincident", true, coincident_solids},
           {"Samples", true,
            [] {
              scene::Scene scene = some_solids();

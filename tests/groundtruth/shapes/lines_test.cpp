@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "groundtruth/traversal/crossing_finder.h"
 #include "tests/support/scenes.h"
 
@@ -235,6 +237,88 @@ TEST(AgreementTube, EntersAndLeavesTheSolidByTurns) {
       ASSERT_EQ(passed, crossings.size());
     }
   EXPECT_GE(deepest, 4u);
+}
+
+/// A closed orbit, whose last vertex is its first.
+std::vector<Vec3> orbit() {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 24; ++i) {
+    const double a = 2 * std::numbers::pi * i / 23;
+    points.emplace_back(std::cos(a), std::sin(a), 0.1 * std::sin(2 * a));
+  }
+  points.back() = points.front();
+  return points;
+}
+
+/// Calls see() with what each of 160 × 160 rays crosses; the view is turned, so that everything
+/// rounds.
+template <class See>
+void see_turned(const std::vector<scene::SceneObject>& objects, const See& see) {
+  scene::Scene scene;
+  scene.width = scene.height = 160;
+  scene.camera = {.eye = {1.5, 1.2, 4}, .target = {0.5, 0.1, 0}, .fov = 40};
+  scene.objects = objects;
+  const CrossingFinder finder(scene, Precision::exact);
+  std::vector<Crossing> crossings;
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 160; ++x) {
+      finder.find(finder.frame().ray(x + 0.5, y + 0.5), crossings);
+      see(crossings);
+    }
+}
+
+TEST(PropertyTube, WhereAnOrbitClosesItIsEnteredIntoItsFirstSegment) {
+  const std::uint32_t last = 22;
+  int first_ball = 0;
+  see_turned({{"", line(orbit(), 0.3, scene::LineObject::Profile::tube)}},
+             [&](const std::vector<Crossing>& crossings) {
+               for (const Crossing& c : crossings) {
+                 first_ball += c.v < 0 && c.primitive == 0 && c.u == 0;
+                 EXPECT_FALSE(c.v < 0 && c.primitive == last && c.u == 1);
+                 EXPECT_FALSE(c.v > 0 && c.primitive == 0 && c.u == 0);
+               }
+             });
+  EXPECT_GT(first_ball, 10);  // between the cylinders, at their outer side
+}
+
+TEST(PropertyTube, ALineThereAndBackIsEnteredOnItsWayThere) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back(i / 7.0, 0.2 * std::sin(3 * i / 7.0), 0.3 * i / 7);
+  points.insert(points.end(), points.rbegin() + 1, points.rend());
+  int met = 0;
+  see_turned({{"", line(points, 0.1, scene::LineObject::Profile::tube)}},
+             [&](const std::vector<Crossing>& crossings) {
+               for (const Crossing& c : crossings) {
+                 ++met;
+                 EXPECT_EQ(c.v < 0, c.primitive < 7) << c.primitive;
+               }
+             });
+  EXPECT_GT(met, 500);
+}
+
+TEST(PropertyTube, ABallOnAVertexHasTheDepthsOfTheTubesOwn) {
+  const std::vector<Vec3> points{{0, 0, 0}, {0.7, 0.3, 0.2}, {0.2, 0.6, -0.1}, {1, 0.1, 0.3}};
+  scene::PointObject balls{{}, 0.1, scene::PointObject::Profile::sphere};
+  balls.set.positions = points;
+  balls.set.colors.assign(points.size(), Rgba(0.5));
+  const scene::SceneObject tube{"", line(points, 0.1, scene::LineObject::Profile::tube)};
+  for (const auto& objects : {std::vector{scene::SceneObject{"", balls}, tube},
+                              std::vector{tube, scene::SceneObject{"", balls}}}) {
+    int pairs = 0;
+    see_turned(objects, [&](const std::vector<Crossing>& crossings) {
+      for (std::size_t i = 1; i < crossings.size(); ++i) {
+        const Crossing &p = crossings[i - 1], &q = crossings[i];
+        // Rounding parts what is equal by 1e-15; nothing else is so near, but where balls touch
+        // cylinders.
+        if (p.object == q.object || q.depth - p.depth > 1e-13) continue;
+        ++pairs;
+        EXPECT_EQ(p.depth, q.depth);
+        EXPECT_LT(p.object, q.object);
+      }
+    });
+    EXPECT_GT(pairs, 100);
+  }
 }
 
 }  // namespace
