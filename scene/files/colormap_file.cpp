@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "core/options/names.h"
@@ -62,20 +63,29 @@ bool is_logarithmic(const JsonNode& map) {
   return use.value().is_boolean() ? use.boolean() : use.number(0, 1) != 0;
 }
 
-/// Places the stops by the logarithms of their values, from 0 to 1, and makes the values of the
-/// outermost the range. A preset's from 0 to 1 are fractions already.
-void place_by_logarithms(const JsonNode& map, std::vector<ColorStop>& stops, ScalarColor& color) {
-  color.scale = Scale::logarithmic;
-  if (stops.empty() || (stops.front().at == 0 && stops.back().at == 1)) return;
+bool are_fractions(const std::vector<ColorStop>& stops) {
+  return !stops.empty() && stops.front().at == 0 && stops.back().at == 1;
+}
+
+bool ascend_above_zero(const std::vector<ColorStop>& stops) {
+  return stops.front().at > 0 && std::ranges::is_sorted(stops, std::less_equal<>(), &ColorStop::at);
+}
+
+/// On a logarithmic scale: places stops that are values by their logarithms, from 0 to 1, and makes
+/// the values of the outermost the range.
+std::vector<ColorStop> placed(std::vector<ColorStop> stops, const JsonNode& where,
+                              ScalarColor& color) {
+  if (color.scale == Scale::linear || stops.empty() || are_fractions(stops)) return stops;
   const Vec2 ends(stops.front().at, stops.back().at);
-  if (!(ends.x > 0 && ends.y > ends.x))
-    map["RGBPoints"].fail(
-        fmt::format("values from {} to {} by UseLogScale; accepted: ascending values above 0, or "
-                    "fractions from 0 to 1",
+  if (!ascend_above_zero(stops))
+    where.fail(
+        fmt::format("values from {} to {}; accepted on a logarithmic scale: ascending values "
+                    "above 0, or fractions from 0 to 1",
                     ends.x, ends.y));
   for (ColorStop& stop : stops) stop.at = std::log(stop.at / ends.x) / std::log(ends.y / ends.x);
   stops.back().at = 1;
   if (!color.range) color.range = ends;
+  return stops;
 }
 
 std::vector<ColorStop> read_paraview(const JsonNode& root, ScalarColor& color) {
@@ -84,9 +94,9 @@ std::vector<ColorStop> read_paraview(const JsonNode& root, ScalarColor& color) {
   const JsonNode& map = maps.front();
   if (!map.has("RGBPoints")) map.fail("accepted: ParaView's RGBPoints");
   if (map.has("NanColor") && !color.nan) color.nan = read_rgb(map["NanColor"]);
-  std::vector<ColorStop> stops = read_points(map["RGBPoints"]);
-  if (is_logarithmic(map)) place_by_logarithms(map, stops, color);
-  return linear_in_rgb(stops, color_space_of(map));
+  const JsonNode points = map["RGBPoints"];
+  if (is_logarithmic(map)) color.scale = Scale::logarithmic;
+  return linear_in_rgb(placed(read_points(points), points, color), color_space_of(map));
 }
 
 bool is_paraview(const JsonNode& node) {
@@ -104,7 +114,8 @@ void take(std::vector<ColorStop> stops, ScalarColor& color) {
 
 void read_colormap(const JsonNode& node, const std::filesystem::path& folder, ScalarColor& color) {
   if (is_paraview(node)) return at_place(node, [&] { take(read_paraview(node, color), color); });
-  if (node.is_array()) return at_place(node, [&] { take(read_stops(node), color); });
+  if (node.is_array())
+    return at_place(node, [&] { take(placed(read_stops(node), node, color), color); });
   color.map = node.string();
   if (!color.map.ends_with(".json")) return;
   const std::filesystem::path path = folder / color.map;

@@ -112,10 +112,32 @@ TEST_F(UnitAppearanceFile, AMapOfParaViewsMayBeLogarithmic) {
   expect_near(color(map(fractions, R"(, "scale": "logarithmic")"), 2), Vec3(0.5));
   expect_near(color(by(R"("map": {"UseLogScale": false, "RGBPoints": )" + fractions + "}"), 2),
               Vec3(0.5));
-  EXPECT_THAT(wrong_color(map("[-1, 0, 0, 0, 4, 1, 1, 1]")),
-              HasSubstr("values from -1 to 4 by UseLogScale; accepted: ascending values above 0"));
+  EXPECT_THAT(
+      wrong_color(map("[-1, 0, 0, 0, 4, 1, 1, 1]")),
+      HasSubstr("RGBPoints: values from -1 to 4; accepted on a logarithmic scale: ascending "
+                "values above 0"));
   EXPECT_THAT(wrong_color(map(values, R"(, "scale": "linear")")),
               HasSubstr("color.scale: its map is by UseLogScale; accepted: logarithmic"));
+}
+
+TEST_F(UnitAppearanceFile, StopsThatAreValuesLieByLogarithmsOnALogarithmicScale) {
+  const std::string scale = R"("scale": "logarithmic", )";
+  // By factors from 0.25 over 1 to 16: 2 is a quarter of the way from the middle stop, 4 a half.
+  for (const std::string map :
+       {R"([[0.25, "black"], [1, "lime"], [16, "white"]])",
+        R"({"RGBPoints": [0.25, 0, 0, 0, 1, 0, 1, 0, 16, 1, 1, 1]})",
+        R"({"UseLogScale": 1, "RGBPoints": [0.25, 0, 0, 0, 1, 0, 1, 0, 16, 1, 1, 1]})"}) {
+    expect_near(color(by(scale + R"("map": )" + map), 1), {0, 1, 0});
+    expect_near(color(by(scale + R"("map": )" + map), 2), {0.25, 1, 0.25});
+    expect_near(color(by(scale + R"("map": )" + map), 3), {0.5, 1, 0.5});
+  }
+  // Fractions are of the range, here 1 to 16, as they stand.
+  expect_near(color(by(scale + R"("range": [1, 16], "map": [[0, "black"], [1, "white"]])"), 3),
+              Vec3(0.5));
+  EXPECT_THAT(wrong_color(by(scale + R"("map": [[0, "black"], [4, "white"]])")),
+              HasSubstr("color.map: values from 0 to 4; accepted on a logarithmic scale"));
+  EXPECT_THAT(wrong_color(by(scale + R"("map": [[1, "black"], [-1, "red"], [4, "white"]])")),
+              HasSubstr("ascending values above 0"));
 }
 
 TEST_F(UnitAppearanceFile, RangesMayBePercentilesAndScalesLogarithmic) {
