@@ -161,6 +161,17 @@ TEST(UnitColorText, IsHexadecimalOrAName) {
   EXPECT_EQ(color_of_text("Tomato").rgb, Vec3(255, 99, 71) / 255.0);
   EXPECT_EQ(color_of_text("darkslategrey").rgb, color_of_text("DarkSlateGray").rgb);
   EXPECT_EQ(color_of_text("rebeccapurple").rgb, color_of_text("#663399").rgb);
+  // CSS Color 4, section 6.1: every grey has two names, and dark grey is lighter than grey.
+  EXPECT_EQ(color_of_text("grey").rgb, color_of_text("#808080").rgb);
+  EXPECT_EQ(color_of_text("gray").rgb, color_of_text("#808080").rgb);
+  EXPECT_EQ(color_of_text("silver").rgb, color_of_text("#c0c0c0").rgb);
+  EXPECT_EQ(color_of_text("darkgrey").rgb, color_of_text("#a9a9a9").rgb);
+  EXPECT_EQ(color_of_text("teal").rgb, color_of_text("#008080").rgb);
+  EXPECT_EQ(color_of_text("yellowgreen").rgb, color_of_text("#9acd32").rgb);
+  for (const char* name : {"", "dark", "darkslate", "dim", "light", "lightslate", "slate"})
+    EXPECT_EQ(color_of_text(name + std::string("grey")).rgb,
+              color_of_text(name + std::string("gray")).rgb)
+        << name;
   for (const char* wrong :
        {"#12345", "#1234567", "#gggggg", "#", "", "tomatoe", "#-12345", "red ", "#+12", "#0x12"})
     EXPECT_THROW(color_of_text(wrong), InputError) << wrong;
