@@ -3,6 +3,8 @@
 //   Lab        CIE 1976 L*a*b*, of sRGB (IEC 61966-2-1) with its white, D65.
 //   Diverging  K. Moreland: Diverging Color Maps for Scientific Visualization, ISVC 2009, Sect. 5:
 //              Msh, the polar coordinates of Lab, through white between colours of other hues.
+//              ParaView's maps are drawn as VTK draws them (vtkColorTransferFunction), whose code
+//              has 0.33 π and 0.3 π where the paper has π/3.
 
 #include "scene/appearance/color_space.h"
 
@@ -72,13 +74,13 @@ double adjusted_hue(const Msh& saturated, double unsaturated_magnitude) {
   const double m = saturated.magnitude, other = unsaturated_magnitude;
   const double spin = saturated.saturation * std::sqrt(other * other - m * m) /
                       (m * std::sin(saturated.saturation));
-  return saturated.hue > -pi / 3 ? saturated.hue + spin : saturated.hue - spin;
+  return saturated.hue > -0.3 * pi ? saturated.hue + spin : saturated.hue - spin;
 }
 
 /// InterpolateColor of Moreland's Fig. 6.
 Vec3 between_in_msh(const Vec3& from, const Vec3& to, double x) {
   Msh a = msh_of(lab_of(from)), b = msh_of(lab_of(to));
-  constexpr double saturated = 0.05, other_hue = pi / 3, whitest = 88;
+  constexpr double saturated = 0.05, other_hue = 0.33 * pi, whitest = 88;
   if (a.saturation > saturated && b.saturation > saturated &&
       angle_between(a.hue, b.hue) > other_hue) {
     const Msh middle{std::max({a.magnitude, b.magnitude, whitest}), 0, 0};
@@ -102,9 +104,34 @@ Vec3 between_in_rgb(const Vec3& from, const Vec3& to, double x) { return glm::mi
 constexpr ColorSpace spaces[] = {
     {"RGB", between_in_rgb}, {"Lab", between_in_lab}, {"Diverging", between_in_msh}};
 
-/// The chord of so small a part of an interval is less than 1/255 off, from black to white as well.
-/// An even number, since Diverging has its corner in the middle.
-constexpr int parts = 64;
+/// Whether the chord between two places of an interval is near to the colours there: to less than a
+/// quarter of 1/255, at its quarters.
+bool is_straight(const ColorSpace& space, const Vec3& from, const Vec3& to, const Vec2& part) {
+  const Vec3 begin = space.between(from, to, part.x), end = space.between(from, to, part.y);
+  for (const double x : {0.25, 0.5, 0.75}) {
+    const Vec3 color = space.between(from, to, std::lerp(part.x, part.y, x));
+    const Vec3 off = glm::abs(color - glm::mix(begin, end, x));
+    if (std::max({off.x, off.y, off.z}) > 0.25 / 255) return false;
+  }
+  return true;
+}
+
+/// Appends the stops of a part of the interval, without its end: halved while the colours bend,
+/// which they do sharply where they leave what sRGB has. Diverging has its corner in the middle.
+void add_stops(const ColorSpace& space, const ColorStop& from, const ColorStop& to,
+               const Vec2& part, int halvings, std::vector<ColorStop>& all) {
+  constexpr int least = 4, most = 16;
+  if (halvings < least || (halvings < most && !is_straight(space, from.color, to.color, part))) {
+    const double middle = (part.x + part.y) / 2;
+    add_stops(space, from, to, {part.x, middle}, halvings + 1, all);
+    add_stops(space, from, to, {middle, part.y}, halvings + 1, all);
+    return;
+  }
+  // Between stops that are next to each other as numbers there is no room.
+  const double at = std::lerp(from.at, to.at, part.x);
+  if (part.x == 0 || (at > all.back().at && at < to.at))
+    all.push_back({at, space.between(from.color, to.color, part.x)});
+}
 
 }  // namespace
 
@@ -114,11 +141,7 @@ std::vector<ColorStop> linear_in_rgb(const std::vector<ColorStop>& stops, const 
   if (space.between == between_in_rgb || stops.empty()) return stops;
   std::vector<ColorStop> all;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i)
-    for (int k = 0; k < parts; ++k) {
-      const double x = double(k) / parts;
-      all.push_back({std::lerp(stops[i].at, stops[i + 1].at, x),
-                     space.between(stops[i].color, stops[i + 1].color, x)});
-    }
+    add_stops(space, stops[i], stops[i + 1], {0, 1}, 0, all);
   all.push_back(stops.back());
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "core/options/names.h"
 
@@ -59,6 +60,50 @@ TEST(PropertyColorSpace, StopsInRgbFollowTheSpace) {
       EXPECT_LE(largest_difference(map(x / 4), color), 1.0 / 255) << s.name << ' ' << x;
     }
   }
+}
+
+// Colours that sRGB has not lie between many that it has: its channels are cut off there.
+TEST(PropertyColorSpace, StopsFollowSharpTurnsToo) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int n = 0; n < 40; ++n) {
+    const auto any = [&] {
+      const Vec3 color(unit(random), unit(random), unit(random));
+      return n % 2 == 0 ? color : glm::round(color);  // a corner of the cube
+    };
+    const std::vector<ColorStop> stops{{0, any()}, {1, any()}};
+    for (const ColorSpace& s : color_spaces()) {
+      const Colormap map(linear_in_rgb(stops, s));
+      for (double x = 0.0003; x < 1; x += 0.0017) {
+        // A quarter of 1/255 is held at a chord's quarters, and most of one between.
+        EXPECT_LE(largest_difference(map(x), s.between(stops[0].color, stops[1].color, x)),
+                  0.5 / 255)
+            << s.name << ' ' << n << ' ' << x;
+      }
+    }
+  }
+}
+
+TEST(UnitColorSpace, StopsMayBeNextToEachOtherAsNumbers) {
+  const std::vector<ColorStop> stops{{1, {0, 0, 0}}, {std::nextafter(1, 2), {1, 1, 0}}};
+  for (const ColorSpace& s : color_spaces())
+    EXPECT_EQ(Colormap(linear_in_rgb(stops, s)).ends(), Vec2(1, std::nextafter(1, 2))) << s.name;
+}
+
+// What VTK 9.1's vtkColorTransferFunction has in the middle, which ParaView shows.
+TEST(AgreementColorSpace, DivergingIsVtks) {
+  struct Case {
+    Vec3 from, to, middle;
+  };
+  // The hue of the first pair lies between -π/3, where the paper turns the other way, and -0.3 π.
+  const Case cases[] = {{{0.2, 0.2, 0.7}, {0.85, 0.85, 0.85}, {0.63745, 0.64453, 0.99317}},
+                        {{0.85, 0.85, 0.85}, {0.2, 0.2, 0.7}, {0.63745, 0.64453, 0.99317}},
+                        {{0.2, 0.5, 0.3}, {0.9, 0.9, 0.9}, {0.44516, 0.74909, 0.69896}},
+                        {{0.23, 0.3, 0.75}, {0.3, 0.7, 0.3}, {0.91691, 0.91693, 0.91691}},
+                        {{0.1, 0.4, 0.7}, {0.5, 0.3, 0.8}, {0.304, 0.38163, 0.7853}}};
+  for (const auto& [from, to, middle] : cases)  // whose matrices have other last digits
+    EXPECT_LE(largest_difference(space("Diverging").between(from, to, 0.5), middle), 1e-3)
+        << from.x << ' ' << from.y;
 }
 
 }  // namespace
