@@ -106,7 +106,7 @@ class CsvReader {
     read_header();
     while (!rest_.empty()) read_line();
     PointSet points;
-    points.positions.resize(columns_.front().size());
+    points.positions.resize(positions_);
     for (int axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < points.positions.size(); ++i)
         points.positions[i][axis] = columns_[axes_[std::size_t(axis)]][i];

@@ -46,6 +46,12 @@ TEST_F(UnitCsvHeads, ColumnsOfTextAreLeftOutAndNamed) {
               ::testing::ElementsAre("column 'name, in full' is text and is left out"));
 }
 
+TEST_F(UnitCsvHeads, AColumnOfTextMayBeTheFirst) {
+  const PointSet points = read_points(file("a.csv", "name,x,y,z\nab,1,2,3\ncd,2,3,4\n"));
+  EXPECT_EQ(points.positions, (std::vector<Vec3>{{1, 2, 3}, {2, 3, 4}}));
+  EXPECT_THAT(points.remarks, ::testing::ElementsAre("column 'name' is text and is left out"));
+}
+
 TEST_F(UnitCsvHeads, CsvSaysWhichColumnOrLineIsWrong) {
   for (const auto& [content, said] :
        {std::pair("x,y,s\n0,0,1\n", "no columns x, y, z among x, y, s"),
