@@ -53,7 +53,10 @@ def poly_data(thing, folder):
     counted = numpy.concatenate([numpy.full((len(cells), 1), cells.shape[1]), cells], 1).astype(numpy.int64)
     array.ImportLegacyFormat(numpy_to_vtkIdTypeArray(counted.ravel(), deep=True))
     {"triangles": data.SetPolys, "lines": data.SetLines, "points": data.SetVerts}[thing["kind"]](array)
-    data.GetPointData().SetScalars(numpy_to_vtk(columns("red", "green", "blue", "alpha"), deep=True))
+    colors = columns("red", "green", "blue", "alpha")
+    if thing["opaque"]:
+        colors[:, 3] = 1  # whatever its opacity: VTK would blend it
+    data.GetPointData().SetScalars(numpy_to_vtk(colors, deep=True))
     return data
 
 

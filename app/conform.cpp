@@ -89,7 +89,8 @@ nlohmann::ordered_json to_json(const compare::FamilySummary& family) {
 }
 
 void print_json(const std::vector<compare::CaseResult>& results) {
-  nlohmann::ordered_json json{{"families", nlohmann::ordered_json::array()},
+  nlohmann::ordered_json json{{"judged", "rgb"},
+                              {"families", nlohmann::ordered_json::array()},
                               {"cases", nlohmann::ordered_json::array()}};
   for (const auto& family : compare::summarize(results))
     json["families"].push_back(to_json(family));
@@ -133,6 +134,7 @@ void judge(const ConformArguments& arguments, const GlobalOptions& globals) {
       if (arguments.all || !result.verdict.passed) print_case(result);
     fmt::print("\n");
     for (const auto& family : compare::summarize(results)) print_family(family);
+    fmt::print("judged: red, green and blue, over the background; not A\n");
   }
   std::fflush(stdout);
   if (failed > 0) throw WorkError(fmt::format("{} of {} cases failed", failed, results.size()));

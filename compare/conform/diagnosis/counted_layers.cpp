@@ -7,28 +7,56 @@
 namespace pellucid::compare {
 namespace {
 
-/// Of more layers one more or less is not looked for: it would be a guess among too many.
-constexpr std::size_t few_layers = 300;
-
-bool is_of(const WrongPixels& pixels, std::size_t pixel, const Layers& layers) {
-  return pixels.is(pixel, composite_of(layers, pixels.behind()), 2 * pixels.tolerance());
+/// What a layer of opacity alpha hides when it counts several times, or none.
+double opacity_of(double alpha, std::size_t times) {
+  return 1 - std::pow(1 - alpha, double(times));
 }
 
-/// Whether the pixel is that of `changed(layers, i)` for one of its layers i.
-template <class Changed>
-bool is_with_change(const WrongPixels& pixels, std::size_t pixel, const Changed& changed) {
-  const Layers& all = pixels.layers(pixel);
-  if (all.size() > few_layers) return false;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Layers layers = changed(all, i);
-    if (layers.size() != all.size() && is_of(pixels, pixel, layers)) return true;
+/// Cuts are the composites before and behind each layer: a change of one layer takes but these.
+struct Cuts {
+  std::vector<glm::dvec4> before;  // colour and transmittance of the nearest i layers
+  std::vector<Vec3> behind;        // of all but these, over the background
+
+  Vec3 joined(std::size_t i, const Vec3& rest) const {
+    return Vec3(before[i]) + before[i].a * rest;
   }
-  return false;
+};
+
+Cuts cuts_of(const Layers& all, const Vec3& background) {
+  Cuts cuts{{glm::dvec4(0, 0, 0, 1)}, std::vector<Vec3>(all.size() + 1, background)};
+  for (const Rgba& layer : all) {
+    const glm::dvec4& sum = cuts.before.back();
+    const double alpha = double(layer.a);
+    cuts.before.emplace_back(Vec3(sum) + sum.a * alpha * Vec3(layer), sum.a * (1 - alpha));
+  }
+  for (std::size_t i = all.size(); i-- > 0;)
+    cuts.behind[i] = glm::mix(cuts.behind[i + 1], Vec3(all[i]), double(all[i].a));
+  return cuts;
 }
 
-Layers without(Layers all, std::size_t i) {
-  all.erase(all.begin() + std::ptrdiff_t(i));
-  return all;
+/// As it is when one of the layers counts so often.
+void add_with_count(const Layers& all, const Cuts& cuts, std::size_t times,
+                    std::vector<Vec3>& colors) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    colors.push_back(cuts.joined(
+        i, glm::mix(cuts.behind[i + 1], Vec3(all[i]), opacity_of(double(all[i].a), times))));
+}
+
+/// An edge or vertex is often met once for each triangle that it belongs to; of many layers more
+/// than twice is not looked for.
+std::vector<Vec3> with_one_again(const Layers& all, const Vec3& background) {
+  constexpr std::size_t most_times = 6, few = 20;
+  const Cuts cuts = cuts_of(all, background);
+  std::vector<Vec3> colors;
+  for (std::size_t times = 2; times <= (all.size() <= few ? most_times : 2); ++times)
+    add_with_count(all, cuts, times, colors);
+  return colors;
+}
+
+std::vector<Vec3> without_one(const Layers& all, const Vec3& background) {
+  std::vector<Vec3> colors;
+  add_with_count(all, cuts_of(all, background), 0, colors);
+  return colors;
 }
 
 /// Of those that equal layer i that one alone.
@@ -39,106 +67,163 @@ Layers with_one_of_equals(const Layers& all, std::size_t i) {
   return left;
 }
 
-/// Whether it is as if one of the layers, or each, counted up to `most_times`: an edge or vertex
-/// is often met once for each triangle that it belongs to.
-bool counts_again(const WrongPixels& pixels, std::size_t pixel) {
-  constexpr std::size_t most_times = 6, few = 20;
-  const Layers& all = pixels.layers(pixel);
-  for (std::size_t more = 1; more < (all.size() <= few ? most_times : 2); ++more) {
-    const auto again = [more](Layers layers, std::size_t i) {
-      layers.insert(layers.begin() + std::ptrdiff_t(i), more, Layers::value_type(layers[i]));
-      return layers;
-    };
-    Layers each;
-    for (const Rgba& layer : all) each.insert(each.end(), more + 1, layer);
-    if (is_with_change(pixels, pixel, again) || is_of(pixels, pixel, each)) return true;
+/// Of more layers equal ones are not looked for.
+std::vector<Vec3> without_equals(const Layers& all, const Vec3& background) {
+  constexpr std::size_t few = 300;
+  std::vector<Vec3> colors;
+  for (std::size_t i = 0; i < all.size() && all.size() <= few; ++i)
+    if (const Layers left = with_one_of_equals(all, i); left.size() < all.size())
+      colors.emplace_back(composite_of(left, background));
+  return colors;
+}
+
+/// As it is when each of the layers counts from `least` to `most` times, in all ways.
+std::vector<Vec3> with_counts(const Layers& all, const Vec3& background, std::size_t least,
+                              std::size_t most) {
+  std::vector<Vec3> colors{background};
+  for (auto layer = all.rbegin(); layer != all.rend(); ++layer) {
+    std::vector<Vec3> before;
+    for (std::size_t times = least; times <= most; ++times)
+      for (const Vec3& behind : colors)
+        before.push_back(glm::mix(behind, Vec3(*layer), opacity_of(double(layer->a), times)));
+    colors = std::move(before);
   }
-  return false;
+  return colors;
 }
 
-/// The nearest or the farthest k of the layers.
-Layers some(const Layers& all, std::size_t k, bool nearest) {
-  const auto count = std::ptrdiff_t(std::min(k, all.size()));
-  return nearest ? Layers(all.begin(), all.begin() + count) : Layers(all.end() - count, all.end());
+/// Of so many layers at most; of others there are none.
+WrongPixels::Colors all_counts(const WrongPixels& pixels, std::size_t few, std::size_t least,
+                               std::size_t most) {
+  return [&pixels, few, least, most](const Layers& all) {
+    return all.size() <= few ? with_counts(all, pixels.behind(), least, most) : std::vector<Vec3>();
+  };
 }
 
-/// Every k for which that is the pixel's colour.
-std::vector<std::size_t> caps_of(const WrongPixels& pixels, std::size_t pixel, bool nearest) {
-  const Layers& all = pixels.layers(pixel);
-  const Vec3& behind = pixels.behind();
-  std::vector<std::size_t> fit;
-  glm::dvec4 sum = nearest ? glm::dvec4(0) : glm::dvec4(behind, 0);
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const Rgba& layer = nearest ? all[k - 1] : all[all.size() - k];
-    const double alpha = double(layer.a);
-    const glm::dvec4 opaque(Vec3(layer), 1);
-    sum = nearest ? sum + (1 - sum.a) * alpha * opaque : glm::mix(sum, opaque, alpha);
-    const Vec3 color = nearest ? Vec3(sum) + (1 - sum.a) * behind : Vec3(sum);
-    if (pixels.is(pixel, {color, 0}, 2 * pixels.tolerance())) fit.push_back(k);
-  }
-  return fit;
+/// The nearest or the farthest k of the layers, over the background.
+Vec3 some(const Cuts& cuts, std::size_t k, bool nearest, const Vec3& background) {
+  const std::size_t count = cuts.behind.size() - 1, kept = std::min(k, count);
+  return nearest ? cuts.joined(kept, background) : cuts.behind[count - kept];
 }
 
-std::optional<Explanation> capped_from(const WrongPixels& pixels, std::size_t deepest,
-                                       bool nearest) {
+/// The few k that fit the pixel best.
+std::vector<std::size_t> caps_of(const WrongPixels& pixels, std::size_t pixel, const Cuts& cuts,
+                                 bool nearest) {
   constexpr std::size_t most_tried = 8;
-  std::vector<std::size_t> caps = caps_of(pixels, deepest, nearest);
-  caps.resize(std::min(caps.size(), most_tried));
-  for (const std::size_t k : caps)
-    if (pixels.explains(
-            [&](std::size_t i) { return is_of(pixels, i, some(pixels.layers(i), k, nearest)); }))
-      return Explanation{Fault::capped,
-                         fmt::format("only the {} {} layers", nearest ? "nearest" : "farthest", k)};
+  std::vector<std::pair<double, std::size_t>> fits;
+  for (std::size_t k = 1; k + 1 < cuts.behind.size(); ++k)
+    fits.emplace_back(pixels.off(pixel, some(cuts, k, nearest, pixels.behind())), k);
+  std::ranges::sort(fits);
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; i < std::min(fits.size(), most_tried); ++i)
+    best.push_back(fits[i].second);
+  return best;
+}
+
+void capped_from(const WrongPixels& pixels, std::size_t deepest, bool nearest,
+                 Explanations& found) {
+  const Cuts cuts = cuts_of(pixels.layers(deepest), pixels.behind());
+  Explanations caps;
+  for (const std::size_t k : caps_of(pixels, deepest, cuts, nearest)) {
+    const auto cap = [&](const Layers& all) {
+      return std::vector{some(cuts_of(all, pixels.behind()), k, nearest, pixels.behind())};
+    };
+    add_explanation(caps, Fault::capped,
+                    fmt::format("only the {} {} layers", nearest ? "nearest" : "farthest", k),
+                    pixels.left_by_nearest(cap));
+  }
+  std::ranges::stable_sort(caps, {}, &Explanation::left);
+  found.insert(found.end(), caps.begin(), caps.end());
+}
+
+/// The colour of the case's object that is said to be opaque, as its vertices have it.
+std::optional<Rgba> opaque_color(const ConformanceCase& c) {
+  for (const scene::SceneObject& object : c.scene.objects)
+    if (object.opaque) return object.vertices().colors.front();
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Explanation> missed(const WrongPixels& pixels) {
-  if (pixels.explains([&](std::size_t i) { return is_of(pixels, i, {}); }))
-    return Explanation{Fault::missed, "all layers are missing"};
-  if (pixels.explains([&](std::size_t i) { return is_with_change(pixels, i, without); }))
-    return Explanation{Fault::missed,
-                       fmt::format("a layer is missing in {} pixels", pixels.wrong().size())};
-  if (pixels.explains([&](std::size_t i) { return is_with_change(pixels, i, with_one_of_equals); }))
-    return Explanation{Fault::missed, "of equal layers one is left"};
-  return std::nullopt;
+void without_any(const WrongPixels& pixels, Explanations& found) {
+  add_explanation(
+      found, Fault::missed, "all layers are missing",
+      pixels.left_by_nearest([&](const Layers&) { return std::vector<Vec3>{pixels.behind()}; }));
 }
 
-std::optional<Explanation> capped(const WrongPixels& pixels) {
+void let_through(const WrongPixels& pixels, Explanations& found) {
+  const std::optional<Rgba> color = opaque_color(pixels.conformance_case());
+  if (!color) return;
+  const auto as_it_stands = [&](Layers layers, const Vec3& background) {
+    std::ranges::replace(layers, Rgba(color->r, color->g, color->b, 1), *color);
+    return composite_of(layers, background);
+  };
+  add_explanation(found, Fault::opaque, "what is said to be opaque lets through what is behind it",
+                  pixels.left_by_composite(as_it_stands, pixels.nearly_all()));
+}
+
+void missed(const WrongPixels& pixels, Explanations& found) {
+  add_explanation(
+      found, Fault::missed, fmt::format("a layer is missing in {} pixels", pixels.wrong().size()),
+      pixels.left_by_nearest([&](const Layers& all) { return without_one(all, pixels.behind()); }));
+  add_explanation(found, Fault::missed, "of equal layers one is left",
+                  pixels.left_by_nearest(
+                      [&](const Layers& all) { return without_equals(all, pixels.behind()); }));
+}
+
+/// Of two or three layers, the farthest ones alone are said to be those that others miss.
+void capped(const WrongPixels& pixels, Explanations& found) {
   const auto depth = [&](std::size_t i) { return pixels.layers(i).size(); };
   const std::size_t deepest = *std::ranges::max_element(pixels.wrong(), {}, depth);
-  if (depth(deepest) <= 2) return std::nullopt;
-  for (const bool nearest : {true, false})
-    if (auto found = capped_from(pixels, deepest, nearest)) return found;
-  return std::nullopt;
+  if (depth(deepest) > 2) capped_from(pixels, deepest, true, found);
+  if (depth(deepest) > 3) capped_from(pixels, deepest, false, found);
 }
 
-std::optional<Explanation> doubled(const WrongPixels& pixels) {
-  const std::vector<std::size_t>& wrong = pixels.wrong();
-  const auto again = [&](std::size_t i) { return counts_again(pixels, i); };
-  const auto missing = [&](std::size_t i) { return is_with_change(pixels, i, without); };
-  if (pixels.explains(again))
-    return Explanation{Fault::doubled,
-                       fmt::format("a layer counts again in {} pixels", wrong.size())};
-  if (!pixels.explains([&](std::size_t i) { return again(i) || missing(i); })) return std::nullopt;
-  const auto missed = std::size_t(std::ranges::count_if(wrong, missing));
-  return Explanation{Fault::doubled,
-                     fmt::format("a layer counts again in {} pixels, and is missing in {}",
-                                 wrong.size() - missed, missed)};
+void doubled(const WrongPixels& pixels, Explanations& found) {
+  const std::size_t count = pixels.wrong().size();
+  const auto again = [&](const Layers& all) { return with_one_again(all, pixels.behind()); };
+  const auto again_or_missing = [&](const Layers& all) {
+    std::vector<Vec3> colors = again(all);
+    const std::vector<Vec3> missing = without_one(all, pixels.behind());
+    colors.insert(colors.end(), missing.begin(), missing.end());
+    return colors;
+  };
+  for (const std::size_t times : {2u, 3u, 4u, 5u, 6u})
+    add_explanation(found, Fault::doubled, fmt::format("each layer counts {} times", times),
+                    pixels.left_by_composite(
+                        [times](Layers layers, const Vec3& background) {
+                          for (Rgba& layer : layers)
+                            layer.a = float(opacity_of(double(layer.a), times));
+                          return composite_of(layers, background);
+                        },
+                        pixels.nearly_all()));
+  add_explanation(found, Fault::doubled, fmt::format("a layer counts again in {} pixels", count),
+                  pixels.left_by_nearest(again));
+  add_explanation(found, Fault::doubled,
+                  fmt::format("a layer counts again, or is missing, in {} pixels", count),
+                  pixels.left_by_nearest(again_or_missing));
 }
 
-std::optional<Explanation> clamped(const WrongPixels& pixels) {
+void counted_otherwise(const WrongPixels& pixels, Explanations& found) {
+  constexpr std::size_t for_subsets = 8, for_counts = 3, most_times = 8;
+  const std::size_t count = pixels.wrong().size();
+  add_explanation(found, Fault::missed, fmt::format("layers are missing in {} pixels", count),
+                  pixels.left_by_nearest(all_counts(pixels, for_subsets, 0, 1)));
+  add_explanation(found, Fault::doubled, fmt::format("layers count again in {} pixels", count),
+                  pixels.left_by_nearest(all_counts(pixels, for_counts, 1, most_times)));
+  add_explanation(found, Fault::doubled,
+                  fmt::format("layers count again, or are missing, in {} pixels", count),
+                  pixels.left_by_nearest(all_counts(pixels, for_counts, 0, most_times)));
+}
+
+void clamped(const WrongPixels& pixels, Explanations& found) {
   for (const float most : {0.99f, 0.995f, 254.f / 255, 0.999f, 0.9999f}) {
-    const auto is_clamped = [&](std::size_t i) {
-      Layers layers = pixels.layers(i);
+    const auto composite = [most](Layers layers, const Vec3& background) {
       for (Rgba& layer : layers) layer.a = std::min(layer.a, most);
-      return is_of(pixels, i, layers);
+      return composite_of(layers, background);
     };
-    if (pixels.explains(is_clamped))
-      return Explanation{Fault::other, fmt::format("opacities end at {:.4g}", most)};
+    add_explanation(found, Fault::other, fmt::format("opacities end at {:.4g}", most),
+                    pixels.left_by_composite(composite, pixels.nearly_all()));
   }
-  return std::nullopt;
 }
 
 }  // namespace pellucid::compare

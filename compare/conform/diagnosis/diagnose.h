@@ -17,14 +17,16 @@ struct Verdict {
   std::string explanation = {};  // more about it, for people
 };
 
-/// A Fault is a kind of it, by its name; in the order in which they are looked for.
+/// A Fault is a kind of it, by its name.
 struct Fault {
   static constexpr std::string_view background = "background";
+  static constexpr std::string_view colors = "colours";
   static constexpr std::string_view eight_bits = "8 bits";
   static constexpr std::string_view precision = "precision";
   static constexpr std::string_view missed = "missed";
   static constexpr std::string_view capped = "capped";
   static constexpr std::string_view doubled = "doubled";
+  static constexpr std::string_view opaque = "opaque";
   static constexpr std::string_view picture = "picture";
   static constexpr std::string_view misordered = "misordered";
   static constexpr std::string_view no_picture = "no picture";
@@ -35,19 +37,24 @@ struct Fault {
 /// layers, one 8-bit step is 4e-3.
 inline constexpr double conformance_tolerance = 1e-4;
 
-/// Holds a picture of the case's size and of finite values against the right one. Of pictures that
-/// are stored in 8 bits as much more is allowed as these round. A fault is named when it explains
-/// nine tenths of the wrong pixels by the layers that are known of each, leaving less than half of
-/// each one's error:
+/// Holds a picture of the case's size and of finite values against the right one, over the
+/// background: A is not judged. Of pictures that are stored in 8 bits as much more is allowed as
+/// these round. What is named explains nine tenths of the wrong pixels by the layers that are known
+/// of each, leaving less than half of each one's error, and leaves the least of it; of explanations
+/// that leave about as little the one that takes the least for granted.
 /// - background: the layers are right, what shows through them is another colour;
+/// - colours: through a curve, by a factor, channels exchanged, straight or multiplied once too
+/// often;
 /// - 8 bits: of a picture that is stored so, right to two steps; else as if every step of the
 /// composite, or its result, or what is stored of fragments were rounded to 8 bits;
 /// - precision: the same of half floats, or off by a 50th at most in a way that nothing else
 /// explains;
 /// - capped: the nearest k layers alone, of k the same in all pixels;
-/// - missed, doubled: one layer, or all that equal it, are not there; or count several times;
-/// - picture: turned, shifted, with a transfer curve: see given_faults();
-/// - misordered: all layers, composited in another order or in none (mean, sum, as drawn).
+/// - missed, doubled: layers, or all that equal one, are not there; or count several times;
+/// - opaque: what is said to be opaque lets through what is behind it;
+/// - picture: turned or shifted: see given_faults();
+/// - misordered: all layers, composited in another order or in none (mean, sum, as drawn); where no
+/// background explains as much, any mixture of them.
 Verdict judge(const ConformanceCase& conformance_case, const Image& picture, bool stored_in_8_bits,
               double tolerance = conformance_tolerance);
 

@@ -4,42 +4,70 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/conform/diagnosis/wrong_pixels.h"
 
 namespace pellucid::compare {
 
-/// An Explanation says what a wrong picture looks like: a kind of Fault, and more for people.
+/// An Explanation says what a wrong picture looks like, a kind of Fault and more for people, and
+/// what it leaves of the error of nine tenths of the wrong pixels.
 struct Explanation {
   std::string_view fault;
   std::string text;
+  double left = 0;
 };
 
-// Each looks for one kind, and returns nothing where that does not explain the wrong pixels.
+using Explanations = std::vector<Explanation>;
+
+/// Adds an explanation that leaves so much, if it explains anything.
+inline void add_explanation(Explanations& found, std::string_view fault, std::string text,
+                            const std::optional<double>& left) {
+  if (left) found.push_back({fault, std::move(text), *left});
+}
+
+// Each looks for one kind, and adds what of it explains the wrong pixels, best first.
 
 /// Tell what the picture's file keeps of numbers, or the renderer did: kept_digits.cpp.
 ///@{
-std::optional<Explanation> nearly_right(const WrongPixels& pixels);
-std::optional<Explanation> of_8_bits(const WrongPixels& pixels);
-std::optional<Explanation> of_half_floats(const WrongPixels& pixels);
+void of_8_bits(const WrongPixels& pixels, Explanations& found);
+void of_half_floats(const WrongPixels& pixels, Explanations& found);
 ///@}
 
-/// Tell what else is seen: shown_colors.cpp.
+/// Tell what colours became of the right ones, or of the layers': wrong_colors.cpp.
 ///@{
-std::optional<Explanation> over_another_background(const WrongPixels& pixels);
-std::optional<Explanation> through_a_curve(const WrongPixels& pixels);
-std::optional<Explanation> of_the_picture(const WrongPixels& pixels);
+void of_other_colors(const WrongPixels& pixels, Explanations& found);
+void of_brighter_colors(const WrongPixels& pixels, Explanations& found);
 ///@}
 
-/// Tell which layers count, and how much: counted_layers.cpp.
+/// Tell what else is seen: shown_colors.cpp. Of a background that nothing confirms only what errs
+/// visibly is said to be one.
 ///@{
-std::optional<Explanation> missed(const WrongPixels& pixels);
-std::optional<Explanation> capped(const WrongPixels& pixels);
-std::optional<Explanation> doubled(const WrongPixels& pixels);
-std::optional<Explanation> clamped(const WrongPixels& pixels);
+void over_black_or_white(const WrongPixels& pixels, Explanations& found);
+void over_another_background(const WrongPixels& pixels, Explanations& found);
+void over_an_unconfirmed_background(const WrongPixels& pixels, Explanations& found);
+void of_a_turned_picture(const WrongPixels& pixels, Explanations& found);
+void of_the_picture(const WrongPixels& pixels, Explanations& found);
 ///@}
 
-/// Tells in which order they do: ordered_layers.cpp.
-std::optional<Explanation> misordered(const WrongPixels& pixels);
+/// Tell which layers count, and how much: counted_layers.cpp. Those of all pixels alike, then those
+/// of which each pixel may have lost, or have, another one.
+///@{
+void without_any(const WrongPixels& pixels, Explanations& found);
+void let_through(const WrongPixels& pixels, Explanations& found);
+void clamped(const WrongPixels& pixels, Explanations& found);
+void capped(const WrongPixels& pixels, Explanations& found);
+void missed(const WrongPixels& pixels, Explanations& found);
+void doubled(const WrongPixels& pixels, Explanations& found);
+void counted_otherwise(const WrongPixels& pixels, Explanations& found);
+///@}
+
+/// Tell in which order they do: ordered_layers.cpp. The first knows the order, the second tries all
+/// of few layers, the third only knows that they are the layers.
+///@{
+void misordered(const WrongPixels& pixels, Explanations& found);
+void permuted(const WrongPixels& pixels, Explanations& found);
+void mixed(const WrongPixels& pixels, Explanations& found);
+///@}
 
 }  // namespace pellucid::compare

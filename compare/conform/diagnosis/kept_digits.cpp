@@ -26,55 +26,44 @@ struct Way {
   bool takes_several;
 };
 
-std::optional<Explanation> one_of(const WrongPixels& pixels, std::string_view fault,
-                                  std::initializer_list<Way> ways, double slack) {
+void add_ways(const WrongPixels& pixels, std::string_view fault, std::initializer_list<Way> ways,
+              double most, Explanations& found) {
   const bool are_several = std::ranges::any_of(
       pixels.wrong(), [&](std::size_t i) { return pixels.layers(i).size() > 1; });
   for (const Way& way : ways)
-    if ((are_several || !way.takes_several) && pixels.is_composite(way.composite, slack))
-      return Explanation{fault, way.what};
-  return std::nullopt;
+    if (are_several || !way.takes_several)
+      add_explanation(found, fault, way.what, pixels.left_by_composite(way.composite, most));
 }
 
-std::optional<Explanation> rounded_so(const WrongPixels& pixels, Halfway halfway, double slack) {
+/// A renderer may round otherwise by half a step at each of its last steps.
+void add_rounded(const WrongPixels& pixels, Halfway halfway, Explanations& found) {
+  constexpr double most = 3 * half_step;
   const auto rounding = [halfway](auto way) {
     return [=](const Layers& all, const Vec3& color) { return way(all, color, halfway); };
   };
-  return one_of(
-      pixels, Fault::eight_bits,
-      {{rounding(blended_in_8_bits), "every blending is rounded to 8 bits", true},
-       {rounding(accumulated_in_8_bits), "colour and opacity are summed up in 8 bits", true},
-       {rounding(stored_in_8_bits), "fragments are kept in 8 bits", false},
-       {rounding(opacities_in_8_bits), "opacities are kept in 8 bits", false}},
-      slack);
+  add_ways(pixels, Fault::eight_bits,
+           {{rounding(blended_in_8_bits), "every blending is rounded to 8 bits", true},
+            {rounding(accumulated_in_8_bits), "colour and opacity are summed up in 8 bits", false},
+            {rounding(stored_in_8_bits), "fragments are kept in 8 bits", false},
+            {rounding(opacities_in_8_bits), "opacities are kept in 8 bits", false}},
+           most, found);
 }
 
 }  // namespace
 
-/// Of a picture that holds no more digits other explanations would be guesses.
-std::optional<Explanation> nearly_right(const WrongPixels& pixels) {
-  if (!pixels.are_stored_in_8_bits() || pixels.max_error() > 4 * half_step) return std::nullopt;
-  return Explanation{Fault::eight_bits,
-                     fmt::format("right to {:.1f} of an 8-bit step", 255 * pixels.max_error())};
-}
-
-/// A renderer may round otherwise by half a step at each of its last steps.
-std::optional<Explanation> of_8_bits(const WrongPixels& pixels) {
+void of_8_bits(const WrongPixels& pixels, Explanations& found) {
   if (pixels.max_error() <= 2 * half_step && has_8_bit_values(pixels))
-    return Explanation{Fault::eight_bits, "the result is rounded to 8 bits"};
-  for (const double slack : {half_step, 3 * half_step})
-    for (const Halfway halfway : {Halfway::down, Halfway::up})
-      if (auto found = rounded_so(pixels, halfway, slack)) return found;
-  return std::nullopt;
+    found.push_back({Fault::eight_bits, "the result is rounded to 8 bits", 0});
+  for (const Halfway halfway : {Halfway::nearest, Halfway::down, Halfway::up})
+    add_rounded(pixels, halfway, found);
 }
 
-std::optional<Explanation> of_half_floats(const WrongPixels& pixels) {
-  constexpr double step = 0x1p-11;  // of a half float below 1
-  return one_of(pixels, Fault::precision,
-                {{rounded_to_halves, "the result is rounded to half floats", false},
-                 {blended_in_halves, "every blending is rounded to half floats", true},
-                 {stored_in_halves, "fragments are kept in half floats", false}},
-                pixels.tolerance() + step);
+void of_half_floats(const WrongPixels& pixels, Explanations& found) {
+  add_ways(pixels, Fault::precision,
+           {{rounded_to_halves, "the result is rounded to half floats", false},
+            {blended_in_halves, "every blending is rounded to half floats", true},
+            {stored_in_halves, "fragments are kept in half floats", false}},
+           pixels.tolerance() + 2 * half_float_step, found);
 }
 
 }  // namespace pellucid::compare

@@ -11,26 +11,24 @@ glm::dvec4 backwards(const Layers& all, const Vec3& background) {
 }
 
 /// Of a few layers any other order is tried.
-bool is_permuted(const WrongPixels& pixels, std::size_t pixel) {
+std::vector<Vec3> orders_of(const Layers& all, const Vec3& background) {
   constexpr std::size_t few = 6;
-  const Layers& all = pixels.layers(pixel);
-  if (all.size() > few) return false;
-  std::vector<std::size_t> order(all.size());
+  std::vector<Vec3> colors;
+  std::vector<std::size_t> order(all.size() <= few ? all.size() : 0);
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   while (std::ranges::next_permutation(order).found) {
     Layers permuted;
     for (const std::size_t i : order) permuted.push_back(all[i]);
-    if (pixels.is(pixel, composite_of(permuted, pixels.behind()), 2 * pixels.tolerance()))
-      return true;
+    colors.emplace_back(composite_of(permuted, background));
   }
-  return false;
+  return colors;
 }
 
 /// Every order of layers, and their mean, leaves the same of the background: between the darkest
 /// and the brightest layer over it a colour is one of layers that are there.
 bool is_mixed(const WrongPixels& pixels, std::size_t pixel) {
   const Layers& all = pixels.layers(pixel);
-  if (all.size() < 2 || pixels.error(pixel) <= least_seen) return false;
+  if (all.size() < 2 || pixels.max_error() <= least_seen) return false;
   const double left = 1 - composite_of(all, pixels.behind()).a;
   Vec3 low(1), high(0);
   for (const Rgba& layer : all) {
@@ -44,7 +42,7 @@ bool is_mixed(const WrongPixels& pixels, std::size_t pixel) {
 
 }  // namespace
 
-std::optional<Explanation> misordered(const WrongPixels& pixels) {
+void misordered(const WrongPixels& pixels, Explanations& found) {
   const struct {
     WrongPixels::Composite composite;
     const char* what;
@@ -53,13 +51,20 @@ std::optional<Explanation> misordered(const WrongPixels& pixels) {
               {averaged_with_opacity, "no order: mean colour and mean opacity of all layers"},
               {summed, "no order: the sum of all layers"}};
   for (const auto& [composite, what] : ways)
-    if (pixels.is_composite(composite, 2 * pixels.tolerance()))
-      return Explanation{Fault::misordered, what};
-  if (pixels.explains([&](std::size_t i) { return is_permuted(pixels, i); }))
-    return Explanation{Fault::misordered, "layers in another order"};
-  if (pixels.explains([&](std::size_t i) { return is_mixed(pixels, i); }))
-    return Explanation{Fault::misordered, "all layers, in another order or in none"};
-  return std::nullopt;
+    add_explanation(found, Fault::misordered, what,
+                    pixels.left_by_composite(composite, pixels.nearly_all()));
+}
+
+void permuted(const WrongPixels& pixels, Explanations& found) {
+  add_explanation(
+      found, Fault::misordered, "layers in another order",
+      pixels.left_by_nearest([&](const Layers& all) { return orders_of(all, pixels.behind()); }));
+}
+
+void mixed(const WrongPixels& pixels, Explanations& found) {
+  const auto left_of = [&](std::size_t i) { return is_mixed(pixels, i) ? 0 : pixels.error(i); };
+  add_explanation(found, Fault::misordered, "all layers, in another order or in none",
+                  pixels.left_by(left_of, pixels.nearly_all()));
 }
 
 }  // namespace pellucid::compare

@@ -10,7 +10,9 @@ namespace {
 
 double rounded(double x, Halfway halfway) {
   constexpr double of_a_step = 1e-4;  // what floats make of a half
-  const double way = halfway == Halfway::up ? of_a_step : -of_a_step;
+  const double way = halfway == Halfway::nearest ? 0
+                     : halfway == Halfway::up    ? of_a_step
+                                                 : -of_a_step;
   return std::round(std::clamp(x, 0.0, 1.0) * 255 + way) / 255;
 }
 Vec3 rounded(const Vec3& v, Halfway halfway) {
@@ -80,6 +82,26 @@ glm::dvec4 stored_in_halves(Layers layers, const Vec3& background) {
 glm::dvec4 rounded_to_halves(const Layers& layers, const Vec3& background) {
   const glm::dvec4 right = composite_of(layers, background);
   return {halved(Vec3(right)), right.a};
+}
+
+glm::dvec4 multiplied_again(Layers layers, const Vec3& background) {
+  for (Rgba& layer : layers) layer = Rgba(layer.a * glm::vec3(layer), layer.a);
+  return composite_of(layers, background);
+}
+
+glm::dvec4 not_multiplied(const Layers& layers, const Vec3& background) {
+  Vec3 color(0);
+  double transmittance = 1;
+  for (const Rgba& layer : layers) {
+    color += transmittance * Vec3(layer);
+    transmittance *= 1 - double(layer.a);
+  }
+  return {color + transmittance * background, 0};
+}
+
+glm::dvec4 straight(const Layers& layers, const Vec3&) {
+  const glm::dvec4 own = composite_of(layers, Vec3(0));
+  return {own.a > 0 ? Vec3(own) / own.a : Vec3(own), 0};
 }
 
 glm::dvec4 averaged(const Layers& layers, const Vec3& background) {

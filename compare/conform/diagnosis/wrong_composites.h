@@ -9,8 +9,8 @@ namespace pellucid::compare {
 // what is returned the colour counts, over the background.
 
 /// A Halfway says which way a renderer rounds to 8 bits what lies between two steps, up to a
-/// float's rounding: 0.1, 0.3, 0.5 and 0.9 do.
-enum class Halfway { down, up };
+/// float's rounding, as 0.1, 0.3, 0.5 and 0.9 do: always down, always up, or by what the float is.
+enum class Halfway { down, up, nearest };
 
 /// Blends in a frame buffer of 8 bits, the farthest layer first.
 glm::dvec4 blended_in_8_bits(const Layers& layers, const Vec3& background, Halfway halfway);
@@ -32,6 +32,15 @@ glm::dvec4 stored_in_halves(Layers layers, const Vec3& background);
 
 /// Rounds the right colour to half floats.
 glm::dvec4 rounded_to_halves(const Layers& layers, const Vec3& background);
+
+/// Multiplies colours by their opacities before it blends them, which does so again.
+glm::dvec4 multiplied_again(Layers layers, const Vec3& background);
+
+/// Blends colours as if they were multiplied by their opacities, which they are not.
+glm::dvec4 not_multiplied(const Layers& layers, const Vec3& background);
+
+/// Leaves straight colours, neither multiplied by A nor over the background.
+glm::dvec4 straight(const Layers& layers, const Vec3& background);
 
 /// Takes the mean colour, weighted by opacity, under the layers' transmittance.
 glm::dvec4 averaged(const Layers& layers, const Vec3& background);

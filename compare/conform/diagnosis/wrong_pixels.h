@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "compare/conform/conformance_case.h"
@@ -11,6 +12,8 @@ namespace pellucid::compare {
 
 /// Half an 8-bit step, and what reading it back rounds.
 inline constexpr double half_step = 0.5 / 255 + 1e-6;
+/// What half floats in [0, 1] round.
+inline constexpr double half_float_step = 0x1p-12;
 /// What errs by no more looks right, and is in another order by no means.
 inline constexpr double least_seen = 0.02;
 
@@ -37,25 +40,40 @@ class WrongPixels {
   const Layers& layers(std::size_t pixel) const { return case_.of_pixel(pixel); }
   const Vec3& behind() const { return case_.scene.background; }
 
-  /// Returns whether the pixel is of this colour, and that leaves less than half of its error: what
-  /// changes nothing that is seen explains nothing.
-  bool is(std::size_t pixel, const glm::dvec4& color, double tolerance) const;
+  /// What storing the picture alone may be off by: half a step where all values are of 8 bits or of
+  /// half floats, else what floats lose.
+  double rounding() const { return rounding_; }
+  /// What an explanation may leave of an error that is wholly known.
+  double nearly_all() const { return 2 * tolerance_ + rounding_; }
+  /// By how much the pixel is off a colour, which in 8 bits is shown within [0, 1].
+  double off(std::size_t pixel, const Vec3& color) const;
 
-  /// Returns whether a test of pixels holds for nine tenths of those that are wrong.
-  template <class Holds>
-  bool explains(const Holds& holds) const {
-    constexpr double most = 0.9;
-    const auto explained = std::count_if(wrong_.begin(), wrong_.end(), holds);
-    return double(explained) >= most * double(wrong_.size());
-  }
-  /// Returns whether such a composite of each pixel's layers explains them.
-  bool is_composite(const Composite& composite, double tolerance) const;
+  /// Tells, of a pixel, what an explanation leaves of its error.
+  using LeftOf = std::function<double(std::size_t)>;
+  /// Makes of layers all colours that an explanation has for them.
+  using Colors = std::function<std::vector<Vec3>(const Layers&)>;
+
+  /// Return the 0.9 quantile, over the wrong pixels, of what is left of their errors: by a function
+  /// of each, or by the nearest of the colours of its layers. Nothing where more than a tenth of
+  /// them are left with more than `most` or half of their error: what changes nothing that is seen
+  /// explains nothing.
+  ///@{
+  std::optional<double> left_by(const LeftOf& left_of, double most) const;
+  std::optional<double> left_by_nearest(const Colors& colors) const;
+  ///@}
+  /// Return the same of what is of the whole picture: nothing where it spoils right pixels, too.
+  ///@{
+  std::optional<double> left_by_all(const LeftOf& left_of, double most) const;
+  std::optional<double> left_by_composite(const Composite& composite, double most) const;
+  ///@}
 
  private:
+  std::size_t may_fail() const { return wrong_.size() / 10; }
+
   const ConformanceCase& case_;
   const Image& picture_;
   bool stored_in_8_bits_;
-  double tolerance_, max_error_ = 0;
+  double tolerance_, rounding_, max_error_ = 0;
   std::vector<double> errors_;  // of each pixel of the picture
   std::vector<std::size_t> wrong_;
 };

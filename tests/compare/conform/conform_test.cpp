@@ -258,7 +258,7 @@ TEST_F(UnitVerdict, NamesATransferCurve) {
     for (Rgba& pixel : image.pixels)
       pixel = Rgba(encoded_as_srgb(pixel.r), encoded_as_srgb(pixel.g), encoded_as_srgb(pixel.b), 1);
     const Verdict curve = judge(c, image, false);
-    EXPECT_EQ(curve.fault, Fault::picture) << name << ": " << curve.explanation;
+    EXPECT_EQ(curve.fault, Fault::colors) << name << ": " << curve.explanation;
     EXPECT_EQ(curve.explanation, "encoded as sRGB");
   }
 }
@@ -280,6 +280,149 @@ TEST_F(UnitVerdict, NamesOpacitiesThatEndBelowOne) {
     return layers;
   });
   EXPECT_EQ(ended.explanation, "opacities end at 0.99");
+}
+
+/// In every case, whatever its layers; what is not seen passes.
+void expect_everywhere(std::string_view fault,
+                       const std::function<Image(const ConformanceCase&)>& drawn) {
+  for (const ConformanceCase& c : conformance_cases()) {
+    const Verdict verdict = judge(c, drawn(c), false);
+    if (!verdict.passed) {
+      EXPECT_EQ(verdict.fault, fault) << c.name << ": " << verdict.explanation;
+    }
+  }
+}
+
+template <class Change>
+Image changed(const ConformanceCase& c, const Change& change) {
+  Image image = expected_picture(c);
+  for (Rgba& pixel : image.pixels) pixel = change(pixel);
+  return image;
+}
+
+/// One layer's picture has but one colour to tell a background by: that it is grey bears it out.
+TEST(UnitVerdictOfTheSuite, NamesAGreyBackground) {
+  expect_everywhere(Fault::background, [](const ConformanceCase& c) {
+    Image image(c.scene.width, c.scene.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      image.pixels[i] = Rgba(composite_of(c.of_pixel(i), Vec3(0.5)));
+    return image;
+  });
+}
+
+/// A background has to differ from the scene's own to be another one.
+TEST(UnitVerdictOfTheSuite, NamesTheRoundingOfHalfFloats) {
+  expect_everywhere(Fault::precision, [](const ConformanceCase& c) {
+    return changed(c, [](Rgba p) {
+      for (int k = 0; k < 3; ++k) p[k] = glm::unpackHalf1x16(glm::packHalf1x16(p[k]));
+      return p;
+    });
+  });
+}
+
+TEST(UnitVerdictOfTheSuite, NamesWrongColours) {
+  const std::function<Rgba(Rgba)> wrong[] = {
+      [](Rgba p) { return Rgba(255.f * glm::vec3(p), p.a); },
+      [](Rgba p) { return Rgba(1.1f * glm::vec3(p), p.a); },
+      [](Rgba p) { return Rgba(p.b, p.g, p.r, p.a); },
+      [](Rgba p) { return Rgba(glm::pow(glm::vec3(p), glm::vec3(1 / 2.2f)), p.a); },
+      [](Rgba p) { return Rgba(glm::pow(glm::vec3(p), glm::vec3(2.2f)), p.a); }};
+  for (const auto& change : wrong)
+    expect_everywhere(Fault::colors, [&](const ConformanceCase& c) { return changed(c, change); });
+  const auto is = [](const auto& change, const char* text) {
+    const ConformanceCase c = conformance_cases().front();
+    EXPECT_EQ(judge(c, changed(c, change), false).explanation, text);
+  };
+  is(wrong[0], "values of 0 to 255 in the place of 0 to 1");
+  is(wrong[1], "values are multiplied by 1.1");
+  is(wrong[2], "channels are exchanged: BGR for RGB");
+  is(wrong[3], "values are raised to a power of 1/2.2");
+  is(wrong[4], "values are raised to a power of 2.2");
+}
+
+/// What the opaque sheet hides is known, too.
+TEST_F(UnitVerdict, KnowsWhatIsBehindAnOpaqueSheet) {
+  const auto backwards = [](Layers layers) {
+    std::ranges::reverse(layers);
+    return layers;
+  };
+  const auto without = [](std::size_t from, std::size_t to) {
+    return [=](Layers layers) {
+      layers.erase(layers.begin() + long(from), layers.begin() + long(to));
+      return layers;
+    };
+  };
+  for (const char* name : {"opaque-alpha", "opaque-object"}) {
+    EXPECT_EQ(verdict(name, backwards).fault, Fault::misordered) << name;
+    EXPECT_EQ(verdict(name, without(2, 3)).fault, Fault::missed) << name;
+    EXPECT_EQ(verdict(name, without(0, 2)).fault, Fault::missed) << name;
+  }
+}
+
+TEST_F(UnitVerdict, NamesOpaqueObjectsThatLetThrough) {
+  const ConformanceCase& c = named("opaque-object");
+  const float alpha = c.scene.objects.back().vertices().colors.front().a;
+  EXPECT_LT(alpha, 1);
+  const Verdict ignored = verdict(c.name, [alpha](Layers layers) {
+    for (Rgba& layer : layers)
+      if (layer.a == 1) layer.a = alpha;
+    return layers;
+  });
+  EXPECT_EQ(ignored.fault, Fault::opaque) << ignored.explanation;
+}
+
+/// What leaves least of the error is named, though blending in 8 bits leaves less than half of it.
+TEST_F(UnitVerdict, NamesTheCapOfThinLayers) {
+  for (const std::size_t k : {1u, 4u}) {
+    const auto nearest = [k](const Layers& all) {
+      return Layers(all.begin(), all.begin() + long(k));
+    };
+    const auto farthest = [k](const Layers& all) { return Layers(all.end() - long(k), all.end()); };
+    EXPECT_EQ(verdict("opacity-1-510", nearest).explanation,
+              fmt::format("only the nearest {} layers", k));
+    EXPECT_EQ(verdict("opacity-1-510", farthest).explanation,
+              fmt::format("only the farthest {} layers", k));
+  }
+}
+
+TEST_F(UnitVerdict, NamesTheOneLayerOfAThousand) {
+  const Verdict one = verdict("layers-1000", [](Layers layers) {
+    layers.erase(layers.begin() + 500);
+    return layers;
+  });
+  EXPECT_EQ(one.explanation, "a layer is missing in 256 pixels");
+}
+
+/// An edge of two triangles, a vertex of six, and neither.
+TEST_F(UnitVerdict, CountsEachLayerOfAFewByItself) {
+  const auto counted = [](std::vector<std::size_t> times) {
+    return [times](const Layers& all) {
+      Layers layers;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        layers.insert(layers.end(), times[i], Rgba(all[i]));
+      return layers;
+    };
+  };
+  EXPECT_EQ(verdict("edges-both", counted({2, 6, 1})).fault, Fault::doubled);
+  EXPECT_EQ(verdict("edges-both", counted({0, 0, 1})).fault, Fault::missed);
+}
+
+/// A turn moves what is right, too: where that stays as it was there is none.
+TEST_F(UnitVerdict, TakesNoMissedLayerForAShift) {
+  const Verdict one = verdict("points-large", [](Layers layers) {
+    layers.resize(std::min<std::size_t>(layers.size(), 1));
+    return layers;
+  });
+  EXPECT_EQ(one.fault, Fault::missed) << one.explanation;
+}
+
+TEST_F(UnitVerdict, NamesAShiftByWholePixels) {
+  const ConformanceCase& c = named("points-small");
+  const Image right = expected_picture(c);
+  Image moved = right;
+  for (int y = 0; y < right.height; ++y)
+    for (int x = 1; x < right.width; ++x) moved.at(x, y) = right.at(x - 1, y);
+  EXPECT_EQ(judge(c, moved, false).explanation, "shifted by 1 pixels to the right and 0 down");
 }
 
 TEST(UnitConform, TakesPicturesFromAFolderAndTellsWhichAreMissing) {
