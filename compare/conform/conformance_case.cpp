@@ -24,6 +24,15 @@ glm::dvec4 composite_of(const Layers& layers, const Vec3& background) {
   return {color + transmittance * background, 1 - transmittance};
 }
 
+Layers as_drawn(const ConformanceCase& c, Layers layers) {
+  for (const scene::SceneObject& object : c.scene.objects) {
+    if (!object.opaque) continue;
+    const Rgba& color = object.vertices().colors.front();
+    std::ranges::replace(layers, Rgba(glm::vec3(color), 1), color);
+  }
+  return layers;
+}
+
 Image expected_picture(const ConformanceCase& c) {
   std::vector<Rgba> pixels;
   for (const Layers& layers : c.layers)

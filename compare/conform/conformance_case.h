@@ -37,6 +37,9 @@ std::vector<ConformanceCase> conformance_cases();
 /// 2019): colour and 1 - transmittance.
 glm::dvec4 composite_of(const Layers& layers, const Vec3& background);
 
+/// Returns the layers as their vertices have them, of an object that is said to be opaque, too.
+Layers as_drawn(const ConformanceCase& conformance_case, Layers layers);
+
 /// Returns the right picture.
 Image expected_picture(const ConformanceCase& conformance_case);
 

@@ -135,13 +135,6 @@ void capped_from(const WrongPixels& pixels, std::size_t deepest, bool nearest,
   found.insert(found.end(), caps.begin(), caps.end());
 }
 
-/// The colour of the case's object that is said to be opaque, as its vertices have it.
-std::optional<Rgba> opaque_color(const ConformanceCase& c) {
-  for (const scene::SceneObject& object : c.scene.objects)
-    if (object.opaque) return object.vertices().colors.front();
-  return std::nullopt;
-}
-
 }  // namespace
 
 void without_any(const WrongPixels& pixels, Explanations& found) {
@@ -151,14 +144,11 @@ void without_any(const WrongPixels& pixels, Explanations& found) {
 }
 
 void let_through(const WrongPixels& pixels, Explanations& found) {
-  const std::optional<Rgba> color = opaque_color(pixels.conformance_case());
-  if (!color) return;
-  const auto as_it_stands = [&](Layers layers, const Vec3& background) {
-    std::ranges::replace(layers, Rgba(color->r, color->g, color->b, 1), *color);
-    return composite_of(layers, background);
+  const auto ignored = [&](const Layers& layers, const Vec3& background) {
+    return composite_of(as_drawn(pixels.conformance_case(), layers), background);
   };
   add_explanation(found, Fault::opaque, "what is said to be opaque lets through what is behind it",
-                  pixels.left_by_composite(as_it_stands, pixels.nearly_all()));
+                  pixels.left_by_composite(ignored, pixels.nearly_all()));
 }
 
 void missed(const WrongPixels& pixels, Explanations& found) {

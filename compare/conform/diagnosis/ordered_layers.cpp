@@ -50,9 +50,14 @@ void misordered(const WrongPixels& pixels, Explanations& found) {
               {averaged, "no order: the mean colour of all layers"},
               {averaged_with_opacity, "no order: mean colour and mean opacity of all layers"},
               {summed, "no order: the sum of all layers"}};
-  for (const auto& [composite, what] : ways)
-    add_explanation(found, Fault::misordered, what,
-                    pixels.left_by_composite(composite, pixels.nearly_all()));
+  for (const auto& way : ways) {
+    const auto drawn = [&](const Layers& all, const Vec3& background) {
+      return way.composite(as_drawn(pixels.conformance_case(), all), background);
+    };
+    for (const WrongPixels::Composite& composite : {way.composite, WrongPixels::Composite(drawn)})
+      add_explanation(found, Fault::misordered, way.what,
+                      pixels.left_by_composite(composite, pixels.nearly_all()));
+  }
 }
 
 void permuted(const WrongPixels& pixels, Explanations& found) {

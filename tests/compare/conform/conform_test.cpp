@@ -369,6 +369,17 @@ TEST_F(UnitVerdict, NamesOpaqueObjectsThatLetThrough) {
     return layers;
   });
   EXPECT_EQ(ignored.fault, Fault::opaque) << ignored.explanation;
+  const Verdict mean = verdict(c.name, [&](const Layers& layers) {
+    Vec3 sum(0);
+    double weight = 0, left = 1;
+    for (const Rgba& layer : as_drawn(c, layers)) {
+      sum += double(layer.a) * Vec3(layer);
+      weight += double(layer.a);
+      left *= 1 - double(layer.a);
+    }
+    return Layers{Rgba(Vec3(sum / weight), 1 - left)};
+  });
+  EXPECT_EQ(mean.explanation, "no order: the mean colour of all layers");
 }
 
 /// What leaves least of the error is named, though blending in 8 bits leaves less than half of it.
