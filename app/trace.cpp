@@ -41,7 +41,8 @@ struct TraceOptions {
   bool both = false;
   double start_time = 0;
   bool path = false;
-  std::uint64_t samples = 500;
+  std::optional<std::uint64_t> samples;
+  std::uint64_t error_samples() const { return samples.value_or(500); }
   std::string error_picture;
   std::string against;
   std::vector<std::string> carry;
@@ -86,7 +87,8 @@ void carry(const fields::Attributes& attributes, geometry::Vertices& vertices,
 nlohmann::ordered_json distance_between(const TraceOptions& options,
                                         const geometry::TriangleMesh& mesh,
                                         const geometry::TriangleMesh& other) {
-  const auto [from_this, from_other] = integrators::mesh_distance(mesh, other, options.samples);
+  const auto [from_this, from_other] =
+      integrators::mesh_distance(mesh, other, options.error_samples());
   return {{"integrator", options.against},
           {"from_this", to_json(from_this)},
           {"from_other", to_json(from_other)}};
@@ -127,7 +129,7 @@ void trace_mesh(const TraceOptions& options, const GlobalOptions& globals,
   nlohmann::ordered_json json =
       compare::surface_json(surface, integrators::measure_quality(surface.mesh));
   const Progress progress = console_progress(globals);
-  if (options.samples > 0) {
+  if (options.error_samples() > 0) {
     report(progress, 1, "measuring the distance to the exact surface");
     integrators::SurfaceError error = measure(surface);
     compare::add_error_json(json, error);
@@ -159,7 +161,7 @@ void trace_surface(const TraceOptions& options, const GlobalOptions& globals,
       options, globals, way, attributes,
       [&](const std::string& call) { return integrators::integrate_surface(call, request); },
       [&](const integrators::IntegratedSurface& surface) {
-        return integrators::measure_error(surface.mesh, request, options.samples,
+        return integrators::measure_error(surface.mesh, request, options.error_samples(),
                                           integrators::integrator_parameters(options.integrator));
       });
 }
@@ -179,7 +181,7 @@ void trace_sheet(const TraceOptions& options, const GlobalOptions& globals,
       options, globals, way, attributes,
       [&](const std::string& call) { return integrators::integrate_sheet(call, request); },
       [&](const integrators::IntegratedSheet& sheet) {
-        return integrators::measure_sheet_error(sheet, request, options.samples,
+        return integrators::measure_sheet_error(sheet, request, options.error_samples(),
                                                 integrators::sheet_parameters(options.integrator));
       });
 }
@@ -211,9 +213,10 @@ void trace(const TraceOptions& options, const GlobalOptions& globals) {
     throw InputError("--both: accepted: with an integrator of lines; of a surface run each way");
   for (const auto& [name, value] : {std::pair("--error-picture", &options.error_picture),
                                     std::pair("--against", &options.against)})
-    if (!value->empty() && (lines || options.samples == 0))
+    if (!value->empty() && (lines || options.error_samples() == 0))
       throw InputError(
           fmt::format("{}: accepted: with a surface and --samples of at least 1", name));
+  if (lines && options.samples) throw InputError("--samples: accepted: with a surface");
   const fields::Attributes attributes(options.field, {}, options.carry);
   if (lines) {
     if (options.path) integrators::check_runs_along("--path", options.integrator);

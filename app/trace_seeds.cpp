@@ -158,7 +158,10 @@ integrators::SeedSurface sheet_seed(const SeedTexts& texts) {
 
 std::vector<Vec3> line_seeds(const SeedTexts& texts, const std::string& integrator) {
   const Seeds seeds = seeds_of(texts);
-  if (!seeds.curve) return seeds.points;
+  if (!seeds.curve) {
+    integrators::check_seeds_are_points(integrator);
+    return seeds.points;
+  }
   return integrators::seeds_on(*seeds.curve, integrators::line_particles(integrator));
 }
 

@@ -107,8 +107,8 @@ struct SceneView {
 };
 
 /// A Scene says what is drawn and how. Objects are ordered: crossings at equal depth are ordered by
-/// object, then by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h); segment;
-/// point; cell of an isosurface.
+/// object, then by primitive: triangle; triangle of a ribbon (two a segment, see ribbon.h);
+/// segment; point; cell of an isosurface.
 struct Scene : SceneView {
   std::string name;
   std::string file;  // that it was read from, for messages; empty: none

@@ -21,7 +21,7 @@ struct BoundedScene {
 };
 
 BoundedScene measure(const fs::path& path, const Progress& progress,
-                      const scene::ViewRequest& view) {
+                     const scene::ViewRequest& view) {
   BoundedScene measured;
   measured.scene = scene::load_scene_by_objects(
       path, progress, view, [&](scene::SceneObject& object, std::size_t count) {

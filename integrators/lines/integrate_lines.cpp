@@ -273,6 +273,15 @@ int line_particles(std::string_view integrator) {
   return row.particles(parameters);
 }
 
+void check_seeds_are_points(std::string_view integrator) {
+  const RawOptions options = parse_name_and_options(integrator).options;
+  if (const auto given = options.find("particles"); given != options.end() && given->second != "1")
+    throw InputError(
+        fmt::format("{}: particles={}: one starts at each seed that is a point; "
+                    "accepted: without it, or a curve of seeds",
+                    integrator, given->second));
+}
+
 void check_runs_along(std::string_view option, std::string_view integrator) {
   const LineIntegratorRow& row = parse(integrator).row;
   if (row.runs_along) return;

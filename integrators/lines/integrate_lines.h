@@ -62,6 +62,10 @@ IntegratedLines integrate_lines(std::string_view integrator, const LineRequest& 
 /// How many particles "NAME[:key=value,…]" puts on a seed curve. Throws InputError.
 int line_particles(std::string_view integrator);
 
+/// Throws InputError where `integrator` asks for several particles: seeds that are points have
+/// one each.
+void check_seeds_are_points(std::string_view integrator);
+
 /// Throws InputError that names `option` where the field stands still on the integrator's lines.
 void check_runs_along(std::string_view option, std::string_view integrator);
 

@@ -114,6 +114,8 @@ Lines trace_lines(const Request& request, const fields::VectorField& field,
   if (wanted.seeds.size() > 1)
     wanted.seeds = integrators::seeds_on(integrators::polyline_seed(request.seed, request.closed),
                                          integrators::line_particles(request.integrator));
+  else
+    integrators::check_seeds_are_points(request.integrator);
   integrators::IntegratedLines made = integrators::integrate_lines(request.integrator, wanted);
   auto stats = compare::lines_json(made);
   carry(request, made.lines);
@@ -143,6 +145,7 @@ py::object trace(const py::object& field, const py::object& integrator, const py
     return py::cast(result_unlocked(
         [&](const Progress& progress) { return trace_mesh(request, kind, progress); }));
   if (request.path) integrators::check_runs_along("trace: path", request.integrator);
+  if (request.samples > 0) throw InputError("trace: samples: accepted: of a surface");
   return py::cast(result_unlocked([&](const Progress& progress) {
     return trace_lines(request, *fields::make_field(request.field), progress);
   }));

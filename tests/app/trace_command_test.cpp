@@ -170,6 +170,11 @@ TEST_F(UnitCommandLine, RefusesWhatATraceWouldIgnore) {
               AllOf(HasSubstr("--path: stream-lines"), HasSubstr("path-lines")));
   for (const char* samples : {"-1", "100000001", "2.5"})
     EXPECT_THAT(refusal(trace + "fixed-front --samples " + samples), HasSubstr("--samples"));
+  EXPECT_THAT(refusal(trace + "stream-lines --samples 50"), HasSubstr("with a surface"));
+  const std::string at_points = "trace --field formula:u=0,v=0,w=1 --duration 2 --quiet -o " +
+                                (folder_ / "l.vtp").string() +
+                                " --seeds grid:from=0,0,0,to=1,1,1,count=2,2,2 --integrator ";
+  EXPECT_THAT(refusal(at_points + "stream-lines:particles=9"), HasSubstr("particles=9"));
 }
 
 TEST_F(UnitCommandLine, RefusesScenesOfFlowsThatEndUnfinished) {

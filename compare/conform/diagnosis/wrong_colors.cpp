@@ -13,8 +13,7 @@ namespace {
 
 /// The right picture with every channel through a function.
 template <class Function>
-std::optional<double> left_by_curve(const WrongPixels& pixels, double most,
-                                    const Function& curve) {
+std::optional<double> left_by_curve(const WrongPixels& pixels, double most, const Function& curve) {
   const auto curved = [&](const Layers& all, const Vec3& background) {
     const glm::dvec4 right = composite_of(all, background);
     return glm::dvec4(curve(right.r), curve(right.g), curve(right.b), right.a);
@@ -46,7 +45,10 @@ void add_exchanged(const WrongPixels& pixels, Explanations& found) {
   const struct {
     int order[3];
     const char* name;
-  } orders[] = {{{2, 1, 0}, "BGR"}, {{1, 0, 2}, "GRB"}, {{0, 2, 1}, "RBG"}, {{1, 2, 0}, "GBR"},
+  } orders[] = {{{2, 1, 0}, "BGR"},
+                {{1, 0, 2}, "GRB"},
+                {{0, 2, 1}, "RBG"},
+                {{1, 2, 0}, "GBR"},
                 {{2, 0, 1}, "BRG"}};
   for (const auto& [order, name] : orders) {
     const auto exchanged = [&](const Layers& all, const Vec3& background) {
@@ -61,15 +63,14 @@ void add_exchanged(const WrongPixels& pixels, Explanations& found) {
 /// sRGB's curve is nearly a power of 2.2, but not so nearly that the two could not be told apart.
 void add_power(const WrongPixels& pixels, Explanations& found) {
   constexpr double least_bend = 0.05;
-  const auto exponent = fitted(
-      pixels, [](double was, double is) { return std::log(is) / std::log(was); });
+  const auto exponent =
+      fitted(pixels, [](double was, double is) { return std::log(is) / std::log(was); });
   if (!exponent || !(*exponent > 0) || std::abs(std::log(*exponent)) < least_bend) return;
   const std::string text =
       *exponent < 1 ? fmt::format("1/{:.3g}", 1 / *exponent) : fmt::format("{:.3g}", *exponent);
   add_explanation(found, Fault::colors, "values are raised to a power of " + text,
-                  left_by_curve(pixels, pixels.nearly_all(), [&](double x) {
-                    return std::pow(std::max(x, 0.0), *exponent);
-                  }));
+                  left_by_curve(pixels, pixels.nearly_all(),
+                                [&](double x) { return std::pow(std::max(x, 0.0), *exponent); }));
 }
 
 void add_factor(const WrongPixels& pixels, Explanations& found) {
@@ -77,8 +78,8 @@ void add_factor(const WrongPixels& pixels, Explanations& found) {
   const auto factor = fitted(pixels, [](double was, double is) { return is / was; });
   if (!factor || std::abs(*factor - 1) < least_change) return;
   const double larger = std::max(*factor, 1.0);
-  const auto left = left_by_curve(pixels, larger * pixels.nearly_all(),
-                                  [&](double x) { return *factor * x; });
+  const auto left =
+      left_by_curve(pixels, larger * pixels.nearly_all(), [&](double x) { return *factor * x; });
   if (!left) return;
   const bool are_bytes = std::abs(*factor - 255) < 0.5;
   found.push_back({Fault::colors,
