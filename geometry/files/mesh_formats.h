@@ -52,6 +52,9 @@ std::string endings_with(Function FormatRow::*function) {
 /// VertexAttributes are numbers of the vertices by their name, as a file holds them.
 using VertexAttributes = std::map<std::string, std::vector<double>>;
 
+/// Says whether red, green and blue are among the attributes.
+bool has_rgb(const VertexAttributes& attributes);
+
 /// Moves the attributes with a meaning (red green blue alpha importance nx ny nz) to where Vertices
 /// keep them, and the others to the scalars.
 void take_attributes(VertexAttributes attributes, Vertices& vertices);

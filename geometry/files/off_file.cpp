@@ -179,7 +179,7 @@ FileMesh read_off(const std::filesystem::path& path) {
   if (of_vertices.has_some())
     mesh.colors = of_vertices.take();
   else if (of_faces.has_some())
-    color_faces(of_faces.take(), mesh);
+    color_faces({of_faces.take()}, mesh);
   return mesh;
 }
 

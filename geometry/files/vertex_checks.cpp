@@ -26,17 +26,21 @@ void check_unit_interval(const std::string& file, std::string_view name, std::si
 
 }  // namespace
 
+bool has_rgb(const VertexAttributes& attributes) {
+  return has_all(attributes, {"red", "green", "blue"});
+}
+
 std::vector<Rgba> take_colors(VertexAttributes& attributes, std::size_t count) {
   const auto take = [&](const char* name, double otherwise) {
     auto node = attributes.extract(name);
     return node.empty() ? std::vector<double>(count, otherwise) : std::move(node.mapped());
   };
-  const bool has_rgb = has_all(attributes, {"red", "green", "blue"});
-  if (!has_rgb && !has_all(attributes, {"alpha"})) return {};
+  const bool colored = has_rgb(attributes);
+  if (!colored && !has_all(attributes, {"alpha"})) return {};
   const auto alpha = take("alpha", 1);
   std::vector<Rgba> colors;
   colors.reserve(count);
-  if (!has_rgb) {
+  if (!colored) {
     for (const double a : alpha) colors.emplace_back(default_color, a);
     return colors;
   }

@@ -32,6 +32,10 @@ bool in_unit_interval(vtkDataArray& array) {
   return true;
 }
 
+bool in_unit_interval(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double x) { return x >= 0 && x <= 1; });
+}
+
 /// Whether an array of three or four components holds colours: it is called RGB, RGBA, Colors or
 /// color; or it is called like one, or is what VTK draws by (COLOR_SCALARS of a legacy file), and
 /// consists of bytes or of numbers in [0, 1].
@@ -65,12 +69,24 @@ std::string component_suffix(int component, int components) {
   return fmt::format("_{}", component);
 }
 
+bool is_scalar(vtkDataArray* array) { return array && array->GetNumberOfComponents() == 1; }
+
+/// Whether there is a colour, of one array or of three, so that scalars called as its channels are
+/// channels.
+bool has_colors(vtkDataSetAttributes& arrays) {
+  return find_colors(arrays) ||
+         (is_scalar(arrays.GetArray("red")) && is_scalar(arrays.GetArray("green")) &&
+          is_scalar(arrays.GetArray("blue")));
+}
+
 /// Scalars keep their name, others have one for each component; of bytes, the scalars red, green,
-/// blue and alpha count in 255ths.
-void take_array(vtkDataArray& array, const PointIds& points, VertexAttributes& attributes) {
+/// blue and alpha count in 255ths, where they are channels.
+void take_array(vtkDataArray& array, const PointIds& points, bool channels,
+                VertexAttributes& attributes) {
   const std::string name = array.GetName() ? array.GetName() : "unnamed";
   const int components = array.GetNumberOfComponents();
-  const bool is_channel = name == "red" || name == "green" || name == "blue" || name == "alpha";
+  const bool is_channel =
+      channels && (name == "red" || name == "green" || name == "blue" || name == "alpha");
   if (components == 1)
     return take_column(array, points, name, 0, is_channel ? vtk_color_unit(array) : 1, attributes);
   for (int c = 0; c < components; ++c)
@@ -93,11 +109,12 @@ VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points) {
   VertexAttributes attributes;
   vtkPointData& arrays = *data.GetPointData();
   vtkDataArray* const colors = find_colors(arrays);
+  const bool channels = has_colors(arrays) || find_colors(*data.GetCellData());
   for (int k = 0; k < arrays.GetNumberOfArrays(); ++k)
     if (vtkDataArray* array = arrays.GetArray(k); array && array != arrays.GetNormals() &&
                                                   array != colors &&
                                                   array != data.GetPointGhostArray())
-      take_array(*array, points, attributes);
+      take_array(*array, points, channels, attributes);
   if (colors) take_vtk_colors(*colors, points, attributes);
   if (vtkDataArray* normals = arrays.GetNormals())
     for (int c = 0; c < 3; ++c)
@@ -113,14 +130,29 @@ VertexAttributes vtk_cell_scalars(vtkDataSet& data, const PointIds& cells) {
     if (vtkDataArray* array = arrays.GetArray(k);
         array && array != colors && array != data.GetCellGhostArray() &&
         array->GetNumberOfTuples() == data.GetNumberOfCells())
-      take_array(*array, cells, scalars);
+      take_array(*array, cells, has_colors(arrays), scalars);
   return scalars;
+}
+
+void take_vtk_attributes(VertexAttributes attributes, Vertices& vertices, bool colored) {
+  const auto keep = [&](const char* name, const std::string& why) {
+    auto scalar = attributes.extract(name);
+    vertices.remarks.push_back(fmt::format("'{}' {}: it is a scalar", name, why));
+    return scalar;
+  };
+  VertexAttributes scalars;
+  if (!colored && !has_rgb(attributes) && attributes.contains("alpha"))
+    scalars.insert(keep("alpha", "has no red, green and blue beside it and is no opacity"));
+  if (attributes.contains("importance") && !in_unit_interval(attributes["importance"]))
+    scalars.insert(keep("importance", "goes beyond 0 … 1 and is no importance"));
+  take_attributes(std::move(attributes), vertices);
+  vertices.scalars.merge(scalars);
 }
 
 vtkDataArray* vtk_cell_colors(vtkDataSet& data, const VertexAttributes& of_points) {
   vtkDataArray* colors = find_colors(*data.GetCellData());
   const bool usable = colors && colors->GetNumberOfTuples() == data.GetNumberOfCells();
-  return usable && !of_points.contains("red") ? colors : nullptr;
+  return usable && !has_rgb(of_points) ? colors : nullptr;
 }
 
 }  // namespace pellucid::geometry

@@ -25,6 +25,11 @@ VertexAttributes vtk_attributes(vtkDataSet& data, const PointIds& points);
 /// not one tuple of each cell, nor colours and VTK's own flags.
 VertexAttributes vtk_cell_scalars(vtkDataSet& data, const PointIds& cells);
 
+/// Does what take_attributes() does, but for what simulations call so: an alpha without red, green
+/// and blue is a scalar, unless the vertices are `colored` otherwise, and so is an importance
+/// beyond [0, 1]. Remarks say it.
+void take_vtk_attributes(VertexAttributes attributes, Vertices& vertices, bool colored = false);
+
 /// Returns the colours of cells, unless the points have some or the file has not one of each cell:
 /// then nullptr.
 vtkDataArray* vtk_cell_colors(vtkDataSet& data, const VertexAttributes& of_points);

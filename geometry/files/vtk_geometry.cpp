@@ -110,14 +110,15 @@ PointIds add_triangles(vtkPolyData& data, TriangleMesh& mesh) {
 }
 
 /// The colour of each triangle's cell.
-std::vector<Rgba> colors_of(vtkDataArray& colors, const PointIds& cells) {
-  std::vector<Rgba> result;
-  result.reserve(cells.size());
+FaceColors colors_of(vtkDataArray& colors, const PointIds& cells) {
+  FaceColors result;
+  result.have_alpha = colors.GetNumberOfComponents() == 4;
+  result.colors.reserve(cells.size());
   for (const vtkIdType cell : cells) {
     Rgba color(1);
     for (int c = 0; c < colors.GetNumberOfComponents(); ++c)
       color[c] = float(colors.GetComponent(cell, c) / vtk_color_unit(colors));
-    result.push_back(color);
+    result.colors.push_back(color);
   }
   return result;
 }
@@ -141,7 +142,7 @@ FileMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   const PointIds cells = add_triangles(*data, mesh);
   VertexAttributes attributes = vtk_attributes(*data, every_point(*data));
   vtkDataArray* const colors = vtk_cell_colors(*data, attributes);
-  take_attributes(std::move(attributes), mesh);
+  take_vtk_attributes(std::move(attributes), mesh, colors);
   if (colors) color_faces(colors_of(*colors, cells), mesh);
   mesh.face_scalars = vtk_cell_scalars(*data, cells);
   take_face_values(vtk_cell_scalars(*data, each_once(cells)), mesh);
@@ -164,7 +165,7 @@ FileLines lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
     take_vtk_colors(*colors, cells, attributes);
   lines.values = line_values(*data, points, cells, attributes);
   attributes.merge(vtk_cell_scalars(*data, cells));  // no two lines share a point here
-  take_attributes(std::move(attributes), lines);
+  take_vtk_attributes(std::move(attributes), lines);
   return lines;
 }
 
@@ -203,7 +204,7 @@ PointSet points_of(const vtkSmartPointer<vtkDataSet>& data) {
   for (std::size_t i = 0; i < points.size(); ++i) data->GetPoint(points[i], &set.positions[i].x);
   VertexAttributes attributes = vtk_attributes(*data, points);
   add_of_vertex_cells(*data, points, attributes);
-  take_attributes(std::move(attributes), set);
+  take_vtk_attributes(std::move(attributes), set);
   return set;
 }
 

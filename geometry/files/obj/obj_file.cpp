@@ -86,8 +86,8 @@ FileMesh read_obj(const std::filesystem::path& path) {
   const std::vector<std::size_t> faces = add_triangles(document, mesh);
   const std::vector<Rgba> of_faces = obj_element_colors(document, document.faces, mesh.remarks);
   if (of_faces.empty()) return mesh;
-  std::vector<Rgba> of_triangles;
-  for (const std::size_t face : faces) of_triangles.push_back(of_faces[face]);
+  FaceColors of_triangles;
+  for (const std::size_t face : faces) of_triangles.colors.push_back(of_faces[face]);
   color_faces(of_triangles, mesh);
   return mesh;
 }

@@ -88,8 +88,22 @@ FaceNumbers read_faces(ply::Reader& reader, const ply::Element& element, Triangl
   return numbers;
 }
 
-/// Colours are those of faces where the vertices have none; all other numbers are scalars.
-void take_face_numbers(FaceNumbers numbers, FileMesh& mesh) {
+/// Takes the colours of triangles out of their numbers; those of strips have none.
+void take_face_colors(const std::vector<std::uint64_t>& faces, VertexAttributes& of_triangles,
+                      FileMesh& mesh) {
+  FaceColors own;
+  own.have_alpha = of_triangles.contains("alpha");
+  if (!has_rgb(of_triangles) && !mesh.colors.empty()) return;
+  own.colors = take_colors(of_triangles, mesh.triangles.size());
+  if (own.colors.empty()) return;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (faces[i] == no_face) own.colors[i] = Rgba(default_color, 1);
+  color_faces(own, mesh);
+}
+
+/// Colours are those of faces where the vertices have none, or an alpha alone; all other numbers
+/// are scalars. `colored` says whether the vertices have red, green and blue.
+void take_face_numbers(FaceNumbers numbers, bool colored, FileMesh& mesh) {
   numbers.faces.resize(mesh.triangles.size(), no_face);
   VertexAttributes of_triangles;
   for (const auto& [name, values] : numbers.values) {
@@ -98,12 +112,7 @@ void take_face_numbers(FaceNumbers numbers, FileMesh& mesh) {
     for (const std::uint64_t face : numbers.faces)
       column.push_back(face == no_face ? NAN : values[face]);
   }
-  if (mesh.colors.empty())
-    if (auto colors = take_colors(of_triangles, mesh.triangles.size()); !colors.empty()) {
-      for (std::size_t i = 0; i < colors.size(); ++i)
-        if (numbers.faces[i] == no_face) colors[i] = Rgba(default_color, 1);
-      color_faces(colors, mesh);
-    }
+  if (!colored) take_face_colors(numbers.faces, of_triangles, mesh);
   mesh.face_scalars = std::move(of_triangles);
   take_face_values(std::move(numbers.values), mesh);
 }
@@ -175,8 +184,9 @@ FileMesh read_ply(const std::filesystem::path& path) {
           read_strips(reader, element, mesh);
         return true;
       });
+  const bool colored = has_rgb(attributes);
   take_attributes(std::move(attributes), mesh);
-  take_face_numbers(std::move(numbers), mesh);
+  take_face_numbers(std::move(numbers), colored, mesh);
   return mesh;
 }
 
@@ -193,8 +203,9 @@ FileLines read_ply_lines(const std::filesystem::path& path) {
   if (line)
     join_by_number(line.mapped(), lines);
   else if (edges) {
-    lines.values = *edges;
-    lines.values.insert(attributes.begin(), attributes.end());
+    for (const auto& [name, column] : attributes) edges->erase(name);
+    lines.values = attributes;
+    lines.values.insert(edges->begin(), edges->end());
     join_by_edges(std::move(*edges), path.string(), lines, attributes);
   } else
     throw InputError(path.string() +

@@ -54,7 +54,6 @@ void join_by_edges(VertexAttributes edges, const std::string& file, LineSet& lin
   reorder(order, lines, attributes);
   for (const auto& [name, values] : edges) {
     std::vector<double>& column = attributes[name];
-    column.clear();
     for (const double value : values) column.insert(column.end(), 2, value);
   }
 }

@@ -10,9 +10,9 @@
 namespace pellucid::geometry {
 
 /// Edges become lines of two points; one that starts where the one before ended goes on with its
-/// line, unless the edges have numbers of their own. Those, such as colours, go to both points, in
-/// the place of the vertices' of that name. Throws InputError
-/// that begins with `file` for edges without ends, or beyond the vertices.
+/// line, unless the edges have numbers of their own. Those, such as colours, go to both points; the
+/// vertices have none of their names. Throws InputError that begins with `file` for edges without
+/// ends, or beyond the vertices.
 void join_by_edges(VertexAttributes edges, const std::string& file, LineSet& lines,
                    VertexAttributes& attributes);
 
