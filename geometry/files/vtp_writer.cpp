@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "geometry/files/scalar_names.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -33,7 +34,7 @@ std::string escaped(std::string_view name) {
         text += "&quot;";
         break;
       default:
-        text += std::uint8_t(c) < 0x20 ? '?' : c;  // XML has no such characters
+        text += c;  // control characters were refused
     }
   return text;
 }
@@ -171,6 +172,7 @@ CellKind kind_of(const PointSet&) { return {"Verts", 1}; }
 template <class Geometry>
 void write_poly_data(const std::filesystem::path& path, const Geometry& geometry,
                      const std::string& origin) {
+  check_vtk_names(path, geometry);
   const Cells cells = cells_of(geometry);
   const std::string_view element = kind_of(geometry).element;
   Piece piece;
@@ -189,6 +191,7 @@ void write_poly_data(const std::filesystem::path& path, const Geometry& geometry
 template <class Geometry>
 void write_unstructured(const std::filesystem::path& path, const Geometry& geometry,
                         const std::string& origin) {
+  check_vtk_names(path, geometry);
   const Cells cells = cells_of(geometry);
   const std::vector<std::uint8_t> types(cells.ends.size(), kind_of(geometry).type);
   Piece piece;

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/files/output_file.h"
+#include "geometry/files/scalar_names.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -85,10 +86,12 @@ std::string encode_ply(const LineSet& lines, const std::string& origin) {
 
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
                const std::string& origin) {
+  check_ply_names(path, mesh);
   write_text(path, encode_ply(mesh, origin));
 }
 void write_ply_lines(const std::filesystem::path& path, const LineSet& lines,
                      const std::string& origin) {
+  check_ply_names(path, lines, "line");
   write_text(path, encode_ply(lines, origin));
 }
 void write_ply_points(const std::filesystem::path& path, const PointSet& points,
