@@ -25,6 +25,7 @@
 #include "geometry/files/vtk_attributes.h"
 #include "geometry/files/vtp_writer.h"
 #include "geometry/polygons/triangulate.h"
+#include "readers/vtk/duplicate_solids.h"
 #include "readers/vtk/shown_cells.h"
 #include "readers/vtk/vtk_file.h"
 #include "readers/vtk/vtk_formats.h"
@@ -34,9 +35,10 @@ namespace pellucid::geometry {
 namespace {
 
 /// Polygons and lines as they are; of other data the lines, and the faces that bound its cells.
-/// What the data hide is left out first: a face to a hidden cell bounds.
+/// What the data hide is left out first: a face to a hidden cell bounds. One to a duplicate does
+/// not: another piece has what lies behind it, and the filter leaves out what duplicates bring.
 vtkSmartPointer<vtkPolyData> cells_of(vtkSmartPointer<vtkDataSet> data) {
-  if (readers::hides_cells(data)) data = readers::shown_cells(data);
+  if (readers::hides_cells(data)) data = readers::cells_and_duplicate_solids(data);
   if (const auto polygons = vtkPolyData::SafeDownCast(data)) return polygons;
   const readers::VtkMessages messages;
   vtkNew<vtkGeometryFilter> filter;
@@ -51,9 +53,36 @@ PointIds every_point(vtkDataSet& data) {
   return points;
 }
 
+/// Calls `visit(cell, points)` for each vertex cell, the last one first.
+template <class Visit>
+void for_each_vertex_cell(vtkDataSet& data, const Visit& visit) {
+  const vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = data.GetNumberOfCells() - 1; cell >= 0; --cell) {
+    const int type = data.GetCellType(cell);
+    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX) continue;
+    data.GetCellPoints(cell, ids);
+    visit(cell, std::span(ids->begin(), ids->end()));
+  }
+}
+
+/// By point: whether all of its vertex cells are hidden or duplicates, and it has some.
+std::vector<bool> hidden_by_cells(vtkDataSet& data) {
+  std::vector<bool> hidden(std::size_t(data.GetNumberOfPoints()), false), shown = hidden;
+  for_each_vertex_cell(data, [&](vtkIdType cell, std::span<const vtkIdType> points) {
+    std::vector<bool>& marks = readers::hides_cell(&data, cell) ? hidden : shown;
+    for (const vtkIdType point : points) marks[std::size_t(point)] = true;
+  });
+  for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = hidden[i] && !shown[i];
+  return hidden;
+}
+
 PointIds shown_points(vtkDataSet& data) {
   PointIds points = every_point(data);
-  std::erase_if(points, [&](vtkIdType i) { return readers::hides_point(&data, i); });
+  if (!readers::hides_cells(&data)) return points;
+  const std::vector<bool> hidden = hidden_by_cells(data);
+  std::erase_if(points, [&](vtkIdType i) {
+    return readers::hides_point(&data, i) || hidden[std::size_t(i)];
+  });
   return points;
 }
 
@@ -171,16 +200,13 @@ FileLines lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
 
 namespace {
 
-/// The vertex cell of each point, the first of several; none where a point has none.
+/// The vertex cell of each point, the first of several that are shown; none where a point has none.
 PointIds vertex_cells(vtkDataSet& data, const PointIds& points) {
   PointIds of_point(std::size_t(data.GetNumberOfPoints()), -1), cells;
-  const vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = data.GetNumberOfCells() - 1; cell >= 0; --cell) {
-    const int type = data.GetCellType(cell);
-    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX) continue;
-    data.GetCellPoints(cell, ids);
-    for (const vtkIdType point : *ids) of_point[std::size_t(point)] = cell;
-  }
+  for_each_vertex_cell(data, [&](vtkIdType cell, std::span<const vtkIdType> corners) {
+    if (readers::hides_cell(&data, cell)) return;
+    for (const vtkIdType point : corners) of_point[std::size_t(point)] = cell;
+  });
   for (const vtkIdType point : points) cells.push_back(of_point[std::size_t(point)]);
   return std::ranges::find(cells, -1) == cells.end() ? cells : PointIds();
 }

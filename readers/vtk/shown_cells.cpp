@@ -4,12 +4,15 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataSet.h>
+#include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+
+#include "readers/vtk/duplicate_solids.h"
 
 namespace pellucid::readers {
 namespace {
@@ -48,6 +51,19 @@ void insert(vtkDataSet* data, vtkIdType cell, vtkIdList* corners, vtkUnstructure
   shown->InsertNextCell(type, corners);
 }
 
+bool is_solid(vtkDataSet* data, vtkIdType cell) {
+  vtkNew<vtkGenericCell> kind;
+  kind->SetCellType(data->GetCellType(cell));
+  return kind->GetCellDimension() == 3;
+}
+
+/// Whether a duplicate is nothing else: not hidden as well.
+bool is_duplicate_alone(vtkDataSet* data, vtkIdType cell) {
+  vtkUnsignedCharArray* marks = data->GetCellGhostArray();
+  return is_marked(marks, cell, vtkDataSetAttributes::DUPLICATECELL) &&
+         !is_marked(marks, cell, vtkDataSetAttributes::HIDDENCELL);
+}
+
 }  // namespace
 
 bool hides_cells(vtkDataSet* data) {
@@ -69,23 +85,46 @@ bool hides_cell(vtkDataSet* data, vtkIdType cell) {
   return false;
 }
 
-vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data, std::vector<vtkIdType>* numbers) {
-  const auto shown = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  shown->SetPoints(points_of(data));
-  shown->GetPointData()->ShallowCopy(data->GetPointData());
-  shown->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  shown->GetCellData()->CopyAllocate(data->GetCellData());
-  shown->Allocate(data->GetNumberOfCells());
+namespace {
+
+/// The cells that `keep(cell)` holds for, as an unstructured grid with all points and arrays;
+/// `numbers`, where given, gets the number in `data` of each.
+template <class Keep>
+vtkSmartPointer<vtkUnstructuredGrid> cells_with(vtkDataSet* data, const Keep& keep,
+                                                std::vector<vtkIdType>* numbers) {
+  const auto kept = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  kept->SetPoints(points_of(data));
+  kept->GetPointData()->ShallowCopy(data->GetPointData());
+  kept->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  kept->GetCellData()->CopyAllocate(data->GetCellData());
+  kept->Allocate(data->GetNumberOfCells());
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i) {
     data->GetCellPoints(i, corners);
-    if (hides_cell(data, i) || corners->GetNumberOfIds() == 0) continue;
-    insert(data, i, corners, shown);
+    if (!keep(i) || corners->GetNumberOfIds() == 0) continue;
+    insert(data, i, corners, kept);
     if (numbers) numbers->push_back(i);
-    shown->GetCellData()->CopyData(data->GetCellData(), i, shown->GetNumberOfCells() - 1);
+    kept->GetCellData()->CopyData(data->GetCellData(), i, kept->GetNumberOfCells() - 1);
   }
+  return kept;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkDataSet> shown_cells(vtkDataSet* data, std::vector<vtkIdType>* numbers) {
+  const auto shown = cells_with(
+      data, [&](vtkIdType i) { return !hides_cell(data, i); }, numbers);
   shown->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   return shown;
+}
+
+vtkSmartPointer<vtkDataSet> cells_and_duplicate_solids(vtkDataSet* data) {
+  return cells_with(
+      data,
+      [&](vtkIdType i) {
+        return !hides_cell(data, i) || (is_duplicate_alone(data, i) && is_solid(data, i));
+      },
+      nullptr);
 }
 
 }  // namespace pellucid::readers
