@@ -7,29 +7,46 @@
 namespace pellucid::geometry {
 namespace {
 
-bool is_none(const Vec3& normal) {
-  const double length = glm::length(normal);
-  return !(length > 0) || !std::isfinite(length);
+double largest_component(const Vec3& v) {
+  const Vec3 size = glm::abs(v);
+  return std::max({size.x, size.y, size.z});
+}
+
+/// The power of two that brings a size to 1 … 2, so that squares neither overflow nor vanish and
+/// what is multiplied by it rounds as it would have; 1 of what is not above 0 or not finite.
+double scale_of(double size) {
+  if (!(size > 0) || !std::isfinite(size)) return 1;
+  return std::ldexp(1.0, std::min(-std::ilogb(size), 1000));
+}
+
+bool is_none(const Vec3& n) {
+  const bool finite = std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z);
+  return !finite || n == Vec3(0);
+}
+
+Vec3 unit(const Vec3& v) {
+  const Vec3 scaled = v * scale_of(largest_component(v));
+  return scaled / glm::length(scaled);
 }
 
 }  // namespace
 
 std::vector<Vec3> facet_normals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3(0));
+  const Box3 box = mesh.bounds();
+  const double scale = scale_of(largest_component(box.max - box.min));
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 area =
-        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    const Vec3 one = mesh.positions[b] - mesh.positions[a];
+    const Vec3 other = mesh.positions[c] - mesh.positions[a];
+    const Vec3 area = glm::cross(scale * one, scale * other);
     for (const std::uint32_t v : {a, b, c}) normals[v] += area;
   }
-  for (Vec3& n : normals) {
-    const double length = glm::length(n);
-    n = length > 0 ? n / length : Vec3(0, 0, 1);
-  }
+  for (Vec3& n : normals) n = is_none(n) ? Vec3(0, 0, 1) : unit(n);
   return normals;
 }
 
 void make_unit(std::vector<Vec3>& normals) {
-  for (Vec3& n : normals) n = is_none(n) ? Vec3(0) : n / glm::length(n);
+  for (Vec3& n : normals) n = is_none(n) ? Vec3(0) : unit(n);
 }
 
 std::size_t mend_normals(TriangleMesh& mesh) {

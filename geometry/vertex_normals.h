@@ -11,8 +11,8 @@ namespace pellucid::geometry {
 /// Vertices of no facet with an area get +z.
 std::vector<Vec3> facet_normals(const TriangleMesh& mesh);
 
-/// Divides each normal by its length; one of length 0, or whose length is not finite, becomes
-/// (0, 0, 0), which is none. Where normals are interpolated, longer ones would weigh more.
+/// Divides each normal by its length; one of length 0, or that is not finite, becomes (0, 0, 0),
+/// which is none. Where normals are interpolated, longer ones would weigh more.
 void make_unit(std::vector<Vec3>& normals);
 
 /// Makes a mesh's normals unit, and gives facet_normals() to the vertices whose own is none: not

@@ -2,6 +2,7 @@
 // Normals of a file have any length, and unit length once read: across a face a longer one would
 // weigh more, so that one mesh would be lit in as many ways as there are formats.
 
+#include "geometry/vertex_normals.h"
 #include "tests/geometry/files/format_files.h"
 
 namespace pellucid::geometry {
@@ -54,6 +55,22 @@ TEST_F(UnitNormals, OfPointsAndLinesAreSoToo) {
   const auto unit = ElementsAre(Vec3(0, 0, 1), Vec3(0));
   EXPECT_THAT(read_points(file("a.ply", head)).normals, unit);
   EXPECT_THAT(read_lines(folder_ / "a.ply").normals, unit);
+}
+
+// The lengths' squares go beyond what a double holds, or vanish.
+TEST_F(UnitNormals, AreRightAtAnyScale) {
+  for (const double scale : {1.0, 1e-150, 1e-250, 1e80, 1e160, 1e250}) {
+    TriangleMesh mesh;
+    for (const Vec3& x : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 3, 4)})
+      mesh.positions.push_back(scale * x);
+    mesh.triangles = {{0, 1, 2}};
+    for (const Vec3& normal : facet_normals(mesh))
+      EXPECT_LE(glm::length(normal - Vec3(0, -0.8, 0.6)), 1e-15) << scale;
+    mesh.normals = {scale * Vec3(3, 0, 4), scale * Vec3(0, 0, 1), Vec3(0)};
+    EXPECT_EQ(mend_normals(mesh), 1u) << scale;
+    EXPECT_LE(glm::length(mesh.normals[0] - Vec3(0.6, 0, 0.8)), 1e-15) << scale;
+    EXPECT_LE(glm::length(mesh.normals[2] - Vec3(0, -0.8, 0.6)), 1e-15) << scale;
+  }
 }
 
 }  // namespace
