@@ -34,8 +34,10 @@ FileLines read_gltf_lines(const std::filesystem::path& path) {
   return set;
 }
 
+/// Those that are points; in a file without any the vertices of all that there is.
 PointSet read_gltf_points(const std::filesystem::path& path) {
-  GltfScene all = read_gltf_scene(path, GltfMode::points, GltfMode::fan);
+  GltfScene all = read_gltf_scene(path, GltfMode::points, GltfMode::points);
+  if (all.vertices.positions.empty()) all = read_gltf_scene(path, GltfMode::lines, GltfMode::fan);
   PointSet set;
   static_cast<Vertices&>(set) = std::move(all.vertices);
   return set;

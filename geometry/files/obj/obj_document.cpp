@@ -33,7 +33,13 @@ class ObjReader {
     const std::string content = read_text(document_.path);
     read_lines(without_mark(content));
     check_indices();
+    take_sevens();
     if (!has_color_) document_.colors.clear();
+    if (free_forms_ > 0)
+      document_.remarks.push_back(fmt::format(
+          "{} free-form curves and surfaces (curv, curv2, surf) are left out; they have "
+          "to be made polygons where they come from",
+          free_forms_));
     return std::move(document_);
   }
 
@@ -56,15 +62,31 @@ class ObjReader {
 
   void vertex(Words& words) {
     document_.positions.push_back(vector(words));
-    const std::string_view red = words.next();
-    const std::string_view green = words.next(), blue = words.next();
-    // "v x y z r g b" carries a colour; "v x y z w" a weight, which is ignored.
+    std::vector<double> more;  // at most four count
+    for (std::string_view word = words.next(); !word.empty() && more.size() < 4;
+         word = words.next())
+      more.push_back(number(word));
+    // "v x y z w" carries a weight, which is ignored; "v x y z r g b" a colour.
     Rgba color(1);
-    if (!blue.empty()) {
-      has_color_ = true;
-      color = Rgba(number(red), number(green), number(blue), 1);
-    }
+    if (more.size() >= 3) color = Rgba(more[0], more[1], more[2], more.size() > 3 ? more[3] : 1);
+    has_color_ = has_color_ || more.size() >= 3;
+    if (more.size() > 3) sevens_.push_back(document_.colors.size());
     document_.colors.push_back(color);
+  }
+
+  /// Of seven numbers the fourth is a weight where it is 1 in all such vertices, else they end with
+  /// red, green, blue and alpha.
+  void take_sevens() {
+    if (sevens_.empty()) return;
+    std::vector<Rgba>& colors = document_.colors;
+    const bool weights =
+        std::ranges::all_of(sevens_, [&](std::size_t i) { return colors[i].r == 1; });
+    if (weights)
+      for (const std::size_t i : sevens_)
+        colors[i] = Rgba(colors[i].g, colors[i].b, colors[i].a, 1);
+    document_.remarks.push_back(
+        fmt::format("{} vertices of seven numbers are read as x y z {}", sevens_.size(),
+                    weights ? "w red green blue, since the fourth is 1" : "red green blue alpha"));
   }
 
   /// One-based, of what is listed anywhere; or negative, from the end of what is listed so far.
@@ -140,6 +162,7 @@ class ObjReader {
     if (keyword == "f") element(words, document_.faces);
     if (keyword == "l") element(words, document_.lines);
     if (keyword == "usemtl") use_material(std::string(words.rest()));
+    if (keyword == "curv" || keyword == "curv2" || keyword == "surf") ++free_forms_;
     if (keyword == "mtllib") document_.libraries.push_back({std::string(words.rest()), line_});
   }
 
@@ -165,6 +188,8 @@ class ObjReader {
   std::map<std::string, std::uint32_t> materials_;  // index by name
   std::uint32_t material_ = obj_none;               // of what follows
   bool has_color_ = false;
+  std::vector<std::size_t> sevens_;  // vertices of seven numbers or more
+  std::size_t free_forms_ = 0;
 };
 
 }  // namespace

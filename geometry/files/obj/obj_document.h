@@ -56,6 +56,7 @@ struct ObjDocument {
   ObjElements faces, lines;
   std::vector<std::string> materials;  // that usemtl names, each once
   std::vector<Library> libraries;
+  std::vector<std::string> remarks;  // what is read in one of two ways, or left out
 };
 
 /// Reads the statements of an .obj file. Throws InputError "FILE:LINE: …" for a number that is none

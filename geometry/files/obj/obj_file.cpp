@@ -83,6 +83,7 @@ std::vector<std::size_t> add_triangles(const ObjDocument& document, TriangleMesh
 FileMesh read_obj(const std::filesystem::path& path) {
   const ObjDocument document = read_obj_document(path);
   FileMesh mesh;
+  mesh.remarks = document.remarks;
   const std::vector<std::size_t> faces = add_triangles(document, mesh);
   const std::vector<Rgba> of_faces = obj_element_colors(document, document.faces, mesh.remarks);
   if (of_faces.empty()) return mesh;
@@ -119,6 +120,7 @@ FileLines read_obj_lines(const std::filesystem::path& path) {
   const ObjDocument document = read_obj_document(path);
   const Rows<ObjCorner>& corners = document.lines.corners;
   FileLines lines;
+  lines.remarks = document.remarks;
   for (const ObjCorner& corner : corners.values) {
     lines.positions.push_back(document.positions[corner.position]);
     if (!document.colors.empty()) lines.colors.push_back(document.colors[corner.position]);

@@ -66,6 +66,15 @@ TEST_F(UnitGltf, GltfHasItsNodesItsColoursAndItsLines) {
   expect_cuts_are_refused("cut.glb", glb(gltf("", "BLEND"), gltf_buffer()), read_mesh);
 }
 
+TEST_F(UnitGltf, PointsOfAFileThatHasSomeAreThoseAlone) {
+  std::string text = gltf("", "BLEND");
+  EXPECT_EQ(read_points(file("a.glb", glb(text, gltf_buffer()))).positions.size(), 8u);
+  text.replace(text.find("\"mode\": 3"), 9, "\"mode\": 0");
+  const PointSet points = read_points(file("b.glb", glb(text, gltf_buffer())));
+  ASSERT_EQ(points.positions.size(), 4u);
+  EXPECT_NEAR(glm::length(points.positions[3] - Vec3(10, 0, 1)), 0, 1e-15);
+}
+
 TEST_F(UnitGltf, GltfInTextMayHoldItsBuffer) {
   // A buffer of 36 bytes: three points, (0, 0, 0), (1, 0, 0) and (0, 1, 0), in base 64.
   const std::string content = R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [

@@ -97,5 +97,29 @@ TEST_F(UnitObjMaterials, NumbersThatAreNoneAreRefusedWithBothLines) {
         << wrong;
 }
 
+TEST_F(UnitObjMaterials, SevenNumbersEndWithAnAlphaOrBeginTheColourWithAWeight) {
+  const TriangleMesh alphas = read_mesh(
+      file("a.obj", "v 0 0 0 0.25 0.5 0.75 0.5\nv 1 0 0 1 0 0 1\nv 0 1 0 1 0 0 0\nf 1 2 3\n"));
+  EXPECT_EQ(alphas.colors,
+            (std::vector<Rgba>{{0.25f, 0.5f, 0.75f, 0.5f}, {1, 0, 0, 1}, {1, 0, 0, 0}}));
+  EXPECT_THAT(alphas.remarks,
+              ::testing::ElementsAre("3 vertices of seven numbers are read as x y z red green blue "
+                                     "alpha"));
+  const TriangleMesh weights = read_mesh(
+      file("b.obj", "v 0 0 0 1 0.25 0.5 0.75\nv 1 0 0 1 1 0 0\nv 0 1 0 1 0 0 0.5\nf 1 2 3\n"));
+  EXPECT_EQ(weights.colors,
+            (std::vector<Rgba>{{0.25f, 0.5f, 0.75f, 1}, {1, 0, 0, 1}, {0, 0, 0.5f, 1}}));
+  EXPECT_THAT(weights.remarks, ::testing::ElementsAre(HasSubstr("read as x y z w red green blue")));
+}
+
+TEST_F(UnitObjMaterials, FreeFormsAreLeftOutAndNamed) {
+  const TriangleMesh mesh =
+      read_mesh(file("a.obj",
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\ncstype bezier\ndeg 1 1\n"
+                     "surf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\ncurv 0 1 1 2\nend\n"));
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_THAT(mesh.remarks, ::testing::ElementsAre(HasSubstr("2 free-form curves and surfaces")));
+}
+
 }  // namespace
 }  // namespace pellucid::geometry
