@@ -152,6 +152,14 @@ FaceColors colors_of(vtkDataArray& colors, const PointIds& cells) {
   return result;
 }
 
+/// The colours of each point's cell; with its own alpha, where the cells have none.
+void take_cell_colors(vtkDataArray& colors, const PointIds& cells, VertexAttributes& attributes,
+                      Vertices& vertices) {
+  if (colors.GetNumberOfComponents() == 4 && attributes.contains("alpha"))
+    vertices.remarks.push_back("the alpha of its points is left out: its cells have one, too");
+  take_vtk_colors(colors, cells, attributes);
+}
+
 /// The numbers of cells, each once; and those of points, where lines share some.
 VertexAttributes line_values(vtkPolyData& data, const PointIds& points, const PointIds& cells,
                              const VertexAttributes& of_points) {
@@ -191,7 +199,7 @@ FileLines lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   for (std::size_t i = 0; i < points.size(); ++i) data->GetPoint(points[i], &lines.positions[i].x);
   VertexAttributes attributes = vtk_attributes(*data, points);
   if (vtkDataArray* colors = vtk_cell_colors(*data, attributes))
-    take_vtk_colors(*colors, cells, attributes);
+    take_cell_colors(*colors, cells, attributes, lines);
   lines.values = line_values(*data, points, cells, attributes);
   attributes.merge(vtk_cell_scalars(*data, cells));  // no two lines share a point here
   take_vtk_attributes(std::move(attributes), lines);
@@ -212,12 +220,13 @@ PointIds vertex_cells(vtkDataSet& data, const PointIds& points) {
 }
 
 /// What the vertex cells of points carry, where every point is one.
-void add_of_vertex_cells(vtkDataSet& data, const PointIds& points, VertexAttributes& attributes) {
+void add_of_vertex_cells(vtkDataSet& data, const PointIds& points, VertexAttributes& attributes,
+                         PointSet& set) {
   if (data.GetCellData()->GetNumberOfArrays() == 0) return;
   const PointIds cells = vertex_cells(data, points);
   if (cells.empty()) return;
   if (vtkDataArray* colors = vtk_cell_colors(data, attributes))
-    take_vtk_colors(*colors, cells, attributes);
+    take_cell_colors(*colors, cells, attributes, set);
   attributes.merge(vtk_cell_scalars(data, cells));
 }
 
@@ -229,7 +238,7 @@ PointSet points_of(const vtkSmartPointer<vtkDataSet>& data) {
   set.positions.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) data->GetPoint(points[i], &set.positions[i].x);
   VertexAttributes attributes = vtk_attributes(*data, points);
-  add_of_vertex_cells(*data, points, attributes);
+  add_of_vertex_cells(*data, points, attributes, set);
   take_vtk_attributes(std::move(attributes), set);
   return set;
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
@@ -69,6 +70,16 @@ TEST_F(UnitIsosurfaceFile, AnIsosurfaceIsColouredByAScalarOfItsData) {
     EXPECT_LT(glm::length(Vec3(color) - map(0.5)), 1e-5);  // vertices lie on it to some 1e-6
     EXPECT_EQ(color.a, 0.25f);
   }
+  // Stops that are values lie by their logarithms where the scale is logarithmic.
+  const Scene stops = with(text(
+      R"("speed", "scale": "logarithmic", "map": [[0.01, "black"], [10, "lime"], [100, "white"]])"));
+  const auto& by_factors = *std::get<Isosurface>(stops.objects.front().shape).coloring;
+  const Vec3 place(3, 0.5, 0);
+  const double speed = *surface.field->value(place);
+  ASSERT_LT(speed, 10);
+  EXPECT_LE(glm::length(by_factors.color(by_factors.scalar.fraction(place)) -
+                        Vec3(0, std::log10(speed / 0.01) / 3, 0)),
+            1e-6);
   // Without a range that of all samples.
   const Scene free = with(text(R"("q")"));
   const auto& coloring = *std::get<Isosurface>(free.objects.front().shape).coloring;
