@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "compare/pictures/metrics.h"
+#include "compare/pictures/picture_shift.h"
 #include "compare/pictures/srgb.h"
 
 namespace pellucid::compare {
@@ -16,11 +17,10 @@ namespace {
 
 /// Rounding to 8 bits is an error of 1 / (255 √12) = 1.1e-3: below this nothing can be told.
 constexpr double least_error = 1.5e-3;
+/// What undoing a fault in floats may leave.
+constexpr double float_rounding = 1e-5;
 /// A fault is named when undoing it leaves no more of the error than this.
 constexpr double left_of_error = 1.0 / 3;
-/// A colour that differs from the background by less counts as uncovered: 8 values of 255, so that
-/// neither rounding nor a method's error moves the edge of what is covered.
-constexpr double visible = 8.0 / 255;
 /// As far as 8-bit rounding of a picture and of the background may be apart.
 constexpr double same_color = 1.5 / 255;
 
@@ -35,6 +35,8 @@ Image each_channel(const Image& image, const Function& function) {
   return each_pixel(
       image, [&](const Rgba& p) { return Rgba(function(p.r), function(p.g), function(p.b), p.a); });
 }
+
+double largest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// A Turn of the rows, of the columns, or of both.
 struct Turn {
@@ -56,25 +58,6 @@ Image turned(const Image& image, const Turn& turn) {
   return result;
 }
 
-/// The median colour of the test where the reference has no layer; nothing where that is too
-/// little to tell.
-std::optional<Vec3> color_of_uncovered(const Image& reference, const Image& test) {
-  constexpr std::size_t least = 16;
-  std::array<std::vector<float>, 3> channels;
-  for (std::size_t i = 0; i < test.pixels.size(); ++i)
-    for (int c = 0; c < 3 && reference.pixels[i].a == 0; ++c)
-      channels[std::size_t(c)].push_back(test.pixels[i][c]);
-  if (channels[0].size() < least) return std::nullopt;
-  Vec3 median;
-  for (int c = 0; c < 3; ++c) {
-    std::vector<float>& values = channels[std::size_t(c)];
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    median[c] = *middle;
-  }
-  return median;
-}
-
 /// What a picture is held against.
 struct Truth {
   const Image& reference;
@@ -93,10 +76,35 @@ Image multiplied_over_background(const Image& image, const Truth& truth) {
   });
 }
 
+/// The colour that stands behind everything, by least squares of what is off by the reference's
+/// 1 - A; nothing where nothing shows through, or where it would be no colour.
+std::optional<Vec3> color_behind_all(const Truth& truth, const Image& test) {
+  constexpr double least = 1e-3;   // of (1 - A)², in the mean
+  constexpr double beyond = 0.02;  // black and white, by the error of the estimate
+  Vec3 sum(0);
+  double squares = 0;
+  for (std::size_t i = 0; i < test.pixels.size(); ++i) {
+    const Rgba& wanted = truth.reference.pixels[i];
+    const double left = 1 - double(wanted.a);
+    sum += left * (Vec3(test.pixels[i]) - Vec3(wanted));
+    squares += left * left;
+  }
+  if (!(squares > least * double(test.pixels.size()))) return std::nullopt;
+  const Vec3 color = truth.background + sum / squares;
+  const Vec3 possible = glm::clamp(color, Vec3(0), Vec3(1));
+  if (largest(glm::abs(color - possible)) > beyond) return std::nullopt;
+  return possible;
+}
+
+std::optional<Vec3> color_behind(const Truth& truth, const Image& test) {
+  const std::optional<Vec3> seen = color_of_uncovered(truth.reference, test);
+  return seen ? seen : color_behind_all(truth, test);
+}
+
 /// By the reference's opacity where the picture has none of its own.
 Image on_its_background(const Image& image, const Truth& truth) {
   Image result = image;
-  const auto color = color_of_uncovered(truth.reference, image);
+  const auto color = color_behind(truth, image);
   const bool has_own = std::ranges::any_of(image.pixels, [](const Rgba& p) { return p.a < 1; });
   const Image& opacity = has_own ? image : truth.reference;
   for (std::size_t i = 0; color && i < image.pixels.size(); ++i)
@@ -118,9 +126,9 @@ constexpr double curves_apart = 0.04;
 constexpr ColorFault color_faults[] = {
     {"", [](const Image& image, const Truth&) { return image; }},
     {"looks premultiplied: colour without the background", over_background},
+    {"", on_its_background},  // its colour is told below
     {"looks like straight alpha: colour neither multiplied nor over the background",
      multiplied_over_background},
-    {"", on_its_background},  // its colour is told below
     {"looks sRGB-encoded once too often: linear values were taken for the scene's display values",
      [](const Image& image, const Truth&) { return each_channel(image, decoded_from_srgb<float>); },
      curves_apart},
@@ -141,10 +149,12 @@ struct Explanation {
   Image upright, image;  // without the turn; without both
 };
 
-/// Each part has to earn its place.
+/// Each part has to earn its place. Of colours that explain as much the first is named: where all
+/// is opaque what is seen beside it is a background, and nothing tells that colours are straight.
 Explanation best_explanation(const Image& test, const Truth& truth) {
   Explanation best{turns, color_faults, test, test};
-  double least = rmse(truth.reference, test);
+  constexpr double clearly = 0.9;
+  double least = rmse(truth.reference, test) / clearly;
   if (least < least_error) return best;
   for (const Turn& turn : turns) {
     const Image upright = turned(test, turn);
@@ -152,57 +162,14 @@ Explanation best_explanation(const Image& test, const Truth& truth) {
       const int parts = (&turn != turns) + (&color != color_faults);
       if (parts == 0) continue;
       Image image = color.undone(upright, truth);
-      const double weighted = rmse(truth.reference, image) / std::pow(left_of_error, parts);
-      if (!(weighted < least)) continue;
+      const double left = std::max(float_rounding, rmse(truth.reference, image));
+      const double weighted = left / std::pow(left_of_error, parts);
+      if (!(weighted < clearly * least)) continue;
       least = weighted;
       best = {&turn, &color, upright, std::move(image)};
     }
   }
   return best;
-}
-
-double largest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
-
-Raster<double> mask_of(const Image& image, const Vec3& background) {
-  Raster<double> mask(image.width, image.height);
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    mask.pixels[i] = largest(glm::abs(Vec3(image.pixels[i]) - background)) > visible;
-  return mask;
-}
-
-double at_or_edge(const Raster<double>& raster, int x, int y) {
-  return raster.at(std::clamp(x, 0, raster.width - 1), std::clamp(y, 0, raster.height - 1));
-}
-
-double mismatch(const Raster<double>& reference, const Raster<double>& test, int dx, int dy) {
-  double sum = 0;
-  for (int y = 0; y < test.height; ++y)
-    for (int x = 0; x < test.width; ++x)
-      sum += std::abs(test.at(x, y) - at_or_edge(reference, x - dx, y - dy));
-  return sum;
-}
-
-Vec2 gradient(const Raster<double>& raster, int x, int y) {
-  return {(at_or_edge(raster, x + 1, y) - at_or_edge(raster, x - 1, y)) / 2,
-          (at_or_edge(raster, x, y + 1) - at_or_edge(raster, x, y - 1)) / 2};
-}
-
-/// Least squares of test(x) - reference(x - whole) = -d · gradient over all pixels.
-Shift rest_of_shift(const Raster<double>& reference, const Raster<double>& test, int dx, int dy) {
-  glm::dmat2 normal(0);
-  Vec2 right(0);
-  for (int y = 0; y < test.height; ++y)
-    for (int x = 0; x < test.width; ++x) {
-      const Vec2 g = 0.5 * (gradient(reference, x - dx, y - dy) + gradient(test, x, y));
-      normal += glm::outerProduct(g, g);
-      right -= g * (test.at(x, y) - at_or_edge(reference, x - dx, y - dy));
-    }
-  // A pixel of an edge has a gradient of 1/2, on either side of it.
-  const double edges = 2 * std::min(normal[0][0], normal[1][1]);
-  const double uncertainty = edges > 0 ? 0.5 / std::sqrt(edges) : 1;
-  if (!(glm::determinant(normal) > 0)) return {0, 0, 1};
-  const Vec2 d = glm::inverse(normal) * right;
-  return {d.x, d.y, uncertainty};
 }
 
 std::string shift_text(double by, const char* positive, const char* negative) {
@@ -212,19 +179,36 @@ std::string shift_text(double by, const char* positive, const char* negative) {
 std::optional<std::string> shift_fault(const Image& reference, const Image& test,
                                        const Vec3& background) {
   constexpr double least = 0.25, deviations = 3;
-  const Shift shift = coverage_shift(reference, test, background);
+  const std::optional<Shift> shift = picture_shift(reference, test, background);
   const auto matters = [&](double by) {
-    return std::abs(by) > least + deviations * shift.uncertainty;
+    return std::abs(by) > least + deviations * shift->uncertainty;
   };
-  if (!matters(shift.x) && !matters(shift.y)) return std::nullopt;
+  if (!shift || (!matters(shift->x) && !matters(shift->y))) return std::nullopt;
   std::string text = "looks shifted by";
-  if (matters(shift.x)) text += ' ' + shift_text(shift.x, "to the right", "to the left");
-  if (matters(shift.x) && matters(shift.y)) text += " and";
-  if (matters(shift.y)) text += ' ' + shift_text(shift.y, "down", "up");
+  if (matters(shift->x)) text += ' ' + shift_text(shift->x, "to the right", "to the left");
+  if (matters(shift->x) && matters(shift->y)) text += " and";
+  if (matters(shift->y)) text += ' ' + shift_text(shift->y, "down", "up");
   return text + ": a pixel is sampled at its centre";
 }
 
 }  // namespace
+
+std::optional<Vec3> color_of_uncovered(const Image& reference, const Image& test) {
+  constexpr std::size_t least = 16;
+  std::array<std::vector<float>, 3> channels;
+  for (std::size_t i = 0; i < test.pixels.size(); ++i)
+    for (int c = 0; c < 3 && reference.pixels[i].a == 0; ++c)
+      channels[std::size_t(c)].push_back(test.pixels[i][c]);
+  if (channels[0].size() < least) return std::nullopt;
+  Vec3 median;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<float>& values = channels[std::size_t(c)];
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    median[c] = *middle;
+  }
+  return median;
+}
 
 std::optional<std::string> straight_colors(const Image& reference, const Image& test) {
   const Vec3 nothing(0);
@@ -243,22 +227,6 @@ std::optional<std::string> straight_colors(const Image& reference, const Image& 
                                  : text("REFERENCE", "TEST", of_reference);
 }
 
-Shift coverage_shift(const Image& reference, const Image& test, const Vec3& background) {
-  const Raster<double> wanted = mask_of(reference, background), found = mask_of(test, background);
-  constexpr int farthest = 2;
-  int best_x = 0, best_y = 0;
-  double least = mismatch(wanted, found, 0, 0);
-  for (int dy = -farthest; dy <= farthest; ++dy)
-    for (int dx = -farthest; dx <= farthest; ++dx)
-      if (const double here = mismatch(wanted, found, dx, dy); here < least) {
-        least = here;
-        best_x = dx;
-        best_y = dy;
-      }
-  const Shift rest = rest_of_shift(wanted, found, best_x, best_y);
-  return {best_x + rest.x, best_y + rest.y, rest.uncertainty};
-}
-
 std::vector<std::string> given_faults(const Image& reference, const Image& test,
                                       const Vec3& background) {
   std::vector<std::string> faults;
@@ -266,7 +234,9 @@ std::vector<std::string> given_faults(const Image& reference, const Image& test,
   for (const char* name : {found.turn->name, found.color->name})
     if (*name) faults.emplace_back(name);
   const Image& shown = is_background(*found.color) ? found.upright : found.image;
-  const std::optional<Vec3> behind = color_of_uncovered(reference, shown);
+  const std::optional<Vec3> behind = is_background(*found.color)
+                                         ? color_behind({reference, background}, shown)
+                                         : color_of_uncovered(reference, shown);
   const bool is_other =
       behind && largest(glm::abs(*behind - background)) > found.color->background_apart;
   if (is_other)

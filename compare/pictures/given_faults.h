@@ -15,27 +15,20 @@ namespace pellucid::compare {
 /// where nothing does. Nothing is put right: errors are measured of the picture as it is.
 ///
 /// A turn or a curve is named when undoing it leaves less than a third of the error; a background
-/// when the pixels that the reference leaves uncovered have another colour; a shift when the edges
-/// of what is covered lie a quarter of a pixel or more beside the reference's, all in one
-/// direction. Both pictures have one size and finite values.
+/// when the pixels that the reference leaves uncovered have another colour, or, where it leaves
+/// none, when one colour behind all, by the reference's A, explains two thirds of the error; a
+/// shift (picture_shift()) of a quarter of a pixel or more beyond three standard deviations. Both
+/// pictures have one size and finite values.
 std::vector<std::string> given_faults(const Image& reference, const Image& test,
                                       const Vec3& background);
+
+/// Returns the median colour of the test where the reference has no layer; nothing where that is
+/// too little to tell. Both have one size.
+std::optional<Vec3> color_of_uncovered(const Image& reference, const Image& test);
 
 /// Says which of two pictures looks to have straight colours where the other's are multiplied by A,
 /// both without a background and of equal opacities: multiplied by A, they are less than a third as
 /// far apart. Nothing where neither does. Both have one size and finite values.
 std::optional<std::string> straight_colors(const Image& reference, const Image& test);
-
-/// A Shift is in pixels, to the right and down.
-struct Shift {
-  double x = 0, y = 0;
-  double uncertainty = 0;  // its standard deviation, of either
-};
-
-/// Returns by how much what is covered, which differs from the background, is shifted against the
-/// reference: the best whole pixels of ±2, then the rest from the gradients of both masks. An edge
-/// that is sampled at half a pixel's distance moves by a whole pixel at half of its pixels: so of n
-/// of them the mean is known to 0.5 / √n.
-Shift coverage_shift(const Image& reference, const Image& test, const Vec3& background);
 
 }  // namespace pellucid::compare

@@ -353,6 +353,7 @@ TEST_F(UnitVerdict, KnowsWhatIsBehindAnOpaqueSheet) {
     };
   };
   for (const char* name : {"opaque-alpha", "opaque-object"}) {
+    EXPECT_EQ(named(name).of_pixel(0).size(), 5u);
     EXPECT_EQ(verdict(name, backwards).fault, Fault::misordered) << name;
     EXPECT_EQ(verdict(name, without(2, 3)).fault, Fault::missed) << name;
     EXPECT_EQ(verdict(name, without(0, 2)).fault, Fault::missed) << name;

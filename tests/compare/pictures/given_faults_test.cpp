@@ -10,6 +10,7 @@
 
 #include "compare/methods/methods.h"
 #include "compare/pictures/image_file.h"
+#include "compare/pictures/picture_shift.h"
 #include "core/options/names.h"
 #include "tests/support/pictures.h"
 #include "tests/support/scenes.h"
@@ -139,9 +140,10 @@ TEST_P(PropertyGivenFaults, ShiftsAreNamedByTheirSizeAndDirection) {
   moved.camera.target.y -= 1.5 * pixel;
   const Image image = drawn(moved, GetParam());
   EXPECT_THAT(faults(image), ElementsAre(HasSubstr("to the right and")));
-  const Shift shift = coverage_shift(reference_, image, scene_.background);
-  EXPECT_NEAR(shift.x, 0.5, 4 * shift.uncertainty);
-  EXPECT_NEAR(shift.y, -1.5, 4 * shift.uncertainty);
+  const auto shift = picture_shift(reference_, image, scene_.background);
+  ASSERT_TRUE(shift);
+  EXPECT_NEAR(shift->x, 0.5, 4 * shift->uncertainty);
+  EXPECT_NEAR(shift->y, -1.5, 4 * shift->uncertainty);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyGivenFaults,
@@ -157,6 +159,111 @@ TEST(PropertyGivenFaultsOfMethods, NoMethodLooksWrong) {
       EXPECT_THAT(given_faults(reference, drawn(scene, method), scene.background), IsEmpty())
           << method << ", " << seed;
   }
+}
+
+/// Sheets whose opacity falls to 0 at one side: what is to be seen of them ends where a method has
+/// it.
+scene::Scene fading_scene() {
+  scene::Scene scene = empty_scene(width, height);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (int i = 0; i < 12; ++i) {
+    const double x = -1.2 + 0.8 * any(random), y = -0.9 + 0.8 * any(random);
+    geometry::TriangleMesh mesh = rectangle(x, x + 1.3, y, y + 0.9, any(random), {});
+    const Vec3 color(any(random), any(random), any(random));
+    for (std::size_t k = 0; k < 4; ++k)
+      mesh.colors[k] = Rgba(color, k == 0 || k == 3 ? 0.1 + 0.5 * any(random) : 0);
+    scene.objects.push_back({"sheet", std::move(mesh)});
+  }
+  return scene;
+}
+
+TEST(PropertyGivenFaultsOfMethods, NoMethodLooksWrongWhereLayersFade) {
+  const scene::Scene scene = fading_scene();
+  const Image reference = drawn(scene, "raytrace");
+  for (const char* method : {"weighted-sum", "weighted-average", "weighted-blended", "fourier",
+                             "binning", "bin-average", "moment", "tree"}) {
+    const Image picture = drawn(scene, method);
+    EXPECT_THAT(given_faults(reference, picture, scene.background), IsEmpty()) << method;
+    EXPECT_THAT(given_faults(reference, displayed_values(picture), scene.background), IsEmpty())
+        << method;
+  }
+}
+
+TEST(PropertyPictureShift, AnEmptyPictureIsNotShifted) {
+  const scene::Scene scene = any_scene(7);
+  const Image nothing(width, height, Rgba(scene.background, 0));
+  EXPECT_THAT(given_faults(drawn(scene, "raytrace"), nothing, scene.background), IsEmpty());
+}
+
+/// The same scene, moved by so many pixels to the right and down.
+Image moved(scene::Scene scene, double right, double down) {
+  const double pixel = scene.camera.height / height;
+  scene.camera.eye += Vec3(-right * pixel, down * pixel, 0);
+  scene.camera.target += Vec3(-right * pixel, down * pixel, 0);
+  return drawn(scene, "raytrace");
+}
+
+void expect_shift(const scene::Scene& scene, double right, double down, double tolerance) {
+  const auto shift =
+      picture_shift(drawn(scene, "raytrace"), moved(scene, right, down), scene.background);
+  ASSERT_TRUE(shift) << right << ", " << down;
+  EXPECT_NEAR(shift->x, right, tolerance);
+  EXPECT_NEAR(shift->y, down, tolerance);
+}
+
+/// Whole pixels are known as such, up to their border.
+TEST(PropertyPictureShift, SeveralWholePixelsAreToldExactly) {
+  for (const auto& [x, y] : {std::pair(3, 2), std::pair(-1, 0), std::pair(0, 4)})
+    expect_shift(any_scene(7), x, y, 0.02);
+}
+
+scene::Scene with_opacities(scene::Scene scene, double least, double most) {
+  for (scene::SceneObject& object : scene.objects)
+    for (Rgba& color : object.vertices().colors)
+      color.a = float(least + (most - least) * double(color.a));
+  return scene;
+}
+
+/// Of opacities of 0.003 to 0.02, far below what an 8-bit step of colours is wont to tell.
+TEST(PropertyPictureShift, HalfPixelsOfFaintLayersAreTold) {
+  const scene::Scene faint = with_opacities(any_scene(7), 0.003, 0.02);
+  for (const auto& [x, y] : {std::pair(0.5, 0.0), std::pair(0.0, 0.5), std::pair(-0.5, 0.5)})
+    expect_shift(faint, x, y, 0.1);
+  EXPECT_THAT(given_faults(drawn(faint, "raytrace"), moved(faint, -0.5, 0.5), faint.background),
+              ElementsAre(::testing::AllOf(HasSubstr("to the left and"), HasSubstr("down:"))));
+}
+
+/// A ground that covers everything leaves no edges of coverage: the colours have some.
+TEST(PropertyPictureShift, ShiftsBeforeAGroundAreTold) {
+  scene::Scene scene = any_scene(7);
+  scene.objects.back() = sheet(-0.95, {0.9, 0.9, 0.9, 0.5});
+  for (const auto& [x, y] : {std::pair(0.5, 0.0), std::pair(-0.5, -0.5), std::pair(2.0, 1.0)})
+    expect_shift(scene, x, y, 0.1);
+  const Image reference = drawn(scene, "raytrace");
+  for (const char* method : {"weighted-average", "weighted-blended", "fourier"})
+    EXPECT_THAT(given_faults(reference, drawn(scene, method), scene.background), IsEmpty())
+        << method;
+}
+
+/// Where all is opaque nothing tells that colours are straight, but what is beside them is seen.
+TEST(PropertyGivenFaultsOfBackgrounds, IsNamedBesideOpaqueThings) {
+  const scene::Scene scene = with_opacities(any_scene(7), 1, 1);
+  const Image reference = drawn(scene, "raytrace");
+  const Image other = over(without_background(reference, scene.background), {0.9, 0.1, 0.1});
+  EXPECT_THAT(given_faults(reference, other, scene.background),
+              ElementsAre(HasSubstr("another background: (0.9, 0.1, 0.1)")));
+}
+
+/// What shows through layers that cover everything tells it, by the reference's opacities.
+TEST(PropertyGivenFaultsOfBackgrounds, IsNamedBehindWhatCoversAll) {
+  scene::Scene scene = any_scene(7);
+  scene.objects.push_back(sheet(-0.95, {0.2, 0.4, 0.6, 0.5}));
+  const Image reference = drawn(scene, "raytrace");
+  const Image other = over(without_background(reference, scene.background), {0.9, 0.1, 0.1});
+  for (const Image& image : {other, without_alpha(other)})
+    EXPECT_THAT(given_faults(reference, image, scene.background),
+                ElementsAre(HasSubstr("another background: (0.9, 0.1, 0.1)")));
 }
 
 }  // namespace
