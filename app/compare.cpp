@@ -134,12 +134,28 @@ std::optional<std::string> note_of(const CompareInputs& inputs) {
   return compare::straight_colors(inputs.reference, inputs.test);
 }
 
+/// The middle colour of what the reference leaves uncovered; black where it covers everything, or
+/// has no opacities.
+Vec3 background_of(const Image& reference) {
+  return compare::color_of_uncovered(reference, reference).value_or(Vec3(0));
+}
+
+/// What looks wrong with the test as a whole, beside a note that says so already. Who asks for some
+/// numbers, or of some pixels, gets these alone.
+std::vector<std::string> faults_of(const CompareInputs& inputs,
+                                   const std::vector<std::string>& names, bool is_noted) {
+  if (is_noted || inputs.mask || !names.empty()) return {};
+  return compare::given_faults(inputs.reference, inputs.test, background_of(inputs.reference));
+}
+
 void print_comparison(const compare::Comparison& comparison, const CompareInputs& inputs,
                       const std::vector<std::string>& names, bool as_json) {
   const std::optional<double> alpha_error = app::alpha_error(inputs);
   const std::optional<std::string> note = note_of(inputs);
+  const std::vector<std::string> faults = faults_of(inputs, names, note.has_value());
   if (as_json) {
     nlohmann::json json = compare::to_json(comparison);
+    if (names.empty()) json["faults"] = faults;
     if (names.empty())
       json["max_alpha_error"] = alpha_error ? nlohmann::json(*alpha_error) : nlohmann::json();
     keep_asked(json["displayed"], names, true);
@@ -153,6 +169,7 @@ void print_comparison(const compare::Comparison& comparison, const CompareInputs
     fmt::print("opacity, which no number above counts\n  {:22} {:.6g}\n", "Max error",
                *alpha_error);
   if (note) fmt::print("note: {}\n", *note);
+  for (const std::string& fault : faults) fmt::print("note: TEST {}\n", fault);
 }
 
 /// Of a signed error the magnitude counts. NaN is within no threshold.

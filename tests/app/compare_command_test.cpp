@@ -85,6 +85,25 @@ TEST_F(UnitCompareCommand, RepeatsWhatOthersPrintOnRequest) {
   EXPECT_FALSE(numbers("").contains("ssim_skimage"));
 }
 
+/// As of pictures that are given to a study. Numbers and exit code are as without it.
+TEST_F(UnitCompareCommand, SaysWhatLooksWrongWithThePictureAsAWhole) {
+  EXPECT_EQ(numbers("").at("faults"), nlohmann::json::array());
+  for (const std::string up : {"1", "-1"}) {
+    write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [96, 96],
+        "camera": {"type": "orthographic", "eye": [0, 0, 5], "target": [0, 0, 0], "height": 3,
+        "up": [0, )" + up + R"(, 0]}, "objects": [{"mesh": "sheet.ply"}]})");
+    ASSERT_EQ(run(render("raytrace", up + ".exr")).exit_code, 0);
+  }
+  const std::string turned = "compare " + file("1.exr") + " " + file("-1.exr") + " ";
+  const Outcome outcome = run(turned + "--json");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("faults"),
+            nlohmann::json::array({"looks turned by 180 degrees"}));
+  EXPECT_THAT(run(turned).out, HasSubstr("note: TEST looks turned by 180 degrees\n"));
+  EXPECT_THAT(run(turned + "--metric rmse").out, ::testing::Not(HasSubstr("note:")));
+  EXPECT_THAT(run(turned + "--mask " + file("left.pgm")).out, ::testing::Not(HasSubstr("note:")));
+}
+
 TEST_F(UnitCompareCommand, EveryMetricHasAThreshold) {
   EXPECT_EQ(run(pair() + "--fail-flip 1 --fail-bias-r 1 --fail-ssim-covered -1").exit_code, 0);
   EXPECT_THAT(refusal(pair() + "--fail-flip -1", 1), HasSubstr("is above --fail-flip -1"));
