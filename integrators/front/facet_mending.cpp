@@ -6,8 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "integrators/front/facet_patches.h"
 #include "integrators/front/front_mesh.h"
 #include "integrators/paths/magnitude.h"
+#include "integrators/paths/segment_distance.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -17,19 +19,6 @@ using Facet = FrontMesh::Facet;
 using Edge = FrontMesh::Edge;
 
 constexpr double radians = 0.017453292519943295769;
-
-/// Between a facet's normal and that of the corner where it differs most; -1 without an area.
-double facet_cosine(const SurfaceBuilder& builder, const Corners& corners) {
-  const Vec3& x = builder.position(corners[0]);
-  const Vec3 area = glm::cross(builder.position(corners[1]) - x, builder.position(corners[2]) - x);
-  const double twice_area = glm::length(area);
-  if (!(twice_area > 0)) return -1;
-  double smallest = twice_area;
-  for (const std::uint32_t corner : corners)
-    if (builder.has_one_normal(corner))
-      smallest = std::min(smallest, glm::dot(area, builder.normal(corner)));
-  return smallest / twice_area;
-}
 
 /// Which of two diagonals is the better one: by how much, > 0, when it is the one to be turned to.
 enum class Better { shorter, facing };
@@ -42,7 +31,8 @@ class FacetMender {
         point_at_(point_at),
         smallest_cosine_(std::cos(radians * bound.largest_angle)),
         splits_left_(bound.most_vertices),
-        mesh_(builder) {}
+        mesh_(builder),
+        patches_(builder, {smallest_cosine_, bound.shortest_edge}) {}
 
   /// Returns how many were trimmed.
   std::size_t mend(std::vector<Facet> facets);
@@ -71,12 +61,16 @@ class FacetMender {
   double height(Edge edge) const;
   bool can_get_better(Edge edge) const;
   bool leaves_no_area(Edge edge, const Vec3& x) const;
+  bool is_beside(Edge edge, const Vec3& x) const;
+  bool is_back_to_back(Edge edge, const Vec3& normal) const;
+  bool is_of_use(Edge edge, const FrontPoint& point) const;
   bool split_longest(Facet facet, std::vector<Facet>& off);
   bool is_narrow(Facet facet) const;
   bool trim(Facet facet, std::vector<Facet>& next);
   void trim_all(std::vector<Facet> facets);
   std::vector<Facet> refine(std::vector<Facet> off);
   std::vector<Facet> all_off() const;
+  std::size_t hand_back();
 
   SurfaceBuilder& builder_;
   const FacetBound& bound_;
@@ -84,12 +78,15 @@ class FacetMender {
   double smallest_cosine_;
   std::size_t splits_left_;
   FrontMesh mesh_;
+  FacetPatches patches_;
+  std::vector<std::uint32_t> trimmed_;  // a corner of each
 };
 
 /// By how much the edge's two facets get better when it is turned. Turning ends: the sum of all
 /// lengths falls; or, since the worse of two facets gets better, the facets' cosines grow in
 /// lexicographic order when they are sorted from the worst. In (s, t) the triangulation stays one
-/// without folds, whatever its edges do in space.
+/// without folds, whatever its edges do in space. Around a vertex at rest, which has many t, (s, t)
+/// tells nothing: there edges stay.
 ///
 /// An edge and the vertex that split it make a triangle of no area there, or of one by rounding.
 /// Turned to, it would bring the edge back, to be split once more in the same place.
@@ -98,6 +95,8 @@ double FacetMender::gain(Edge edge, Better better) const {
   if (mesh_.is_on_border(edge)) return 0;
   const std::uint32_t a = mesh_.from(edge), b = mesh_.to(edge), c = mesh_.apex(edge),
                       d = mesh_.apex(mesh_.opposite(edge));
+  if (std::ranges::any_of(std::array{a, b, c, d}, [&](auto v) { return builder_.rests(v); }))
+    return 0;
   const double left = builder_.parameter_area(c, a, d), right = builder_.parameter_area(d, b, c);
   if (!(std::min(left, right) > smallest_share * (left + right))) return 0;
   if (is_line({c, a, d}) || is_line({d, b, c})) return 0;
@@ -117,7 +116,11 @@ bool FacetMender::turn_best(Facet facet, Better better) {
   for (int attempt = 0; attempt < 3; ++attempt) {
     const auto best = std::ranges::max_element(gains);
     if (!(*best > least)) return false;
-    if (mesh_.turn(edges[std::size_t(best - gains.begin())])) return true;
+    const Edge edge = edges[std::size_t(best - gains.begin())];
+    const std::array around{mesh_.from(edge), mesh_.to(edge), mesh_.apex(edge),
+                            mesh_.is_on_border(edge) ? mesh_.apex(edge)
+                                                     : mesh_.apex(mesh_.opposite(edge))};
+    if (mesh_.turn(edge)) return patches_.join(around), true;
     *best = 0;
   }
   return false;
@@ -154,14 +157,11 @@ double FacetMender::height(Edge edge) const {
   return glm::length(glm::cross(side, arm)) / glm::length(side);
 }
 
-/// Would facets be well with edges that are not too short? An edge's sagitta s follows from how far
-/// its chord leaves the tangent planes, 4 s; s over the facet's height is the facet's tilt. In a
-/// part r of the edge, s falls with r² and the height with r.
+/// Would facets be well with edges that are not too short? An edge's sagitta s over
+/// the facet's height is the facet's tilt. In a part r of the edge, s falls with r² and the height
+/// with r.
 bool FacetMender::can_get_better(Edge edge) const {
-  const std::uint32_t a = mesh_.from(edge), b = mesh_.to(edge);
-  const Vec3 chord = builder_.position(b) - builder_.position(a);
-  const double sagitta = 0.25 * std::max(std::abs(glm::dot(chord, builder_.normal(a))),
-                                         std::abs(glm::dot(chord, builder_.normal(b))));
+  const double sagitta = sagitta_of(builder_, mesh_.from(edge), mesh_.to(edge));
   const double part = std::tan(radians * bound_.largest_angle) * height(edge) / sagitta;
   return length(edge) * std::min(part, 1.0) > bound_.shortest_edge;
 }
@@ -180,16 +180,47 @@ bool FacetMender::leaves_no_area(Edge edge, const Vec3& x) const {
   return any(edge) || (!mesh_.is_on_border(edge) && any(mesh_.opposite(edge)));
 }
 
+/// Does the surface at x, halfway between the edge's ends in (s, t), lie beside the edge in space,
+/// too? Where particles all but rest it need not.
+bool FacetMender::is_beside(Edge edge, const Vec3& x) const {
+  const Vec3 &a = builder_.position(mesh_.from(edge)), &b = builder_.position(mesh_.to(edge));
+  return distance_to_segment(x, a, b) <= 0.25 * glm::distance(a, b);
+}
+
+/// Would one of the parts that a vertex leaves have corners whose normals are more than a right
+/// angle apart? Where the surface turns its other side, as through a vortex's axis, one of the
+/// parts always has, however small.
+bool FacetMender::is_back_to_back(Edge edge, const Vec3& normal) const {
+  const auto apart = [&](const Vec3& other) { return glm::dot(normal, other) < 0; };
+  const auto own = [&](std::uint32_t vertex) { return builder_.normal(vertex); };
+  const auto any = [&](Edge each) {
+    const Vec3 third = own(mesh_.apex(each));
+    return apart(third) || glm::dot(third, own(mesh_.from(each))) < 0 ||
+           glm::dot(third, own(mesh_.to(each))) < 0;
+  };
+  return apart(own(mesh_.from(edge))) || apart(own(mesh_.to(edge))) || any(edge) ||
+         (!mesh_.is_on_border(edge) && any(mesh_.opposite(edge)));
+}
+
+bool FacetMender::is_of_use(Edge edge, const FrontPoint& point) const {
+  const Vec3& x = point.flow.x;
+  return is_beside(edge, x) && !leaves_no_area(edge, x) && !is_back_to_back(edge, point.normal);
+}
+
 /// False when that does not help, or the surface has no point there.
 bool FacetMender::split_longest(Facet facet, std::vector<Facet>& off) {
   const Edge longest = longest_edge(facet);
   if (!can_get_better(longest) || splits_left_ == 0) return false;
+  if (builder_.rests(mesh_.from(longest)) || builder_.rests(mesh_.to(longest))) return false;
   if (mesh_.facet_count() + 2 > bound_.max_triangles) return false;
   --splits_left_;
   const auto [s, t] = builder_.halfway(mesh_.from(longest), mesh_.to(longest));
   const auto point = point_at_(s, t);
-  if (!point || leaves_no_area(longest, point->flow.x)) return false;
-  mesh_.split(longest, *point, s, [&](Facet part) { off.push_back(part); });
+  if (!point || !is_of_use(longest, *point)) return false;
+  mesh_.split(longest, *point, s, [&](Facet part) {
+    patches_.join(mesh_.corners(part));
+    off.push_back(part);
+  });
   return true;
 }
 
@@ -202,6 +233,9 @@ bool FacetMender::is_narrow(Facet facet) const {
 bool FacetMender::trim(Facet facet, std::vector<Facet>& next) {
   if (mesh_.is_removed(facet) || !is_narrow(facet) || !mesh_.can_remove(facet)) return false;
   mesh_.push_neighbours(facet, next);
+  const Corners corners = mesh_.corners(facet);
+  patches_.join(corners);
+  trimmed_.push_back(corners[0]);
   mesh_.remove(facet);
   return true;
 }
@@ -244,8 +278,15 @@ std::size_t FacetMender::mend(std::vector<Facet> off) {
     trim_all(refine(std::move(off)));
     off = all_off();
   }
-  mesh_.hand_back();
-  return mesh_.removed_count();
+  return hand_back();
+}
+
+/// Gives the builder the facets, in their order, and takes from it vertices that none of them has.
+std::size_t FacetMender::hand_back() {
+  builder_.triangles() = patches_.better_of(mesh_.facets());
+  builder_.drop_unused_vertices();
+  return std::size_t(std::ranges::count_if(
+      trimmed_, [&](std::uint32_t corner) { return !patches_.is_taken_back(corner); }));
 }
 
 }  // namespace

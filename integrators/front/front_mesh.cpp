@@ -44,13 +44,11 @@ void FrontMesh::remove(Facet facet) {
   mesh_.delete_face(facet);
 }
 
-/// Keeps the order of facets and vertices, which garbage_collection() does not.
-void FrontMesh::hand_back() const {
-  auto& triangles = builder_.triangles();
-  triangles.clear();
+std::vector<std::optional<geometry::Corners>> FrontMesh::facets() const {
+  std::vector<std::optional<geometry::Corners>> all;
   for (const Facet facet : mesh_.all_faces())
-    if (!is_removed(facet)) triangles.push_back(corners(facet));
-  if (removed_ > 0) builder_.drop_unused_vertices();
+    all.push_back(is_removed(facet) ? std::nullopt : std::optional(corners(facet)));
+  return all;
 }
 
 }  // namespace pellucid::integrators

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/half_edges.h"
@@ -12,8 +13,8 @@
 namespace pellucid::integrators {
 
 /// The half-edge mesh of what a builder has collected, for edits that keep it a manifold. Vertices
-/// are named by their numbers in the builder, which gets new ones at once, and triangles when all
-/// is done.
+/// are named by their numbers in the builder, which gets new ones at once; triangles are for
+/// who edits to hand back.
 class FrontMesh {
  public:
   using Facet = OpenMesh::FaceHandle;
@@ -55,10 +56,9 @@ class FrontMesh {
   bool can_remove(Facet facet) const;
   void remove(Facet facet);
   bool is_removed(Facet facet) const { return removed_ > 0 && mesh_.status(facet).deleted(); }
-  std::size_t removed_count() const { return removed_; }
 
-  /// Gives the builder the facets that are left, and takes from it vertices that went with others.
-  void hand_back() const;
+  /// Returns the corners of all facets by their numbers: nothing of those that are removed.
+  std::vector<std::optional<geometry::Corners>> facets() const;
 
  private:
   std::uint32_t number(OpenMesh::VertexHandle v) const {

@@ -79,7 +79,8 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
   if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
   if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
   const double sagitta = path.sagitta(head.t, next.t);
-  double largest = refinement.step > 0 ? refinement.step : refinement.largest_step_sagitta();
+  double largest =
+      refinement.by_tolerance() ? refinement.largest_step_sagitta() : refinement.step;
   for (const FrontPoint* neighbour : {left, right})
     if (neighbour && !is_short)
       largest = std::min(largest, largest_tilt * separation(head, *neighbour).width);
@@ -94,9 +95,9 @@ namespace {
 /// What the refinement asks for, however short.
 double wanted_step(const Refinement& refinement, const Trajectory& path, const FrontPoint& head,
                    const FrontPoint* left, const FrontPoint* right) {
-  const double longest = path.longest_plan();
-  if (!refinement.by_tolerance() || refinement.step > 0)
-    return std::min(time_to_move(head, refinement.step), longest);
+  double longest = path.longest_plan();
+  if (refinement.step > 0) longest = std::min(longest, time_to_move(head, refinement.step));
+  if (!refinement.by_tolerance()) return longest;
   const double sagitta = refinement.largest_step_sagitta();
   // A ribbon that has become as thin as the tolerance has no shape to keep.
   const double thin = 8 * refinement.tolerance;
@@ -150,7 +151,8 @@ OptionTable<RefinementOptions> refinement_options(double default_threshold) {
       number("step", &Options::step,
              {.min = 0,
               .unit = "world units",
-              .help = "between a particle's vertices; default: by threshold or tolerance"}),
+              .help = "longest way between a particle's vertices; default: by threshold; beside a "
+                      "tolerance it adds to what that asks for"}),
       number("facet-angle", &Options::facet_angle,
              {.min = 1,
               .max = 180,

@@ -15,7 +15,7 @@ namespace pellucid::integrators {
 struct Refinement {
   double threshold = 0;  // world units: widest ribbon; 0: by tolerance
   double tolerance = 0;  // world units: largest distance of mesh and surface; 0: by threshold
-  double step = 0;       // world units: between the vertices of a trajectory; 0: by tolerance
+  double step = 0;       // world units: at most between the vertices of a trajectory; 0: any
 
   bool by_tolerance() const { return tolerance > 0; }
   /// The sagitta that an edge may have. Over a triangle a quadratic surface strays at most 4/3 of
@@ -31,7 +31,7 @@ struct Refinement {
 struct RefinementOptions {
   std::optional<double> threshold;  // world units; not set: the row's own, unless by tolerance
   std::optional<double> tolerance;  // world units; not set: by threshold
-  std::optional<double> step;       // world units; not set: by threshold or tolerance
+  std::optional<double> step;       // world units, beside the tolerance's own; not set: by threshold
   double facet_angle = 25;  // degrees: facets farther from their corners' normals are mended
 };
 

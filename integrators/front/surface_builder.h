@@ -25,11 +25,14 @@ class SurfaceBuilder {
   std::size_t vertex_count() const { return positions_.size(); }
   bool has_normals() const { return with_normals_; }
   std::vector<std::array<std::uint32_t, 3>>& triangles() { return triangles_; }
+  const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
   std::span<const Vec3> positions() const { return positions_; }
   const Vec3& position(std::uint32_t vertex) const { return positions_[vertex]; }
   const Vec3& normal(std::uint32_t vertex) const { return normals_[vertex]; }
   /// Not so where it stands still, nor on a crease, which starts at a corner of the seed curve.
   bool has_one_normal(std::uint32_t vertex) const;
+  /// A vertex at rest stands for its particle's whole way, not for one (s, t) alone.
+  bool rests(std::uint32_t vertex) const { return speed_[vertex] == 0; }
   /// Twice the triangle's area in (s, t): > 0 when it is not turned over.
   double parameter_area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   /// (s, t) halfway between two vertices.

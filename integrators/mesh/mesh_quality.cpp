@@ -3,30 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/half_edges.h"
+#include "integrators/mesh/disjoint_sets.h"
 
 namespace pellucid::integrators {
 namespace {
 
 constexpr double degrees = 57.295779513082320877;
-
-/// Which set a thing is in, when sets are joined pair by pair.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parents_(size) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t(0));
-  }
-  std::size_t find(std::size_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parents_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parents_;
-};
 
 /// Triangles that share an edge are of one sheet, joined there or not.
 std::uint64_t count_sheets(const geometry::HalfEdges& half_edges) {

@@ -29,6 +29,7 @@
 #include "integrators/mesh/facet_normal.h"
 #include "integrators/mesh/missing_normals.h"
 #include "integrators/paths/magnitude.h"
+#include "integrators/paths/seeds_along_flow.h"
 #include "integrators/paths/trajectory_options.h"
 #include "integrators/sheets/sheet_refinement.h"
 
@@ -45,6 +46,15 @@ void check(const SheetIntegratorRow& row, const SheetRequest& request) {
   if (by_curve ? !request.curve : !request.surface)
     throw InputError(fmt::format("{}: accepted: seeds on {}", row.name,
                                  by_curve ? "a curve" : "a surface: a patch, a sphere or a mesh"));
+}
+
+/// Particles of a curve are let go all the time, and the flow may cross it at any.
+void check_seeds(std::string_view name, const SheetRequest& request) {
+  constexpr int releases = 33;
+  std::vector<double> times{request.start_time};
+  for (int i = 1; i < releases && !request.field->steady(); ++i)
+    times.push_back(request.start_time + request.duration * i / (releases - 1));
+  if (request.curve) check_across_flow(name, *request.curve, *request.field, times);
 }
 
 /// Numbers the vertices that facets have, in the order in which they come.
@@ -142,6 +152,7 @@ IntegratedSheet integrate_sheet(std::string_view integrator, const SheetRequest&
   check(row, request);
   const SheetOptions options = sheet_options().read(parameters);
   if (options.tolerance) positive("tolerance", options.tolerance, 0);
+  check_seeds(row.name, request);
   const SheetDomain domain = sheet_domain(request);
   SheetParticles particles(request, domain, options.stepping, options.tolerance);
   SheetRefinement refined(particles, domain, options, sheet_tolerance(options, particles.extent()),

@@ -11,6 +11,7 @@
 #include "integrators/mesh/facet_normal.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
+#include "integrators/mesh/nearest_vertices.h"
 #include "integrators/sheets/integrate_sheet.h"
 #include "integrators/sheets/sheet_options.h"
 #include "integrators/sheets/sheet_particles.h"
@@ -28,6 +29,12 @@ struct Chart {
   Stretch s, t;
   bool is_facet = false;  // s + t stays within 1
 
+  bool holds(const Place& at) const {
+    constexpr double rounding = 1e-9;
+    if (is_facet) return std::min({at.s, at.t, 1 - at.s - at.t}) >= -rounding;
+    return std::abs(s.inside(at.s) - at.s) <= rounding &&
+           std::abs(t.inside(at.t) - at.t) <= rounding;
+  }
   Vec3 place(double at_s, double at_t) const { return origin + at_s * steps[0] + at_t * steps[1]; }
   Move move(const Tangents& tangents, const Place& from, const Vec3& off) const {
     if (!is_facet) return move_within(tangents, from, s, t, off);
@@ -59,22 +66,30 @@ Sample sample_of(const IntegratedSheet& sheet, const SheetDomain& domain, const 
 
 class ExactSheet {
  public:
-  ExactSheet(SheetParticles& particles, const SheetDomain& domain)
+  ExactSheet(SheetParticles& particles, const SheetDomain& domain, const IntegratedSheet& sheet)
       : particles_(particles),
         domain_(domain),
+        sheet_(sheet),
+        vertices_(sheet.mesh.positions),
         noise_(std::max(1e-12 * particles.extent(),
                         particles.options().error_floor * particles.options().duration)) {}
 
-  Deviation deviation(const Sample& sample);
+  Deviation deviation(const Sample& sample, bool thorough);
 
  private:
   Chart chart_of(const Sample& sample) const;
   Place on_chart(const Chart& chart, const Sample& sample, const Vec3& place) const;
   FlowPoint point(const Chart& chart, double s, double t);
   Vec3 normal_at(const Chart& chart, const Place& place);
+  SmoothPiece piece_of(const Chart& chart);
+  std::vector<Place> starts_for(const Chart& chart, const Sample& sample,
+                                std::span<const Vec3> places) const;
+  NearestPlace nearest_to(const Chart& chart, const Sample& sample, bool thorough);
 
   SheetParticles& particles_;
   const SheetDomain& domain_;
+  const IntegratedSheet& sheet_;
+  NearestVertices vertices_;
   double noise_;  // world units
 };
 
@@ -117,21 +132,48 @@ Vec3 ExactSheet::normal_at(const Chart& chart, const Place& place) {
              : Vec3(0);
 }
 
-/// Where the sample's own place leads to no smallest distance, those of its facet's corners do.
-Deviation ExactSheet::deviation(const Sample& sample) {
-  const Chart chart = chart_of(sample);
-  const SmoothPiece piece{[&](double s, double& t) { return point(chart, s, t); },
-                          [&](const Tangents& tangents, const Place& from, const Vec3& off) {
-                            return chart.move(tangents, from, off);
-                          },
-                          {1e-2, 1e-2},
-                          noise_};
-  NearestPlace nearest = nearest_place(piece, on_chart(chart, sample, sample.place), sample.x);
-  for (const Vec3& corner : sample.corners) {
-    if (nearest.settled || nearest.distance <= noise_) break;
-    const NearestPlace other = nearest_place(piece, on_chart(chart, sample, corner), sample.x);
-    if (other.distance < nearest.distance) nearest = other;
+SmoothPiece ExactSheet::piece_of(const Chart& chart) {
+  return {[&](double s, double& t) { return point(chart, s, t); },
+          [&](const Tangents& tangents, const Place& from, const Vec3& off) {
+            return chart.move(tangents, from, off);
+          },
+          {1e-2, 1e-2},
+          noise_};
+}
+
+/// Those of the places that the chart holds.
+std::vector<Place> ExactSheet::starts_for(const Chart& chart, const Sample& sample,
+                                          std::span<const Vec3> places) const {
+  std::vector<Place> starts;
+  for (const Vec3& place : places) {
+    const Vec3 beside = sample.corners[0] + domain_.step_between(sample.corners[0], place);
+    const Place start = on_chart(chart, sample, beside);
+    if (chart.holds(start)) starts.push_back(start);
   }
+  return starts;
+}
+
+/// From the sample's own place, its facet's corners and vertices that are near in space, as
+/// surfaces are measured (surface_error.cpp).
+NearestPlace ExactSheet::nearest_to(const Chart& chart, const Sample& sample, bool thorough) {
+  const SmoothPiece piece = piece_of(chart);
+  const auto corners = starts_for(chart, sample, sample.corners);
+  NearestPlace nearest = nearest_place(piece, on_chart(chart, sample, sample.place), sample.x);
+  if (!nearest.settled) nearest = nearest_of(piece, nearest, corners, sample.x);
+  if (nearest.distance <= noise_) return nearest;
+  const Vec3& next = sheet_.mesh.positions[vertices_.around(sample.x, 1).front()];
+  if (!thorough && nearest.distance <= doubtful_distance * glm::distance(next, sample.x))
+    return nearest;
+  nearest = nearest_of(piece, nearest, corners, sample.x);
+  std::vector<Vec3> places;
+  for (const std::uint32_t vertex : vertices_.around(sample.x, most_starts))
+    places.push_back(sheet_.places[vertex]);
+  return nearest_of(piece, nearest, starts_for(chart, sample, places), sample.x);
+}
+
+Deviation ExactSheet::deviation(const Sample& sample, bool thorough) {
+  const Chart chart = chart_of(sample);
+  const NearestPlace nearest = nearest_to(chart, sample, thorough);
   const Vec3 normal = normal_at(chart, nearest.place);
   if (normal == Vec3(0) || sample.facet == Vec3(0)) return {nearest.distance, 0};
   return {nearest.distance, degrees_between(normal, sample.facet)};
@@ -177,11 +219,10 @@ SurfaceError measure_sheet_error(const IntegratedSheet& sheet, const SheetReques
   const SheetDomain domain = sheet_domain(request);
   SheetParticles particles(request, domain, exact_stepping(made), std::nullopt);
   particles.be_exact(sheet_tolerance(made, particles.extent()));
-  ExactSheet truth(particles, domain);
+  ExactSheet truth(particles, domain, sheet);
   const std::vector<MeshSample> chosen = sample_mesh(sheet.mesh, samples);
-  std::vector<Deviation> deviations(chosen.size());
-  parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
-    deviations[i] = truth.deviation(sample_of(sheet, domain, chosen[i]));
+  const auto deviations = search_all(chosen.size(), [&](std::size_t i, bool thorough) {
+    return truth.deviation(sample_of(sheet, domain, chosen[i]), thorough);
   });
   SurfaceError error = surface_error(sheet.mesh, chosen, deviations);
   error.max_from_surface = largest_distance(points_of_sheet(particles, domain), sheet.mesh);

@@ -55,4 +55,15 @@ NearestPlace nearest_place(const SmoothPiece& piece, Place place, const Vec3& x)
   return {place, here, glm::distance(here.x, x), false};
 }
 
+NearestPlace nearest_of(const SmoothPiece& piece, NearestPlace nearest,
+                        std::span<const Place> starts, const Vec3& x) {
+  constexpr double nearer = 0.9;
+  for (const Place& start : starts) {
+    if (nearest.distance <= piece.noise) break;
+    const NearestPlace other = nearest_place(piece, start, x);
+    if (other.distance < nearer * nearest.distance) nearest = other;
+  }
+  return nearest;
+}
+
 }  // namespace pellucid::integrators

@@ -52,6 +52,18 @@ struct NearestPlace {
   bool settled;
 };
 
+/// A distance of more than this part of the way to the nearest known point of the surface may be
+/// the smallest around alone: a facet's sagitta is mostly less.
+constexpr double doubtful_distance = 0.05;
+/// From so many known points, the nearest ones, it is then looked for again.
+constexpr std::size_t most_starts = 12;
+
+/// Returns the nearest of what is found from `starts`, too, one after the other until one is within
+/// the piece's noise. `nearest` is kept unless another one is a tenth nearer: it is on the sheet
+/// that x belongs to, where others may lie over each other.
+NearestPlace nearest_of(const SmoothPiece& piece, NearestPlace nearest,
+                        std::span<const Place> starts, const Vec3& x);
+
 /// Returns where the distance of x is smallest around `place`, which is left for nearer ones by
 /// Gauss-Newton, whose moves are halved until they come nearer: near a fold or a place of rest,
 /// where v all but vanishes, they overshoot.

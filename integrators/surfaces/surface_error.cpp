@@ -10,6 +10,7 @@
 #include "integrators/front/surface_particles.h"
 #include "integrators/mesh/mesh_distance.h"
 #include "integrators/mesh/mesh_samples.h"
+#include "integrators/mesh/nearest_vertices.h"
 #include "integrators/paths/magnitude.h"
 #include "integrators/paths/trajectory_options.h"
 #include "integrators/surfaces/deviation.h"
@@ -47,15 +48,37 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
   return sample;
 }
 
+/// The mesh's vertices, which are points of the surface, and whose (s, t) are known.
+class KnownPlaces {
+ public:
+  explicit KnownPlaces(const geometry::TriangleMesh& mesh) : mesh_(mesh), tree_(mesh.positions) {}
+
+  std::vector<std::uint32_t> around(const Vec3& x, std::size_t count) const {
+    return tree_.around(x, count);
+  }
+  double distance(std::uint32_t vertex, const Vec3& x) const {
+    return glm::distance(mesh_.positions[vertex], x);
+  }
+  Place place(std::uint32_t vertex) const {
+    return {mesh_.scalars.at("s")[vertex], std::abs(mesh_.scalars.at("t")[vertex])};
+  }
+
+ private:
+  const geometry::TriangleMesh& mesh_;
+  NearestVertices tree_;
+};
+
 class ExactSurface {
  public:
-  ExactSurface(const SurfaceRequest& request, const SurfaceSetup& setup)
+  ExactSurface(const SurfaceRequest& request, const SurfaceSetup& setup,
+               const geometry::TriangleMesh& mesh)
       : request_(request),
         source_(request, setup),
+        known_(mesh),
         noise_(std::max(1e-12 * setup.extent,
                         setup.trajectory.error_floor * setup.trajectory.duration)) {}
 
-  Deviation deviation(const Sample& sample);
+  Deviation deviation(const Sample& sample, bool thorough);
   /// Points of the surface at seed s, spread over the particle's time: none where it has no area,
   /// as at rest or along a seed curve that is a stream line.
   std::vector<Vec3> points_at(double s);
@@ -64,11 +87,15 @@ class ExactSurface {
   using Nearest = NearestPlace;
 
   FlowPoint point(double s, double& t);
-  Nearest descend(const Place& place, const Stretch& stretch, const Vec3& x);
+  SmoothPiece piece_of(const Stretch& stretch);
+  std::vector<Place> starts_for(const Sample& sample, const Stretch& stretch,
+                                std::span<const std::uint32_t> vertices) const;
+  Nearest nearest_to(const Sample& sample, const Stretch& stretch, bool thorough);
   Vec3 normal_at(const Nearest& nearest, const Stretch& stretch);
 
   const SurfaceRequest& request_;
   ParticleSource source_;
+  KnownPlaces known_;
   double noise_;  // world units: two trajectories to the same place differ by no more
 };
 
@@ -94,16 +121,13 @@ std::vector<Vec3> ExactSurface::points_at(double s) {
   return points;
 }
 
-ExactSurface::Nearest ExactSurface::descend(const Place& place, const Stretch& stretch,
-                                            const Vec3& x) {
-  const SmoothPiece piece{
-      [&](double s, double& t) { return point(s, t); },
-      [&](const Tangents& tangents, const Place& from, const Vec3& off) {
-        return move_within(tangents, from, stretch, {0, request_.duration}, off);
-      },
-      {1e-2, 1e-2 * request_.duration},
-      noise_};
-  return nearest_place(piece, place, x);
+SmoothPiece ExactSurface::piece_of(const Stretch& stretch) {
+  return {[&](double s, double& t) { return point(s, t); },
+          [&](const Tangents& tangents, const Place& from, const Vec3& off) {
+            return move_within(tangents, from, stretch, {0, request_.duration}, off);
+          },
+          {1e-2, 1e-2 * request_.duration},
+          noise_};
 }
 
 /// Unit; 0 where there is none. On a crease it is that of the stretch's side.
@@ -121,18 +145,40 @@ Vec3 ExactSurface::normal_at(const Nearest& nearest, const Stretch& stretch) {
              : Vec3(0);
 }
 
+/// The places of the vertices on the sample's stretch of the seed curve.
+std::vector<Place> ExactSurface::starts_for(const Sample& sample, const Stretch& stretch,
+                                            std::span<const std::uint32_t> vertices) const {
+  std::vector<Place> starts;
+  for (const std::uint32_t vertex : vertices) {
+    Place start = known_.place(vertex);
+    if (request_.seed.closed) start.s += std::round(sample.middle() - start.s);
+    if (stretch.inside(start.s) == start.s) starts.push_back(start);
+  }
+  return starts;
+}
+
 /// Where the sample's own (s, t) leads to no smallest distance, those of its facet's corners do: in
-/// a fan about a place of rest what is interpolated between them may be anything. The surface is
-/// that of the facet's side of a crease: beyond, its normal would be another one.
-Deviation ExactSurface::deviation(const Sample& sample) {
+/// a fan about a place of rest what is interpolated between them may be anything. And what is found
+/// may be the smallest distance around alone: where a surface is sheared, or lies over itself, the
+/// nearest of all is found from vertices that are near in space, whatever their (s, t).
+ExactSurface::Nearest ExactSurface::nearest_to(const Sample& sample, const Stretch& stretch,
+                                               bool thorough) {
+  const SmoothPiece piece = piece_of(stretch);
+  Nearest nearest = nearest_place(piece, sample.place, sample.x);
+  if (!nearest.settled) nearest = nearest_of(piece, nearest, sample.corners, sample.x);
+  if (nearest.distance <= noise_) return nearest;
+  const double to_next = known_.distance(known_.around(sample.x, 1).front(), sample.x);
+  if (!thorough && nearest.distance <= doubtful_distance * to_next) return nearest;
+  nearest = nearest_of(piece, nearest, sample.corners, sample.x);
+  const auto vertices = known_.around(sample.x, most_starts);
+  return nearest_of(piece, nearest, starts_for(sample, stretch, vertices), sample.x);
+}
+
+/// The surface is that of the facet's side of a crease: beyond, its normal would be another one.
+Deviation ExactSurface::deviation(const Sample& sample, bool thorough) {
   const Stretch stretch =
       stretch_around(request_.seed.corners, request_.seed.closed, sample.middle());
-  Nearest nearest = descend(sample.place, stretch, sample.x);
-  for (const Place& corner : sample.corners) {
-    if (nearest.settled || nearest.distance <= noise_) break;
-    const Nearest other = descend(corner, stretch, sample.x);
-    if (other.distance < nearest.distance) nearest = other;
-  }
+  const Nearest nearest = nearest_to(sample, stretch, thorough);
   const Vec3 normal = normal_at(nearest, stretch);
   if (normal == Vec3(0) || sample.facet == Vec3(0)) return {nearest.distance, 0};
   return {nearest.distance, degrees_between(normal, sample.facet)};
@@ -171,11 +217,10 @@ SurfaceSetup exact_setup(const SurfaceRequest& request, const Parameters& integr
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples, const Parameters& integrator) {
   const SurfaceSetup setup = exact_setup(request, integrator);
-  ExactSurface truth(request, setup);
+  ExactSurface truth(request, setup, mesh);
   const std::vector<MeshSample> chosen = sample_mesh(mesh, samples);
-  std::vector<Deviation> deviations(chosen.size());
-  parallel_for(std::size_t(0), chosen.size(), [&](std::size_t i) {
-    deviations[i] = truth.deviation(sample_of(mesh, chosen[i], request.seed.closed));
+  const auto deviations = search_all(chosen.size(), [&](std::size_t i, bool thorough) {
+    return truth.deviation(sample_of(mesh, chosen[i], request.seed.closed), thorough);
   });
   SurfaceError error = surface_error(mesh, chosen, deviations);
   error.max_from_surface = largest_distance(points_of_surface(truth), mesh);
