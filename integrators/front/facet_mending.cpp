@@ -117,9 +117,9 @@ bool FacetMender::turn_best(Facet facet, Better better) {
     const auto best = std::ranges::max_element(gains);
     if (!(*best > least)) return false;
     const Edge edge = edges[std::size_t(best - gains.begin())];
-    const std::array around{mesh_.from(edge), mesh_.to(edge), mesh_.apex(edge),
-                            mesh_.is_on_border(edge) ? mesh_.apex(edge)
-                                                     : mesh_.apex(mesh_.opposite(edge))};
+    const std::array around{
+        mesh_.from(edge), mesh_.to(edge), mesh_.apex(edge),
+        mesh_.is_on_border(edge) ? mesh_.apex(edge) : mesh_.apex(mesh_.opposite(edge))};
     if (mesh_.turn(edge)) return patches_.join(around), true;
     *best = 0;
   }

@@ -59,8 +59,7 @@ void FacetPatches::add(Standings& standings, const Corners& corners) {
   if (cosine < measure_.smallest_cosine) standing.off += area;
   if (cosine < 0) standing.turned += area;
   for (std::size_t k = 0; k < 3; ++k)
-    standing.away = 
-        std::max(standing.away, sagitta_of(builder_, corners[k], corners[(k + 1) % 3]));
+    standing.away = std::max(standing.away, sagitta_of(builder_, corners[k], corners[(k + 1) % 3]));
 }
 
 void FacetPatches::compare(const Facets& after) {

@@ -79,8 +79,7 @@ double shortening(const Refinement& refinement, const Trajectory& path, const Fr
   if (cosine(head, next) < coarse_cosine && !is_short) return 0.5;
   if (refinement.step > 0 && moved > 1.25 * refinement.step) return refinement.step / moved;
   const double sagitta = path.sagitta(head.t, next.t);
-  double largest =
-      refinement.by_tolerance() ? refinement.largest_step_sagitta() : refinement.step;
+  double largest = refinement.by_tolerance() ? refinement.largest_step_sagitta() : refinement.step;
   for (const FrontPoint* neighbour : {left, right})
     if (neighbour && !is_short)
       largest = std::min(largest, largest_tilt * separation(head, *neighbour).width);

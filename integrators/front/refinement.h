@@ -31,8 +31,8 @@ struct Refinement {
 struct RefinementOptions {
   std::optional<double> threshold;  // world units; not set: the row's own, unless by tolerance
   std::optional<double> tolerance;  // world units; not set: by threshold
-  std::optional<double> step;       // world units, beside the tolerance's own; not set: by threshold
-  double facet_angle = 25;  // degrees: facets farther from their corners' normals are mended
+  std::optional<double> step;  // world units, beside the tolerance's own; not set: by threshold
+  double facet_angle = 25;     // degrees: facets farther from their corners' normals are mended
 };
 
 /// `default_threshold`, in world units, is the row's own.

@@ -15,9 +15,8 @@ namespace {
 
 using Space = CGAL::Simple_cartesian<double>;
 using Numbered = std::tuple<Space::Point_3, std::uint32_t>;
-using Traits =
-    CGAL::Search_traits_adapter<Numbered, CGAL::Nth_of_tuple_property_map<0, Numbered>,
-                                CGAL::Search_traits_3<Space>>;
+using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::Nth_of_tuple_property_map<0, Numbered>,
+                                           CGAL::Search_traits_3<Space>>;
 using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
 
 Space::Point_3 in_space(const Vec3& x) { return {x.x, x.y, x.z}; }

@@ -41,9 +41,10 @@ void check_across_flow(std::string_view integrator, const SeedCurve& seed,
       if (meeting == Meeting::along) is_along = true;
     }
   if (is_along)
-    throw InputError(fmt::format("{}: the seeds run along the flow, and sweep no area; accepted: a "
-                                 "seed curve that crosses the flow somewhere",
-                                 integrator));
+    throw InputError(
+        fmt::format("{}: the seeds run along the flow, and sweep no area; accepted: a "
+                    "seed curve that crosses the flow somewhere",
+                    integrator));
 }
 
 }  // namespace pellucid::integrators

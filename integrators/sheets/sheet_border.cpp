@@ -2,8 +2,10 @@
 #include "integrators/sheets/sheet_border.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "integrators/paths/segment_distance.h"
 
@@ -43,19 +45,43 @@ SheetGap border_between(SheetParticles& particles, const SheetDomain& domain,
   return {std::nullopt, std::move(last)};
 }
 
-/// Between two that are there. What is smooth gets shorter with each half of the way from some
-/// point on, and a jump does not.
-std::optional<SheetGap> jump_between(SheetParticles& particles, const SheetDomain& domain,
-                                     SheetVertex from, SheetVertex to, double tolerance) {
-  const double least = std::max(tolerance, 0.5 * apart(from, to));
-  for (int i = 0; i < halvings; ++i) {
-    SheetVertex middle = vertex_at(particles, domain.between(from.place, to.place, 0.5));
-    if (!middle.is_there()) return std::nullopt;
-    const bool first = apart(from, middle) > apart(middle, to);
-    (first ? to : from) = std::move(middle);
-    if (apart(from, to) <= least) return std::nullopt;
+/// The way between two vertices, and how far apart they are, world units.
+struct Way {
+  SheetVertex from, to;
+  double apart;
+};
+
+/// Halves ways, and keeps of the halves those that are longer than `least`, the longest ones first.
+/// Empty once none is, or one of their middles is not there.
+std::vector<Way> halved(SheetParticles& particles, const SheetDomain& domain,
+                        const std::vector<Way>& ways, double least) {
+  constexpr std::size_t most = 4;
+  std::vector<Way> halves;
+  for (const Way& way : ways) {
+    const SheetVertex middle =
+        vertex_at(particles, domain.between(way.from.place, way.to.place, 0.5));
+    if (!middle.is_there()) return {};
+    halves.push_back({way.from, middle, apart(way.from, middle)});
+    halves.push_back({middle, way.to, apart(middle, way.to)});
   }
-  return SheetGap{std::move(from), std::move(to)};
+  std::erase_if(halves, [&](const Way& way) { return !(way.apart > least); });
+  std::ranges::stable_sort(halves, std::greater(), &Way::apart);
+  if (halves.size() > most) halves.resize(most);
+  return halves;
+}
+
+/// Between two that are there. What is smooth gets shorter with each half of the way from some
+/// point on, and a jump does not. Both halves are followed while they are long enough: where the
+/// flow jumps along its own direction, a smooth half may be as long as the one with the jump.
+std::optional<SheetGap> jump_between(SheetParticles& particles, const SheetDomain& domain,
+                                     const SheetVertex& from, const SheetVertex& to,
+                                     double tolerance) {
+  const double whole = apart(from, to);
+  const double least = std::max(tolerance, 0.5 * whole);
+  std::vector<Way> ways{{from, to, whole}};
+  for (int i = 0; i < halvings && !ways.empty(); ++i) ways = halved(particles, domain, ways, least);
+  if (ways.empty()) return std::nullopt;
+  return SheetGap{ways.front().from, ways.front().to};
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ SheetRefinement::SheetRefinement(SheetParticles& particles, const SheetDomain& d
       tolerance_(tolerance),
       size_(domain.size()),
       vertices_(domain.places.size()),
+      generations_(domain.places.size(), 0),
       facets_(domain.triangles),
       settled_(facets_.size(), false) {
   parallel_for(std::size_t(0), vertices_.size(),
@@ -107,8 +108,16 @@ void SheetRefinement::judge(Side& side) {
     halve(side);
 }
 
+/// How many halvings have led to the side's ends.
+int SheetRefinement::generation_of(const Side& side) const {
+  return std::max(generations_[side.ends[0]], generations_[side.ends[1]]);
+}
+
+/// Not where the side is short, and not after more halvings than lead there twice: facets that only
+/// get thinner, between sides that stay long, would have no end.
 void SheetRefinement::halve(Side& side) {
-  if (length_of(side) >= options_.rip) side.verdict = Verdict::halve;
+  const double most = 2 * std::log2(1 / options_.rip);
+  if (length_of(side) >= options_.rip && generation_of(side) <= most) side.verdict = Verdict::halve;
 }
 
 void SheetRefinement::part_or_halve(Side& side) {
@@ -261,6 +270,7 @@ void SheetRefinement::halve_sides() {
     if (side.verdict != Verdict::halve || side.halved) continue;
     side.halved = std::uint32_t(vertices_.size());
     vertices_.push_back(side.middle);
+    generations_.push_back(generation_of(side) + 1);
   }
   const auto is_shorter = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     const auto x = [&](std::uint32_t i) { return vertices_[i].particle.x; };

@@ -73,6 +73,7 @@ class SheetRefinement {
   void judge(Side& side);
   void part_or_halve(Side& side);
   double length_of(const Side& side) const;
+  int generation_of(const Side& side) const;
   double deviation(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
   bool is_uneven(const SheetVertex& a, const SheetVertex& b, const SheetVertex& middle) const;
   void judge_facets();
@@ -95,6 +96,7 @@ class SheetRefinement {
   const Progress& progress_;
   double tolerance_, size_;
   std::vector<SheetVertex> vertices_;
+  std::vector<int> generations_;  // of vertices: 0 at first, that of a side's middle one more
   std::vector<Facet> facets_;
   std::vector<bool> settled_;  // by facet
   std::vector<Side> sides_;

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "fields/make_field.h"
 #include "integrators/front/refinement.h"
+#include "integrators/surfaces/integrate_surface.h"
 #include "integrators/front/surface_particles.h"
 
 namespace pellucid::integrators {
@@ -69,6 +70,26 @@ TEST(UnitRefinementOptions, AToleranceTakesTheThresholdsPlace) {
   EXPECT_EQ(refinement("row:tolerance=0.1,step=3").step, 3);
   EXPECT_THROW(refinement("row:tolerance=0.1,threshold=2"), InputError);
   EXPECT_THROW(refinement("row:tolerance=0"), InputError);
+}
+
+/// The tolerance's own steps bind as before where the given one is longer, and it where it is not.
+TEST(UnitSurfaceOptions, AStepBesideAToleranceAddsToIt) {
+  const auto field = fields::make_field("rotation");
+  const SurfaceRequest request{.field = field.get(),
+                               .seed = segment_seed({1, 0, 0}, {1.5, 0, 0}),
+                               .duration = 5,
+                               .progress = {}};
+  for (const std::string name : {"hultquist", "adaptive-front"}) {
+    const auto own = integrate_surface(name + ":tolerance=1e-3", request);
+    const auto longer = integrate_surface(name + ":tolerance=1e-3,step=1", request);
+    EXPECT_EQ(longer.mesh.triangles, own.mesh.triangles) << name;
+    const auto shorter = integrate_surface(name + ":tolerance=1e-3,step=0.02", request);
+    for (const auto& [a, b, c] : shorter.mesh.triangles) {
+      const auto& s = shorter.mesh.scalars.at("s");
+      const auto& x = shorter.mesh.positions;
+      if (s[a] == s[b]) EXPECT_LE(glm::distance(x[a], x[b]), 1.3 * 0.02) << name;
+    }
+  }
 }
 
 }  // namespace

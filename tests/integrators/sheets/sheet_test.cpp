@@ -147,6 +147,36 @@ TEST(UnitSheets, AJumpTearsTheSheet) {
   EXPECT_LT(sheet.stats.particles, 50'000u);
 }
 
+/// On one side of a line the flow goes up faster: the strip between the two sheets' ends is no part
+/// of the sheet, though it lies in its plane, and where the particles are young the jump is short.
+TEST(UnitSheets, AJumpAlongTheFlowTearsTheSheet) {
+  for (const double at : {0.3, 0.1, 0.25})
+    for (const double fast : {2., 3.}) {
+      const auto field =
+          testing::everywhere([=](const Vec3& x) { return Vec3(0, 0, x.x < at ? 1 : fast); });
+      const IntegratedSheet sheet = integrate_sheet(
+          "streak-surface", streak_of(field, segment_seed({-1, 0, 0}, {1, 0, 0}), 1));
+      const double area = 1 + at + fast * (1 - at);
+      EXPECT_NEAR(testing::area_of(sheet.mesh), area, 1e-3) << at << ' ' << fast;
+      EXPECT_GT(sheet.stats.ends.at(EndReason::torn), 0u) << at << ' ' << fast;
+      EXPECT_FALSE(sheet.stats.ends.contains(EndReason::particles)) << at << ' ' << fast;
+      EXPECT_LT(sheet.mesh.triangles.size(), 10'000u) << at << ' ' << fast;
+    }
+}
+
+TEST(UnitSheets, NoSheetComesOfSeedsAlongTheFlow) {
+  const auto field = fields::make_field("rotation:c=0");
+  EXPECT_THROW(
+      integrate_sheet("streak-surface",
+                      streak_of(*field, circle_seed({0, 0, 0}, {0, 0, 1}, 0.5), 3)),
+      InputError);
+  // Along the flow at first, across it later.
+  const auto turning = fields::make_field("formula:u=1,v=t,w=0");
+  const IntegratedSheet sheet = integrate_sheet(
+      "streak-surface", streak_of(*turning, segment_seed({0, 0, 0}, {1, 0, 0}), 2));
+  EXPECT_GT(testing::area_of(sheet.mesh), 0.5);
+}
+
 /// The line is a circle: a disc goes up, and its rim is a polygon within the tolerance.
 TEST(UnitSheets, ATearMayBeCurved) {
   const auto field = testing::everywhere(

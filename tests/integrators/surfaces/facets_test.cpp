@@ -8,6 +8,7 @@
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/surfaces/surface_error.h"
 #include "tests/integrators/closed_forms.h"
+#include "tests/support/mesh_area.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -96,6 +97,34 @@ TEST(UnitFacets, OverTheSeamOfAClosedCurve) {
   EXPECT_GT(surface.stats.ends.at(EndReason::vertex), 0u);
   EXPECT_LE(quality.normal_degrees.max, 6);
   EXPECT_TRUE(quality.manifold);
+}
+
+struct Unmendable {
+  const char* field;
+  Vec3 from, to;
+};
+
+/// Through a vortex's centre normals turn their other side, and beside a particle at rest (s, t)
+/// tells nothing: there facets stay as the front made them, and the rest is not spoilt for it.
+TEST(PropertyFacets, MendingLeavesNothingWorse) {
+  constexpr Unmendable cases[] = {{"hill", {0, 0.3, 0}, {0, 0.9, 0}},
+                                  {"rotation:c=0", {-1, 0, -0.3}, {1, 0, 0.3}}};
+  for (const auto& [name, from, to] : cases) {
+    const auto field = fields::make_field(name);
+    const SurfaceRequest request{field.get(), segment_seed(from, to), 6, 0, false, {}};
+    const auto mended = integrate_surface("hultquist:tolerance=2e-2", request);
+    const auto made = integrate_surface("hultquist:tolerance=2e-2,facet-angle=180", request);
+    const MeshQuality now = measure_quality(mended.mesh), before = measure_quality(made.mesh);
+    EXPECT_LE(now.normal_degrees.max, before.normal_degrees.max + 1e-6) << name;
+    EXPECT_LE(now.normal_degrees.p99, before.normal_degrees.p99 + 1e-6) << name;
+    EXPECT_EQ(now.degenerate_triangles, 0u) << name;
+    EXPECT_EQ(now.duplicate_vertices, 0u) << name;
+    const double area = testing::area_of(made.mesh);
+    EXPECT_NEAR(testing::area_of(mended.mesh), area, 1e-3 * area) << name;
+    const auto error = measure_error(mended.mesh, request, 200);
+    EXPECT_LE(error.max, measure_error(made.mesh, request, 200).max + 2e-3) << name;
+    EXPECT_LT(mended.stats.particles, 2 * made.stats.particles + 100) << name;
+  }
 }
 
 }  // namespace

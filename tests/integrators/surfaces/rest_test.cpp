@@ -91,17 +91,20 @@ TEST(UnitRest, APulseLeavesNoTriangleWithoutAnArea) {
   }
 }
 
-/// Triangles between seeds along the flow are lines.
+/// Particles that follow each other sweep no area, whatever a curve's triangles have.
 TEST(UnitRest, NoSurfaceComesOfAStreamLine) {
-  const auto field = fields::make_field("shear:b=1");
-  for (const IntegratorRow& row : integrators()) try {
-      integrate_surface(row.name,
-                        {field.get(), segment_seed({0, 1, 0}, {1, 1, 0}), 1, 0, false, {}});
-      ADD_FAILURE() << row.name;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string_view(error.what()).find("no triangle came of"), std::string::npos)
-          << error.what();
-    }
+  const auto straight = fields::make_field("shear:b=1"), round = fields::make_field("rotation:c=0");
+  const SurfaceRequest requests[] = {
+      {straight.get(), segment_seed({0, 1, 0}, {1, 1, 0}), 1, 0, false, {}},
+      {round.get(), circle_seed({0, 0, 0}, {0, 0, 1}, 0.5), 3, 0, false, {}}};
+  for (const IntegratorRow& row : integrators())
+    for (const SurfaceRequest& request : requests) try {
+        integrate_surface(row.name, request);
+        ADD_FAILURE() << row.name;
+      } catch (const InputError& error) {
+        EXPECT_NE(std::string_view(error.what()).find("run along the flow"), std::string::npos)
+            << error.what();
+      }
 }
 
 }  // namespace
