@@ -39,11 +39,26 @@ class UnitScalarNames : public FormatFiles {
 };
 
 TEST_F(UnitScalarNames, ComeBackOrAreRefused) {
-  const std::vector<std::vector<std::string>> names = {
-      {"s"},     {"Q criterion"}, {"x"},         {"red"},      {"alpha"}, {"Alpha"}, {""},
-      {"a\nb"},  {"a\tb"},        {"importance"}, {"RGBA"},     {"vtkGhostType"},
-      {"line"},  {"nx"},          {"nx", "ny", "nz"},          {"red", "green", "blue"},
-      {"R", "G", "B"},            {"Red", "Green", "Blue"},    {"a<b&\"c\""}, {"α"}};
+  const std::vector<std::vector<std::string>> names = {{"s"},
+                                                       {"Q criterion"},
+                                                       {"x"},
+                                                       {"red"},
+                                                       {"alpha"},
+                                                       {"Alpha"},
+                                                       {""},
+                                                       {"a\nb"},
+                                                       {"a\tb"},
+                                                       {"importance"},
+                                                       {"RGBA"},
+                                                       {"vtkGhostType"},
+                                                       {"line"},
+                                                       {"nx"},
+                                                       {"nx", "ny", "nz"},
+                                                       {"red", "green", "blue"},
+                                                       {"R", "G", "B"},
+                                                       {"Red", "Green", "Blue"},
+                                                       {"a<b&\"c\""},
+                                                       {"α"}};
   for (const char* file : {"a.ply", "a.vtp", "a.vtu"})
     for (const bool colored : {false, true})
       for (const auto& some : names) is_written(file, triangle(some, colored));
