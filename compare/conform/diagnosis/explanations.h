@@ -18,6 +18,7 @@ struct Explanation {
   double left = 0;
 };
 
+/// Explanations are those found so far, in order of preference.
 using Explanations = std::vector<Explanation>;
 
 /// Adds an explanation that leaves so much, if it explains anything.
