@@ -39,6 +39,7 @@ template <class Options, class SweepPiece>
 IntegratedSurface run_refining(const SurfaceRequest& request, const Options& options,
                                double default_threshold, double steps_per_threshold,
                                const SweepPiece& sweep) {
+  check_keeps_tolerance(options.surface.stepping, options.refinement.tolerance);
   SurfaceSetup setup = surface_setup(request, options.surface);
   const Refinement refinement =
       refinement_of(options.refinement, default_threshold, steps_per_threshold);

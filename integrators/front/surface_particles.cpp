@@ -28,6 +28,11 @@ void check(const SurfaceRequest& request) {
     throw InputError("integrate: a field and a seed curve are needed");
 }
 
+void check(const SurfaceOptions& options) {
+  if (options.ghost == GhostControl::rescale && options.normals != SurfaceNormals::ghost)
+    throw InputError("ghost=rescale: there is no ghost; accepted: together with normals=ghost");
+}
+
 Companion companion_of(const SurfaceOptions& options) {
   switch (options.normals) {
     case SurfaceNormals::none:
@@ -44,6 +49,7 @@ Companion companion_of(const SurfaceOptions& options) {
 
 SurfaceSetup surface_setup(const SurfaceRequest& request, const SurfaceOptions& options) {
   check(request);
+  check(options);
   SurfaceSetup setup{options};
   setup.extent = extent_of(request.seed);
   setup.trajectory =

@@ -6,15 +6,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/readers/series_field.h"
+#include "fields/reversed_field.h"
+
 namespace pellucid::integrators {
 namespace {
 
+/// Who is on the way when a series ends has left it in time, not in space.
+std::string times_in_words(const fields::VectorField& field) {
+  const auto times = fields::times_of_series(fields::unreversed(field));
+  if (!times) return "";
+  return fmt::format(", on the way between its times {} and {}", times->first, times->last);
+}
+
 std::string accepted_seeds(const fields::VectorField& field) {
   const Box3 domain = field.domain();
+  const std::string times = times_in_words(field);
   if (domain.empty() || !std::isfinite(domain.diagonal()))
-    return fmt::format("accepted: seeds at which {} has a velocity", field.description());
-  return fmt::format("accepted: seeds from {} to {} at which {} has a velocity",
-                     in_words(domain.min), in_words(domain.max), field.description());
+    return fmt::format("accepted: seeds at which {} has a velocity{}", field.description(), times);
+  return fmt::format("accepted: seeds from {} to {} at which {} has a velocity{}",
+                     in_words(domain.min), in_words(domain.max), field.description(), times);
 }
 
 }  // namespace

@@ -65,6 +65,19 @@ void check(const fields::VectorField& field, const Journey& journey) {
                                  journey.start_time, field.description()));
 }
 
+/// Options that would change nothing are refused: whoever gives them expects something of them.
+void check(const fields::VectorField& field, const SteppingOptions& stepping) {
+  const std::string_view stepper = stepping.stepper->name;
+  if (stepping.accuracy && !stepping.stepper->adaptive)
+    throw InputError(
+        fmt::format("accuracy={} and stepper={}, whose steps are all of one length; "
+                    "accepted: accuracy with {}, dt with {}",
+                    *stepping.accuracy, stepper, dopri5().name, stepper));
+  if (stepping.cells && !field.cell_size())
+    throw InputError(fmt::format("cells={}: {} has no samples; accepted: dt", *stepping.cells,
+                                 field.description()));
+}
+
 /// What the interpolant is off by anyway bounds the default alone: who gives an accuracy gets it.
 /// Where cells are constant it bounds nothing: a field that jumps from cell to cell is off by about
 /// as much as it is large, though within a cell the way is exact at no cost, and at a face that is
@@ -79,6 +92,7 @@ double default_error_floor(const fields::VectorField& field, double velocity_err
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping) {
   check(field, journey);
+  check(field, stepping);
   TrajectoryOptions options;
   options.stepper = stepping.stepper;
   options.duration = journey.duration;
@@ -99,6 +113,15 @@ TrajectoryOptions trajectory_options(const fields::VectorField& field, const Jou
     options.error_floor = default_error_floor(field, options.velocity_error, journey.start_time);
   options.still = 1e-12 * extent;
   return options;
+}
+
+void check_keeps_tolerance(const SteppingOptions& stepping,
+                           const std::optional<double>& tolerance) {
+  if (tolerance && !stepping.stepper->adaptive)
+    throw InputError(
+        fmt::format("tolerance={} and stepper={}, whose steps keep no tolerance; "
+                    "accepted: tolerance with {}",
+                    *tolerance, stepping.stepper->name, dopri5().name));
 }
 
 void bound_errors(TrajectoryOptions& options, double distance) {

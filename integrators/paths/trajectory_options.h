@@ -18,9 +18,13 @@ struct Journey {
 };
 
 /// From the options of stepping. `extent` is the unit of what is relative, in world units. Throws
-/// InputError.
+/// InputError, also of an accuracy for a stepper of fixed steps, and of cells where there are none.
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping);
+
+/// Throws InputError where a surface's tolerance, world units, is given together with a stepper
+/// whose steps are fixed: its error is what it is.
+void check_keeps_tolerance(const SteppingOptions& stepping, const std::optional<double>& tolerance);
 
 /// Bounds the errors of particles on samples, so that they add up to no more than a thirtieth of
 /// `distance`, world units, over the whole duration.

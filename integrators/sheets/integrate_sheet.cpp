@@ -152,6 +152,7 @@ IntegratedSheet integrate_sheet(std::string_view integrator, const SheetRequest&
   check(row, request);
   const SheetOptions options = sheet_options().read(parameters);
   if (options.tolerance) positive("tolerance", options.tolerance, 0);
+  check_keeps_tolerance(options.stepping, options.tolerance);
   check_seeds(row.name, request);
   const SheetDomain domain = sheet_domain(request);
   SheetParticles particles(request, domain, options.stepping, options.tolerance);

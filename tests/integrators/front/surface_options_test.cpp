@@ -6,8 +6,8 @@
 #include "core/error.h"
 #include "fields/make_field.h"
 #include "integrators/front/refinement.h"
-#include "integrators/surfaces/integrate_surface.h"
 #include "integrators/front/surface_particles.h"
+#include "integrators/surfaces/integrate_surface.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -28,7 +28,6 @@ SurfaceSetup setup_of(std::string_view given) {
 
 TEST(UnitSurfaceOptions, TheSecondParticleFollowsBothOptions) {
   EXPECT_EQ(setup_of("surface").trajectory.companion, Companion::variation);
-  EXPECT_EQ(setup_of("surface:ghost=rescale").trajectory.companion, Companion::variation);
   EXPECT_EQ(setup_of("surface:normals=none").trajectory.companion, Companion::none);
   EXPECT_EQ(setup_of("surface:normals=ghost").trajectory.companion, Companion::ghost_reset);
   EXPECT_EQ(setup_of("surface:normals=ghost,ghost=rescale").trajectory.companion,
@@ -70,6 +69,19 @@ TEST(UnitRefinementOptions, AToleranceTakesTheThresholdsPlace) {
   EXPECT_EQ(refinement("row:tolerance=0.1,step=3").step, 3);
   EXPECT_THROW(refinement("row:tolerance=0.1,threshold=2"), InputError);
   EXPECT_THROW(refinement("row:tolerance=0"), InputError);
+}
+
+TEST(UnitSurfaceOptions, WhatWouldChangeNothingIsRefused) {
+  EXPECT_THROW(setup_of("surface:ghost=rescale"), InputError);
+  EXPECT_THROW(setup_of("surface:accuracy=1e-9,stepper=rk4"), InputError);
+  EXPECT_THROW(setup_of("surface:cells=0.5"), InputError);
+  const auto field = fields::make_field("rotation");
+  const SurfaceRequest request{.field = field.get(),
+                               .seed = segment_seed({1, 0, 0}, {3, 0, 0}),
+                               .duration = 2,
+                               .progress = {}};
+  EXPECT_THROW(integrate_surface("hultquist:tolerance=1e-3,stepper=rk4", request), InputError);
+  EXPECT_NO_THROW(integrate_surface("hultquist:threshold=0.1,stepper=rk4", request));
 }
 
 /// The tolerance's own steps bind as before where the given one is longer, and it where it is not.

@@ -163,5 +163,15 @@ TEST(AgreementSampledEnds, AnAccuracyThatIsGivenIsKept) {
   EXPECT_LE(glm::distance(end("1e-7"), end("1e-12")), 1e-7 * 100 * 12);
 }
 
+TEST_F(UnitSeriesEnds, WhoStartsAtTheLastTimeIsToldOfTimes) {
+  const auto field = series({0.1, 0.3}, {1, 1});
+  try {
+    integrate_lines("path-lines", {field.get(), {Vec3(0)}, 1, 0.3, {}});
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("between its times 0.1 and 0.3"));
+  }
+}
+
 }  // namespace
 }  // namespace pellucid::integrators

@@ -166,14 +166,13 @@ TEST(UnitSheets, AJumpAlongTheFlowTearsTheSheet) {
 
 TEST(UnitSheets, NoSheetComesOfSeedsAlongTheFlow) {
   const auto field = fields::make_field("rotation:c=0");
-  EXPECT_THROW(
-      integrate_sheet("streak-surface",
-                      streak_of(*field, circle_seed({0, 0, 0}, {0, 0, 1}, 0.5), 3)),
-      InputError);
+  EXPECT_THROW(integrate_sheet("streak-surface",
+                               streak_of(*field, circle_seed({0, 0, 0}, {0, 0, 1}, 0.5), 3)),
+               InputError);
   // Along the flow at first, across it later.
   const auto turning = fields::make_field("formula:u=1,v=t,w=0");
-  const IntegratedSheet sheet = integrate_sheet(
-      "streak-surface", streak_of(*turning, segment_seed({0, 0, 0}, {1, 0, 0}), 2));
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface", streak_of(*turning, segment_seed({0, 0, 0}, {1, 0, 0}), 2));
   EXPECT_GT(testing::area_of(sheet.mesh), 0.5);
 }
 

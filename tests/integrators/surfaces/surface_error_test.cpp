@@ -70,12 +70,12 @@ TEST(UnitSurfaceError, WhatRestsForeverIsNotMissed) {
   EXPECT_LE(measure_error(mesh, request, 100).max_from_surface, 1e-3);
 }
 
-/// All velocities lie in the plane of the seeds, and with them the mesh: a sheared sheet, on which a
-/// search from one place ends 0.15 away.
+/// All velocities lie in the plane of the seeds, and with them the mesh: a sheared sheet, on which
+/// a search from one place ends 0.15 away.
 TEST(UnitSurfaceError, ASmallestDistanceAroundIsNotTheSmallest) {
   const auto field = fields::make_field("hill");
-  const SurfaceRequest request{
-      field.get(), segment_seed({0, 0.3, 0}, {0, 0.9, 0}), 6, 0, false, {}};
+  const SurfaceRequest request{field.get(), segment_seed({0, 0.3, 0}, {0, 0.9, 0}), 6, 0, false,
+                               {}};
   const auto surface = integrate_surface("hultquist:tolerance=2e-2,facet-angle=180", request);
   EXPECT_LE(measure_error(surface.mesh, request, 200).max, 1e-8);
 }
