@@ -3,20 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "compare/methods/optimize_opacities.h"
 #include "compare/results/measure_columns.h"
 #include "core/error.h"
-#include "core/files/json_node.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// FNV-1a, 64 bits, over fields that can't run into one another.
 class Hash {
@@ -50,35 +45,9 @@ std::string text_of(const Views& views) {
   return text;
 }
 
-/// The key of a cell's row under which the names of its files are.
-constexpr const char* files_key = "files";
-
-/// By their names: a study's folder may be moved.
-std::vector<std::string> names_of_made(const CellFiles& files, const ResultRow& row) {
-  std::vector<std::string> names;
-  for (const fs::path& path : files.pictures_of(row))
-    if (holds_something(path)) names.push_back(path.filename().string());
-  return names;
-}
-
-/// A row that has lost a file is not finished. Builds before this one kept no list of them.
-bool is_complete(const CellFiles& files, const ResultRow& row, const json& made) {
-  if (!holds_something(files.picture()) || !holds_something(files.preview())) return false;
-  if (made.is_null()) return true;
-  const std::vector<std::string> there = names_of_made(files, row);
-  return std::ranges::all_of(made, [&](const json& name) {
-    return std::ranges::find(there, name.get<std::string>()) != there.end();
-  });
-}
-
 const fs::path& reference_scene_of(const Study& study, const fs::path& scene) {
   const auto own = study.reference_scenes.find(scene_name(scene));
   return own == study.reference_scenes.end() ? scene : own->second;
-}
-
-bool are_unchanged(const std::map<std::string, std::string>& files, ContentHashes& hashes) {
-  return std::ranges::all_of(
-      files, [&](const auto& file) { return hashes.of(file.first) == file.second; });
 }
 
 }  // namespace
@@ -196,36 +165,6 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
   if (const auto& b = cell.budget)
     hash.add(fmt::format("budget {} {} {}", b->field, b->samples, b->factor));
   return hash.hex();
-}
-
-std::optional<ResultRow> read_row(const CellFiles& files, const std::string& fingerprint,
-                                  ContentHashes& hashes) {
-  if (!fs::exists(files.row())) return std::nullopt;
-  try {
-    const json text = read_json(files.row());
-    ResultRow row = row_from_json(text);
-    const bool has_its_files =
-        !row.error.empty() || is_complete(files, row, text.value(files_key, json()));
-    if (row.fingerprint == fingerprint && has_its_files && are_unchanged(row.files_read, hashes))
-      return row;
-  } catch (const json::exception&) {
-    // Another version's row: the cell is computed again,
-  } catch (const InputError&) {
-    // as when a kill or a full disk has left less than a row.
-  }
-  return std::nullopt;
-}
-
-std::optional<ResultRow> read_finished(const CellFiles& files, const std::string& fingerprint,
-                                       ContentHashes& hashes) {
-  std::optional<ResultRow> row = read_row(files, fingerprint, hashes);
-  return row && row->error.empty() ? std::move(row) : std::nullopt;
-}
-
-void write_row(const CellFiles& files, const ResultRow& row) {
-  json text = to_json(row);
-  text[files_key] = names_of_made(files, row);
-  write_text(files.row(), json_text(text, 1) + "\n");
 }
 
 }  // namespace pellucid::compare

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "compare/cells/known_cell.h"
 #include "compare/report/results_folder.h"
 #include "compare/run/study_jobs.h"
 #include "core/error.h"
@@ -10,18 +11,17 @@
 namespace pellucid::compare {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Takes the jobs of one scene after another, of each the reference first.
 class Collector {
  public:
   void take(const Job& job) {
-    if (auto row = read_row(job.files, job.fingerprint, hashes_))
-      take_row(job, std::move(*row));
+    KnownCell known = known_cell(job.files, job.fingerprint, hashes_);
+    if (known.row)
+      take_row(job, std::move(*known.row));
     else if (!job.cell.reference && reference_failed_)
       collection_.rows.push_back(failed_row(job, reference_failed));
     else
-      take_missing(job);
+      take_missing(job, std::move(known.fault));
   }
   Collection collection() { return std::move(collection_); }
 
@@ -30,9 +30,9 @@ class Collector {
     if (job.cell.reference) reference_failed_ = !row.error.empty();
     collection_.rows.push_back(std::move(row));
   }
-  void take_missing(const Job& job) {
+  void take_missing(const Job& job, std::string fault) {
     if (job.cell.reference) reference_failed_ = false;
-    collection_.missing.push_back({job.cell.name(), fs::exists(job.files.row())});
+    collection_.missing.push_back({job.cell.name(), std::move(fault)});
   }
 
   Collection collection_;
@@ -43,7 +43,7 @@ class Collector {
 }  // namespace
 
 std::string MissingCell::text() const {
-  return changed ? cell + " (there, but of other inputs)" : cell;
+  return fault.empty() ? cell : fmt::format("{} (there, but {})", cell, fault);
 }
 
 Collection collect_study(const Study& study, const StudyOptions& options) {

@@ -10,10 +10,10 @@ namespace pellucid::compare {
 
 /// A MissingCell is a cell of a study without a row that holds.
 struct MissingCell {
-  std::string cell;      // "SCENE/METHOD:PARAMETERS"
-  bool changed = false;  // it has a row, but of other inputs, or has lost a picture
+  std::string cell;   // "SCENE/METHOD:PARAMETERS"
+  std::string fault;  // why its row does not hold, see KnownCell; empty where it has none
 
-  /// Returns its name and, where it has changed, that it has.
+  /// Returns its name and, where there is a row, what is wrong with it.
   std::string text() const;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "compare/cells/known_cell.h"
 #include "compare/run/batch_meter.h"
 #include "core/error.h"
 #include "core/files/file_lock.h"
@@ -53,18 +54,20 @@ class LoneCell {
   /// for that of new pictures.
   std::optional<ResultRow> known_row() {
     std::optional<ResultRow> row = read_finished(job_.files, job_.fingerprint, hashes_);
-    if (row && row->machine["build"] == options_.build) return row;
+    if (row && is_of_build(*row, options_.build)) return row;
     fs::remove(job_.files.row());
     return std::nullopt;
   }
 
   Job finished_need(const Cell& reference) {
     Job need = make_job(study_, reference, options_);
-    need.row = read_row(need.files, need.fingerprint, hashes_);
-    if (!need.row)
-      throw WorkError(fmt::format("{} needs {}, which is not in {}; before it: --cell '{}'",
-                                  job_.cell.name(), need.cell.name(), options_.folder.string(),
-                                  need.cell.name()));
+    KnownCell known = known_cell(need.files, need.fingerprint, hashes_);
+    if (!known.row)
+      throw WorkError(
+          fmt::format("{} needs {}, which is {}in {}{}; before it: --cell '{}'", job_.cell.name(),
+                      need.cell.name(), known.fault.empty() ? "not " : "", options_.folder.string(),
+                      known.fault.empty() ? "" : ", but " + known.fault, need.cell.name()));
+    need.row = std::move(known.row);
     return need;
   }
 

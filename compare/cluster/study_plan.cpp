@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "compare/cells/known_cell.h"
 #include "compare/run/study_jobs.h"
 #include "core/files/json_text.h"
 
@@ -35,7 +36,7 @@ const ResultRow* known_row(const Job& job, std::span<const Job> of_scene) {
 }
 
 PlannedCell planned(const Job& job, std::span<const Job> of_scene, const SceneSize& size,
-                    const TimingRule& timing) {
+                    const TimingRule& timing, const std::string& build) {
   PlannedCell cell;
   cell.cell = job.cell.name();
   if (!job.cell.reference) cell.needs = {of_scene.front().cell.name()};
@@ -44,7 +45,7 @@ PlannedCell planned(const Job& job, std::span<const Job> of_scene, const SceneSi
   cell.size = size;
   cell.estimate = estimate_cell(size, timing, known_row(job, of_scene));
   cell.timed = is_timed(job.cell, timing);
-  cell.done = job.row.has_value();
+  cell.done = job.row && is_of_build(*job.row, build);
   return cell;
 }
 
@@ -59,7 +60,8 @@ std::vector<PlannedCell> plan_study(const Study& study, const StudyOptions& opti
     const auto of_scene = std::span(jobs).subspan(first, cells_per_scene);
     read_rows(of_scene, hashes);
     const SceneSize size = scene_size(of_scene.back().cell.scene_file, study.views);
-    for (const Job& job : of_scene) plan.push_back(planned(job, of_scene, size, timing_of(study)));
+    for (const Job& job : of_scene)
+      plan.push_back(planned(job, of_scene, size, timing_of(study), options.build));
   }
   return plan;
 }

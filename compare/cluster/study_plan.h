@@ -18,7 +18,7 @@ struct PlannedCell {
   SceneSize size;  // of its scene
   CellEstimate estimate;
   bool timed = true;  // its times count, so that nothing may run beside it
-  bool done = false;  // it is there, finished without an error
+  bool done = false;  // it is there, finished without an error by this build: who resumes keeps it
 };
 
 /// Plans the cells of a study in its order, in which a cell comes after those that it needs: the

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "compare/budget/measure_budget.h"
+#include "compare/cells/known_cell.h"
 #include "compare/measures/layers/layer_error.h"
 #include "compare/measures/layers/layer_pictures.h"
 #include "compare/measures/study_measures.h"
@@ -142,7 +143,7 @@ void read_known_rows(std::vector<Job>& jobs, const StudyOptions& options) {
   for (Job& job : jobs) {
     if (options.resume || !job.selected)
       job.row = read_finished(job.files, job.fingerprint, hashes);
-    const bool of_this_build = job.row && job.row->machine["build"] == options.build;
+    const bool of_this_build = job.row && is_of_build(*job.row, options.build);
     if (!job.selected || (options.resume && of_this_build)) continue;
     job.row.reset();
     fs::remove(job.files.row());

@@ -136,10 +136,21 @@ TEST_F(UnitStudyCells, ACellThatHasLostAFileIsNotFinished) {
     if (!name.starts_with(fourier)) continue;
     fs::remove(images / name);
     EXPECT_EQ(unfinished(), "scene/fourier:bands=1") << name;
+    write_text(images / name, bytes.substr(0, bytes.size() / 2));
+    EXPECT_EQ(unfinished(), "scene/fourier:bands=1") << name;
     write_text(images / name, bytes);
     ++lost;
   }
   EXPECT_EQ(lost, 5);  // two pictures, layers, two maps
+  const fs::path torn = images / "fourier-bands-2.exr";
+  const std::string whole = read_text(torn);
+  write_text(torn, whole.substr(0, 2000));
+  const Outcome collected = run(study("--collect"));
+  EXPECT_EQ(collected.exit_code, 1);
+  EXPECT_THAT(collected.out, HasSubstr("3 cells collected"));
+  EXPECT_THAT(collected.err, HasSubstr("fourier:bands=2 (there, but fourier-bands-2.exr is not"));
+  ASSERT_EQ(run(study("--cell scene/fourier:bands=2 --resume")).exit_code, 0);
+  EXPECT_EQ(read_text(torn), whole);
   fs::remove(images / "raytrace.layers.exr");
   ASSERT_EQ(run(study("--quiet --resume")).exit_code, 0);
   EXPECT_TRUE(fs::exists(images / "raytrace.layers.exr"));

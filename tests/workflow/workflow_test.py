@@ -16,6 +16,21 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("PELLUCID_PROGRAM", str(ROOT / "build/release/pellucid"))
 
 SCENE = {"format": "pellucid-scene", "version": 1, "resolution": [48, 40], "objects": [{"dataset": "stack:layers=4"}]}
+SHEET = """ply
+format ascii 1.0
+element vertex 3
+property float x
+property float y
+property float z
+property float alpha
+element face 1
+property list uchar int vertex_indices
+end_header
+-1 -1 0 0.5
+1 -1 0 0.25
+0 1 0 0.75
+3 0 1 2
+"""
 # A program that fails when it is run for the first time.
 SCRIPT = """#!/bin/sh
 [ -e {folder}/tried ] || {{ touch {folder}/tried; exit 3; }}
@@ -33,8 +48,8 @@ class Workflow(unittest.TestCase):
         subprocess.run([PROGRAM, "render", "one.json", "-m", "weighted-sum", "-o", "theirs.exr", "--quiet"],
                        cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
 
-    def study(self, methods, repeats=2):
-        study = {"format": "pellucid-study", "version": 1, "scenes": ["one.json", "two.json"], "reference": "raytrace",
+    def study(self, methods, repeats=2, scenes=("one.json", "two.json")):
+        study = {"format": "pellucid-study", "version": 1, "scenes": list(scenes), "reference": "raytrace",
                  "methods": methods, "repeats": repeats}
         (self.folder / "study.json").write_text(json.dumps(study))
 
@@ -65,6 +80,26 @@ class Workflow(unittest.TestCase):
         self.expect_as_in_one_run()
         logs = sorted(p.relative_to(self.folder / "cells/log").as_posix() for p in (self.folder / "cells/log").rglob("*.done"))
         self.assertEqual(logs, ["report.done", "single/4.done", "single/9.done", "timed/one.done", "timed/two.done"])
+        self.assertIn("Nothing to be done", self.run_workflow().stdout)
+
+    def add_mesh_scene(self, name):
+        """A scene of a file beside it, which its own text says nothing of."""
+        (self.folder / "sheet.ply").write_text(SHEET)
+        (self.folder / name).write_text(json.dumps({**SCENE, "objects": [{"mesh": "sheet.ply"}]}))
+
+    def test_what_has_changed_beneath_a_study_is_computed_again(self):
+        self.add_mesh_scene("{mesh}.json")  # braces, which Snakemake takes for a wildcard
+        self.study(["weighted-average"], scenes=("one.json", "{mesh}.json"))
+        self.assertEqual(self.run_workflow().returncode, 0)
+        (self.folder / "sheet.ply").write_text(SHEET.replace("0 1 0 0.75", "0 0.5 0 0.25"))
+        row = self.folder / "cells/cells/one/raytrace.json"
+        of_another_build = json.loads(row.read_text())
+        of_another_build["machine"]["build"] = "another"
+        row.write_text(json.dumps(of_another_build))
+        again = self.run_workflow()
+        self.assertEqual(again.returncode, 0, again.stdout)
+        self.expect_as_in_one_run()
+        self.assertNotIn('"another"', row.read_text())
         self.assertIn("Nothing to be done", self.run_workflow().stdout)
 
     def test_without_times_each_cell_is_a_job_and_one_that_failed_is_tried_again(self):

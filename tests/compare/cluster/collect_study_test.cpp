@@ -80,6 +80,43 @@ TEST(UnitCollect, WhatIsMissingIsNamedAndTheRestIsThere) {
   EXPECT_TRUE(fs::exists(cells.folder / "results/report.html"));
 }
 
+// A full disk, a kill or a bad cable: the report is of the rest.
+TEST(UnitCollect, WhatIsWrongWithACellThatIsThereIsSaid) {
+  const CellByCell cells;
+  const std::vector<std::string> names = {"one/truth", "one/shifted:by=0.5", "one/exact-shifted",
+                                          "two/truth", "two/shifted:by=0.5", "two/exact-shifted"};
+  for (const std::string& cell : names) cells.compute(cell);
+  const fs::path results = cells.folder / "results";
+  const std::string picture = read_text(results / "images/one/truth.exr");
+  write_text(results / "images/one/truth.exr", picture.substr(0, picture.size() / 2));
+  write_text(results / "images/one/exact-shifted.error.png", "");
+  write_text(results / "cells/two/truth.json", "{");
+  fs::remove(results / "images/two/shifted-by-0.5.png");
+  const Collection collection = cells.collect();
+  EXPECT_THAT(names_of(collection.missing),
+              ElementsAre("one/truth (there, but truth.exr is not as it was made)",
+                          "one/exact-shifted (there, but exact-shifted.error.png is empty)",
+                          "two/truth (there, but truth.json is no whole row)",
+                          "two/shifted:by=0.5 (there, but shifted-by-0.5.png is gone)"));
+  EXPECT_EQ(collection.rows.size(), 2u);
+  for (const MissingCell& cell : collection.missing) EXPECT_EQ(cells.compute(cell.cell).error, "");
+  EXPECT_TRUE(cells.collect().missing.empty());
+}
+
+// Earlier builds kept the names of the files alone.
+TEST(UnitCollect, ARowThatListsNamesHoldsWhileTheyAreThere) {
+  const CellByCell cells;
+  cells.compute("one/truth");
+  const fs::path file = cells.folder / "results/cells/one/truth.json";
+  const fs::path layers = cells.folder / "results/images/one/truth.layers.exr";
+  nlohmann::json row = read_json(file);
+  row["files"] = {"truth.exr", "truth.png", "truth.layers.exr"};
+  write_text(file, row.dump());
+  EXPECT_EQ(cells.collect().rows.size(), 1u);
+  fs::remove(layers);
+  EXPECT_THROW(cells.collect(), WorkError);
+}
+
 TEST(UnitCollect, WithoutACellNothingIsWritten) {
   const CellByCell cells;
   EXPECT_THROW(cells.collect(), WorkError);

@@ -52,6 +52,15 @@ TEST(UnitComputeCell, WithoutWhatItNeedsItSaysWhat) {
   EXPECT_FALSE(fs::exists(cells.folder / "results"));
 }
 
+TEST(UnitComputeCell, WhatItNeedsMayBeThereAndNoUse) {
+  const CellByCell cells;
+  cells.compute("two/truth");
+  write_scene(cells.folder / "two.json", 13, 41);
+  const std::string folder = (cells.folder / "results").string();
+  EXPECT_THAT(cells.refusal("two/exact-shifted"),
+              HasSubstr("needs two/truth, which is in " + folder + ", but of other inputs; "));
+}
+
 TEST(UnitComputeCell, WhereItsReferenceHasFailedItDoes) {
   const CellByCell cells;
   write_text(cells.folder / "two.json",

@@ -48,6 +48,10 @@ TEST(UnitPlan, WhatIsKnownOfACellOrItsSceneIsItsEstimate) {
   EXPECT_NEAR(plan[0].estimate.seconds, least + 1, 0.1);  // and what the program takes to start
   EXPECT_NEAR(plan[1].estimate.seconds, least + 1, 0.1);
   EXPECT_LT(plan[4].estimate.seconds, least);  // another scene's
+  cells.options.build = "another";             // by which a cell is computed again
+  const PlannedCell again = plan_study(cells.study, cells.options)[0];
+  EXPECT_FALSE(again.done);
+  EXPECT_NEAR(again.estimate.seconds, least + 1, 0.1);
 }
 
 TEST(UnitPlan, SizesAreThoseOfTheFile) {
