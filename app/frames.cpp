@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -15,12 +14,11 @@
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
+#include "core/files/output_folder.h"
 #include "scene/files/scene_file.h"
 
 namespace pellucid::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct FramesOptions {
   std::string scene, method, opacities, reference, output;
@@ -115,12 +113,6 @@ void check_reference(const FramesOptions& options, const compare::MethodCall& me
         method.row->name));
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
-}
-
 void frames(const FramesOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   const compare::MethodCall method = compare::parse_call(options.method);
@@ -135,26 +127,26 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   if (options.orbit) scene.camera_path = scene::orbit(scene.camera, *options.orbit, options.frames);
   if (scene.camera_path.empty())
     throw InputError(options.scene + ": it has no camera_path; accepted: one, or --orbit DEGREES");
-  const fs::path folder = options.output;
+  OutputFolder folder(options.output);
   FrameTable table(reference.has_value());
   const auto count = double(scene.camera_path.size());
   compare::render_sequence(
       scene, method, opacities, {.gl = globals.gl},
       [&](const compare::SequenceFrame& frame) {
-        if (frame.index == 0) make_folder(folder);  // a refused call leaves none
         compare::write_image(
-            folder / fmt::format("{:04}.png", frame.index), frame.rendering.image,
+            folder.temporary() / fmt::format("{:04}.png", frame.index), frame.rendering.image,
             compare::form_of_picture(scene, {method.text(), opacities ? opacities->text() : "",
                                              options.view.without_background}));
         table.add(frame);
-        write_text(folder / "frames.csv", table.csv());
         report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
       },
       reference);
+  write_text(folder.temporary() / "frames.csv", table.csv());
+  folder.commit();
   if (globals.json)
     std::cout << json_text(table.json(), 2) << '\n';
   else if (!globals.quiet)
-    std::cout << fmt::format("{}: {} frames; {}\n", folder.string(), scene.camera_path.size(),
+    std::cout << fmt::format("{}: {} frames; {}\n", options.output, scene.camera_path.size(),
                              table.summary());
 }
 
@@ -170,7 +162,8 @@ void add_frames_command(CLI::App& app, GlobalOptions& globals) {
       ->required();
   command
       ->add_option("-o,--output", options->output,
-                   "Folder for the pictures 0000.png, ... and frames.csv")
+                   "Folder for the pictures 0000.png, ... and frames.csv; it appears whole or not "
+                   "at all")
       ->required();
   add_view_options(*command, options->view);
   add_opacities_option(*command, options->opacities);

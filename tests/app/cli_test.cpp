@@ -235,6 +235,11 @@ TEST_F(UnitCommandLine, RendersFramesOfAPath) {
   EXPECT_EQ(compared.exit_code, 0) << compared.err;
   EXPECT_THAT(compared.out, AllOf(HasSubstr("\"rmse\""), HasSubstr("\"flicker\"")));
   EXPECT_THAT(read_text(folder_ / "frames" / "frames.csv"), HasSubstr(",seconds,rmse,"));
+  EXPECT_EQ(run(call + into + " --orbit 10 --frames 2").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "frames" / "0002.png"));  // of another camera's film
+  write_text(folder_ / "frames" / "0003.png", "somebody's own");
+  EXPECT_THAT(refusal(call + into + " --orbit 10 --frames 2"), HasSubstr("'0003.png'"));
+  fs::remove(folder_ / "frames" / "0003.png");
   EXPECT_THAT(refusal(call + into + " --orbit 10 --reference raytrac"), HasSubstr("raytrace"));
   EXPECT_THAT(refusal("frames " + scene().string() + " -m decoupled --orbit 10 " + into +
                       " --reference raytrace"),
