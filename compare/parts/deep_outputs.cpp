@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/parts/deep_outputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "compare/pictures/image_file.h"
 
 namespace pellucid::compare {
+namespace {
+
+/// A picture of a part is not the whole's.
+PictureForm form_of(const DeepInfo& info) {
+  PictureForm form = form_of_picture(origin_of(info, "raytrace"));
+  if (info.part.count > 1)
+    form.text.emplace_back("Part", fmt::format("{}/{}", info.part.part, info.part.count));
+  return form;
+}
+
+}  // namespace
 
 DeepOutputs::DeepOutputs(const DeepInfo& info, std::filesystem::path picture,
                          const std::filesystem::path& deep)
-    : background_(backdrop(info)),
-      form_(form_of_picture(origin_of(info, "raytrace"))),
-      picture_(std::move(picture)) {
+    : background_(backdrop(info)), form_(form_of(info)), picture_(std::move(picture)) {
   if (!picture_.empty()) image_ = Image(info.width, info.height);
   if (!deep.empty()) writer_ = make_deep_writer(deep, info);
 }
