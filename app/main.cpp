@@ -119,5 +119,6 @@ int run(int argc, char** argv) {
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of a file's size fails what is written, by EFBIG
   return pellucid::app::flushed(pellucid::app::run(argc, argv));
 }

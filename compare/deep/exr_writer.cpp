@@ -5,7 +5,6 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <fmt/format.h>
 
 #include <array>
 #include <bit>
@@ -14,8 +13,8 @@
 
 #include "compare/deep/deep_formats.h"
 #include "compare/pictures/exr_file.h"
-#include "core/error.h"
 #include "core/files/output_file.h"
+#include "core/files/write_failure.h"
 #include "readers/pictures/deep_channels.h"
 
 namespace pellucid::compare {
@@ -102,7 +101,7 @@ class ExrWriter : public DeepWriter {
     write();
     file_.reset();  // writes where its rows lie
     out_.close();
-    if (!out_) throw WorkError(fmt::format("{}: cannot write the picture", path_.string()));
+    if (!out_) fail_stream(path_);
     output_.commit();
   }
 

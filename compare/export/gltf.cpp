@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/export/gltf.h"
 
-#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <cmath>
@@ -10,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/error.h"
+#include "core/files/write_failure.h"
 
 namespace pellucid::compare {
 namespace {
@@ -97,7 +96,7 @@ class GltfBuilder {
     std::ofstream out(path, std::ios::binary);
     tinygltf::TinyGLTF writer;
     if (!writer.WriteGltfSceneToStream(&model_, out, false, true) || !out.flush())
-      throw WorkError(path.string() + ": cannot write: the disk is full or fails");
+      fail_stream(path);
   }
 
  private:

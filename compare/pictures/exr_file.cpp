@@ -7,13 +7,12 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <mutex>
 #include <sstream>
 
-#include "core/error.h"
+#include "core/files/write_failure.h"
 
 namespace pellucid::compare {
 namespace {
@@ -48,8 +47,7 @@ void ExrStream::seekp(std::uint64_t position) {
 }
 
 void ExrStream::check() const {
-  if (!stream_)
-    throw WorkError(fmt::format("{}: cannot write the picture: is the disk full?", fileName()));
+  if (!stream_) fail_stream(fileName());
 }
 
 int exr_threads() {

@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "core/files/ending.h"
 #include "core/files/output_file.h"
+#include "core/files/write_failure.h"
 #include "readers/pictures/deep_channels.h"
 #include "readers/pictures/picture_file.h"
 
@@ -150,7 +151,7 @@ void write_sums_file(const fs::path& path, const SumsFile& sums) {
   std::ofstream out(output.temporary(), std::ios::binary);
   write_exr(path, sums, out);
   out.close();
-  if (!out) throw WorkError(fmt::format("{}: cannot write the sums", path.string()));
+  if (!out) fail_stream(path);
   output.commit();
 }
 

@@ -165,6 +165,7 @@ void limit(decltype(RLIMIT_AS) what, std::uint64_t amount) {
 void set_limits(const ReadLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for the answer any more
   ::signal(SIGPIPE, SIG_DFL);          // nobody reads it any more
+  ::signal(SIGXFSZ, SIG_DFL);          // a reader that writes is none
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   limit(RLIMIT_AS, limits.bytes);  // a sanitizer's shadow takes far more
 #endif

@@ -49,7 +49,7 @@ struct Start {
 [[noreturn]] void become(const Start& start) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::signal(SIGPIPE, SIG_DFL);
+  for (const int ignored_here : {SIGPIPE, SIGXFSZ}) std::signal(ignored_here, SIG_DFL);
   const bool ready = ::getppid() == start.parent && ::dup2(start.in, 0) >= 0 &&
                      ::dup2(start.out, 1) >= 0 && ::dup2(start.err, 2) >= 0 &&
                      ::chdir(start.folder) == 0;

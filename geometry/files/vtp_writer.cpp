@@ -12,8 +12,8 @@
 #include <span>
 #include <utility>
 
-#include "core/error.h"
 #include "core/files/output_file.h"
+#include "core/files/write_failure.h"
 #include "geometry/files/scalar_names.h"
 
 namespace pellucid::geometry {
@@ -80,7 +80,7 @@ class Piece {
     }
     out << "\n</AppendedData>\n</VTKFile>\n";
     out.close();
-    if (!out) throw WorkError(fmt::format("{}: cannot write: is the disk full?", path.string()));
+    if (!out) fail_stream(path);
     file.commit();
   }
 

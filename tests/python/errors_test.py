@@ -3,6 +3,7 @@
 
 import pathlib
 import random
+import resource
 
 import numpy as np
 import pellucid
@@ -90,6 +91,18 @@ def test_wrong_input_is_an_input_error_of_one_line(what, tmp_path, monkeypatch):
     with pytest.raises(pellucid.InputError) as raised:
         WRONG[what]()
     assert "\n" not in str(raised.value) and len(str(raised.value)) > 10
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_limit_of_a_files_size_is_like_a_full_disk(tmp_path):
+    picture = stack([0.5]).render()
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (512, before[1]))
+    try:
+        with pytest.raises(pellucid.WorkError, match="File too large"):
+            picture.save(tmp_path / "a.exr")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
     assert not list(tmp_path.iterdir())
 
 
