@@ -210,7 +210,10 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   CLI::Option* stats =
       command->add_option("--stats", options->stats, "Write times, bytes and counts as JSON");
   CLI::Option* layers =
-      command->add_option("--layers", options->layers, "Write the number of crossings per pixel")
+      command
+          ->add_option("--layers", options->layers,
+                       "Write the number of crossings per pixel; of 'tree', of the layers that "
+                       "it has merged them into")
           ->check(ending_among({".exr", ".png"}));
   CLI::Option* probe = command->add_option_function<std::vector<std::string>>(
       "--probe",
