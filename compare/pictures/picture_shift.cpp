@@ -166,8 +166,8 @@ double unseen(const Image& reference, const Image& test, const Vec3& background)
   for (int y = 0; y < test.height; ++y)
     for (int x = 0; x < test.width; ++x)
       if (is_far_from_covered(reference, x, y))
-        off.push_back(visible(test, std::size_t(y) * std::size_t(test.width) + std::size_t(x),
-                              background));
+        off.push_back(
+            visible(test, std::size_t(y) * std::size_t(test.width) + std::size_t(x), background));
   const double stored = is_of_8_bits(test) ? of_8_bits : of_floats;
   if (off.empty()) return stored;
   const auto quantile = off.begin() + std::ptrdiff_t(0.99 * double(off.size() - 1));
@@ -175,8 +175,8 @@ double unseen(const Image& reference, const Image& test, const Vec3& background)
   return std::max(stored, 1.5 * *quantile);
 }
 
-/// 1 where something is covered. A layer of the reference that is hardly to be seen may not be so in
-/// a right test.
+/// 1 where something is covered. A layer of the reference that is hardly to be seen may not be so
+/// in a right test.
 Pairs coverage_of(const Image& reference, const Image& test, const Vec3& background) {
   constexpr double surely = 3;
   const double least = unseen(reference, test, background);
@@ -209,8 +209,8 @@ Pairs colors_of(const Image& reference, const Image& test) {
 }
 
 /// The shift, where undoing it leaves no more than this share of the mean square error. Of edges
-/// that are sampled half a pixel aside half remains when they are drawn between pixels, and 0.7 at a
-/// distance of 0.3.
+/// that are sampled half a pixel aside half remains when they are drawn between pixels, and 0.7 at
+/// a distance of 0.3.
 std::optional<Vec2> found(const Pairs& pairs, double most_left) {
   if (apart_by(pairs, 0, 0) == 0) return std::nullopt;
   const std::optional<Vec2> shift = converged(pairs);

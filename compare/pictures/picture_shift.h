@@ -14,8 +14,8 @@ struct Shift {
 };
 
 /// Returns by how much the test is shifted against the reference, whose A tells what is covered,
-/// within ±4 pixels: nothing where neither coverage nor values tell, or where undoing the shift does
-/// not lessen the error of that by which it was found. Both pictures have one size and finite
+/// within ±4 pixels: nothing where neither coverage nor values tell, or where undoing the shift
+/// does not lessen the error of that by which it was found. Both pictures have one size and finite
 /// values, and are over the background.
 ///
 /// Coverage is asked first: of the reference A > 0, of the test what differs from the background by
