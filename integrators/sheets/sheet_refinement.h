@@ -26,8 +26,9 @@ namespace pellucid::integrators {
 /// - when the particles at both its ends are there and the one in its middle is not, or the other
 ///   way round.
 /// Where the sheet ends between a side's two ends, or jumps, the facet is parted at the gap, once
-/// the gap's edges are straight enough. Facets as small as `rip` that cannot be parted so, at the
-/// end of a tear, are left out. The same to the last bit for any number of threads.
+/// the gap's edges are straight enough. Facets as small as `rip`, or made by twice the halvings
+/// that lead to it, that cannot be parted so, at the end of a tear, are left out. The same to the
+/// last bit for any number of threads.
 class SheetRefinement {
  public:
   /// All must outlive it. `tolerance` is in world units.

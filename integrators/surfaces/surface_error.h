@@ -29,7 +29,8 @@ constexpr std::uint64_t most_error_samples = 100'000'000;
 /// sent from the seed curve again at the tightest tolerance, and s and t are corrected by
 /// Gauss-Newton with ∂x/∂s and ∂x/∂t until the distance is smallest. So the field itself is the
 /// truth, be it a formula or interpolated samples. The nearest point is the one reached from the
-/// mesh's own (s, t): an upper bound where another sheet is closer. A few hundred particles of
+/// mesh's own (s, t) or, where that is doubtful and for the largest distances, the nearest of those
+/// reached from a dozen vertices around, too: an upper bound still. A few hundred particles of
 /// seeds spread over the curve, which know nothing of the mesh's, give the points of
 /// `max_from_surface`, wherever the surface has an area. `integrator` holds the mesh's own
 /// parameters: particles go no farther than its `length`, and in samples the truth is exacter than
