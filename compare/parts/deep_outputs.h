@@ -10,7 +10,8 @@
 namespace pellucid::compare {
 
 /// DeepOutputs are the files that are made of a deep picture's rows as they come: the picture that
-/// they composite to, the deep picture itself, or both. They appear with commit(), whole.
+/// they composite to, the deep picture itself, or both. They appear with commit(), whole. The
+/// picture of a part says of itself which one it is: "Part", "1/3".
 class DeepOutputs {
  public:
   /// Takes where each is to be written; empty: not at all. Throws InputError for another ending of

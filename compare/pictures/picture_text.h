@@ -47,6 +47,8 @@ struct PictureOrigin {
 ///     Opacities  the call that chose them, where one did
 ///     Camera     as --camera takes it
 ///     Values     what the numbers are, in the file's format
+///
+/// A picture of a part of the scene's primitives says "Part" besides: see DeepOutputs.
 PictureForm form_of_picture(const PictureOrigin& origin);
 
 /// Returns it for a picture of the scene.
