@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "core/files/output_file.h"
 #include "scene/files/camera_file.h"
 #include "tests/scene/files/scene_file_folder.h"
 
