@@ -21,6 +21,7 @@ enum class Lighting {
 /// The lightings' names in scene files, in the order of Lighting.
 inline constexpr std::array<std::string_view, 3> lighting_names{"none", "headlight", "phong"};
 
+/// Returns its name in scene files.
 inline std::string_view name_of(Lighting lighting) { return lighting_names[std::size_t(lighting)]; }
 
 /// Returns the colour in the light, in [0, 1] as `color` is. Phong: Illumination for Computer
