@@ -86,7 +86,10 @@ TEST(UnitNumberChanges, MeasuresAreHeldToWhatTheyAre) {
   EXPECT_EQ(count("hull_pixels", 2, 3), 1u);
   const auto with_share = [](double share) {
     ResultRow row = with_rmse(0.1);
-    row.budget = ErrorBudget{.rmse = 0.01, .lines = {{.stage = "mesh", .share = share}}};
+    BudgetLine mesh;
+    mesh.stage = "mesh";
+    mesh.share = share;
+    row.budget = ErrorBudget{.rmse = 0.01, .lines = {mesh}};
     return row;
   };
   EXPECT_THAT(titles(number_changes(with_share(0.1), with_share(0.9))),
