@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <stdio.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -32,11 +33,23 @@ std::string prefix_of(const fs::path& target) {
   return fmt::format(".{}.folder-", target.filename().string());
 }
 
-int lock(const fs::path& folder) {
-  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-  if (fd < 0 || ::flock(fd, LOCK_EX | LOCK_NB) == 0) return fd;
-  ::close(fd);
-  return -1;
+int open_folder(const fs::path& folder) {
+  return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+}
+
+/// Makes the folder, which nobody else has, and locks it: the descriptor, or -1. Before it is
+/// locked another writer of the target may take it for an abandoned one, and removes it.
+int make_temporary(const fs::path& folder, const fs::path& path) {
+  for (;;) {
+    std::error_code code;
+    if (!fs::create_directory(folder, code) && code) fail_writing(path, code.value());
+    const int fd = open_folder(folder);
+    if (fd < 0 && errno == ENOENT) continue;
+    while (fd >= 0 && ::flock(fd, LOCK_EX) != 0 && errno == EINTR) continue;
+    struct stat held {};
+    if (fd < 0 || (::fstat(fd, &held) == 0 && held.st_nlink > 0)) return fd;
+    ::close(fd);
+  }
 }
 
 /// Who writes a temporary holds a lock on it for as long as he lives.
@@ -45,11 +58,10 @@ void remove_abandoned_folders(const fs::path& target) {
   for (fs::directory_iterator at(target.parent_path(), code), end; !code && at != end;
        at.increment(code)) {
     if (!at->path().filename().string().starts_with(prefix_of(target))) continue;
-    const int fd = lock(at->path());
-    if (fd < 0) continue;
+    const int fd = open_folder(at->path());
     std::error_code ignored;
-    fs::remove_all(at->path(), ignored);
-    ::close(fd);
+    if (fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) == 0) fs::remove_all(at->path(), ignored);
+    if (fd >= 0) ::close(fd);
   }
 }
 
@@ -101,8 +113,7 @@ OutputFolder::OutputFolder(fs::path path)
   check_place(path_, target_);
   remove_abandoned_folders(target_);
   temporary_ = target_.parent_path() / (prefix_of(target_) + process_and_number());
-  if (!fs::create_directory(temporary_, code) && code) fail_writing(path_, code.value());
-  lock_ = lock(temporary_);
+  lock_ = make_temporary(temporary_, path_);
 }
 
 OutputFolder::~OutputFolder() {

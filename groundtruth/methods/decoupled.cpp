@@ -73,7 +73,10 @@ class Decoupled final : public scene::Renderer {
     if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
     const Stopwatch watch;
     row_bytes_ = 0;
-    for (int y = 0; y < scene_.height; ++y) result.stats.fragments += draw_row(y, result);
+    for (int y = 0; y < scene_.height; ++y) {
+      result.stats.fragments += draw_row(y, result);
+      report(request.progress, (y + 1.) / scene_.height, "tracing");
+    }
     result.stats.steps = {{"trace and optimize", watch.seconds()}};
     result.stats.stored = result.stats.fragments;
     result.stats.bytes = {{"hierarchy", probe_.bytes()}, {"crossings of a row", row_bytes_}};

@@ -187,19 +187,12 @@ bool FacetMender::is_beside(Edge edge, const Vec3& x) const {
   return distance_to_segment(x, a, b) <= 0.25 * glm::distance(a, b);
 }
 
-/// Would one of the parts that a vertex leaves have corners whose normals are more than a right
-/// angle apart? Where the surface turns its other side, as through a vortex's axis, one of the
-/// parts always has, however small.
+/// Would one of the edge's halves have ends whose normals are more than a right angle apart? Where
+/// the surface turns its other side, as through a vortex's axis, one of them always has, however
+/// short; where it bends, however much in a coarse mesh, the normal between is between.
 bool FacetMender::is_back_to_back(Edge edge, const Vec3& normal) const {
-  const auto apart = [&](const Vec3& other) { return glm::dot(normal, other) < 0; };
-  const auto own = [&](std::uint32_t vertex) { return builder_.normal(vertex); };
-  const auto any = [&](Edge each) {
-    const Vec3 third = own(mesh_.apex(each));
-    return apart(third) || glm::dot(third, own(mesh_.from(each))) < 0 ||
-           glm::dot(third, own(mesh_.to(each))) < 0;
-  };
-  return apart(own(mesh_.from(edge))) || apart(own(mesh_.to(edge))) || any(edge) ||
-         (!mesh_.is_on_border(edge) && any(mesh_.opposite(edge)));
+  return glm::dot(normal, builder_.normal(mesh_.from(edge))) < 0 ||
+         glm::dot(normal, builder_.normal(mesh_.to(edge))) < 0;
 }
 
 bool FacetMender::is_of_use(Edge edge, const FrontPoint& point) const {

@@ -120,22 +120,24 @@ TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
   write_text(folder_ / "two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2\nl 2 3\n");
   write_text(folder_ / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
   const std::string up = "trace --field formula:u=0,v=0,w=1 --duration 2 --json --quiet ";
-  const std::string lines =
-      up + "--integrator stream-lines:particles=4 -o " + (folder_ / "l.vtp").string() + " --seeds ";
+  const std::string to_lines = " -o " + (folder_ / "l.vtp").string() + " --seeds ";
+  const std::string lines = up + "--integrator stream-lines:particles=4" + to_lines;
+  const std::string one_each = up + "--integrator stream-lines" + to_lines;
   const std::string surface = up + "--samples 0 --integrator fixed-front:particles=25,rows=2 -o " +
                               (folder_ / "s.vtp").string() + " --seeds ";
   const auto of_file = [&](const char* name) { return (folder_ / name).string(); };
   const std::string circle = "circle:center=1,2,3,radius=1,normal=0,0,2";
   const std::string grid = "grid:from=0,0,0,to=1,1,0,count=3,2,1";
-  const std::vector<std::pair<std::string, int>> line_counts{{circle, 4},
-                                                             {grid, 6},
-                                                             {of_file("p.csv"), 3},
-                                                             {of_file("open.obj"), 4},
-                                                             {of_file("mesh.obj"), 3}};
-  for (const auto& [seeds, count] : line_counts) {
-    const Outcome outcome = run(lines + seeds);
+  const std::vector<std::pair<std::string, int>> line_counts{
+      {lines + circle, 4},
+      {one_each + grid, 6},
+      {one_each + of_file("p.csv"), 3},
+      {lines + of_file("open.obj"), 4},
+      {one_each + of_file("mesh.obj"), 3}};
+  for (const auto& [call, count] : line_counts) {
+    const Outcome outcome = run(call);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out)["lines"], count) << seeds;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["lines"], count) << call;
   }
   // An open curve has a border all around, a closed one two.
   const std::vector<std::pair<std::string, int>> borders{{circle, 2 * 25},
