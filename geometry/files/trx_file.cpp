@@ -153,7 +153,7 @@ class TrxReader {
   explicit TrxReader(const Blocks& files) : files_(files) {}
 
   FileLines read() {
-    const nlohmann::json header = parse_json(files_.text("header.json"), "header.json");
+    const nlohmann::json header = parse_json("header.json", files_.text("header.json"));
     const std::uint64_t vertices = count_in(header, "NB_VERTICES");
     const std::uint64_t lines = count_in(header, "NB_STREAMLINES");
     read_positions(named(files_, "positions"), vertices);
