@@ -104,7 +104,7 @@ TEST_F(UnitCommandLine, CarriesAttributesOfAFileAlong) {
       // The tree's lines are strips, whose borders differ by 0.03; by t it would be 0.2.
       EXPECT_LE(double(nlohmann::json::parse(compared.out)["rmse"]), 0.05) << method;
     }
-  EXPECT_THAT(refusal("render " + scene("T", "1") + " -m raytrace -o " + (folder_ / "t.png").string()),
+  EXPECT_THAT(refusal("render " + scene("T", "1") + " -m raytrace --quiet -o " + (folder_ / "t.png").string()),
               AllOf(HasSubstr("no scalar 'T'"), HasSubstr("what is integrated has s, speed, t")));
 }
 
