@@ -74,7 +74,7 @@ class TablesTest(ReportPage):
         self.browser.find_elements(By.CSS_SELECTOR, ".enlarge")[1].send_keys(Keys.ENTER)
         self.wait_for("sheets · weighted-average · view 1 of 2")
         self.assertIn("means over 2 views: ", self.browser.find_element(By.CSS_SELECTOR, "dialog .heading span").text)
-        self.assertIn("Error over the number of layers, view 1", self.saved("Error over the number of layers, view 1", "SVG"))
+        self.assertIn("Of view 1 of 2.", self.saved("Error over the number of layers, view 1", "SVG"))
         self.assertIn("means over 2 views", (self.views.parent / "table.md").read_text())
         figure = self.folder / "views.tex"
         subprocess.run([os.environ["PELLUCID_PROGRAM"], "figure", self.views.parent, "-o", figure], check=True, stdout=subprocess.DEVNULL)

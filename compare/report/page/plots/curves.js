@@ -77,7 +77,8 @@ function curvePlots(rows) {
     const { exact, others } = curvesNamed(rows, name);
     const all = [...exact, ...others], curves = [...exact, ...spread(others, mostCurves)];
     const points = curves.some(({ x }) => x.length < 100);
-    const notes = [all.length > curves.length && `${mostCurves} of ${others.length} curves are drawn; the CSV has all.`];
+    const notes = [all.length > curves.length && `${mostCurves} of ${others.length} curves are drawn; the CSV has all.`,
+                   curves[0].title.endsWith(", view 1") && `Of ${viewText(rows[0])}.`];  // a saved plot has no heading
     return [curves[0].title, (width, colors) => curvesSpec(curves, curves[0], "exact", width, colors, { points, all, notes })];
   });
 }
