@@ -73,7 +73,7 @@ std::string missing_for(const MetricRow& metric, const CompareInputs& inputs) {
 
 /// Says why a number that was asked for is not there.
 std::string why_none(const MetricRow& metric, const CompareInputs& inputs) {
-  if (const std::string missing = missing_for(metric, inputs); !missing.empty()) return missing;
+  if (std::string missing = missing_for(metric, inputs); !missing.empty()) return missing;
   if (metric.region != Region::all) return "no pixel of the reference is among them";
   if (inputs.mask) return "the mask leaves too little; accepted: no mask, or one of larger parts";
   return "the pictures have none; accepted: larger ones";
@@ -83,7 +83,7 @@ std::string why_none(const MetricRow& metric, const CompareInputs& inputs) {
 void check_metrics(const CompareArguments& arguments, const CompareInputs& inputs) {
   for (const std::string& name : arguments.metrics) {
     const MetricRow& metric = find_row("metric", name, compare::metrics());
-    if (const std::string missing = missing_for(metric, inputs); !missing.empty())
+    if (std::string missing = missing_for(metric, inputs); !missing.empty())
       throw InputError(fmt::format("--metric {}: {}", name, missing));
   }
 }

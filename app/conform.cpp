@@ -115,7 +115,7 @@ void judge(const ConformArguments& arguments, const GlobalOptions& globals) {
                                   .context = {.gl = globals.gl},
                                   .on_case = {}};
   if (arguments.pictures.empty()) request.call = call_of(arguments);
-  if (request.pictures.empty() == false && !fs::is_directory(request.pictures))
+  if (!request.pictures.empty() && !fs::is_directory(request.pictures))
     throw InputError(
         fmt::format("--pictures {}: no folder; accepted: one that holds NAME.exr or "
                     "NAME.png of the cases",

@@ -112,6 +112,8 @@ std::vector<std::string> explanation(const scene::Scene& scene, const scene::Ren
 }
 
 /// A DrawnPicture is the picture by the method, and what it took.
+// Moving nlohmann::json asserts, which the check takes for throwing.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 struct DrawnPicture {
   scene::Rendering rendering;
   nlohmann::json json;

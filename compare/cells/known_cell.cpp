@@ -41,8 +41,7 @@ std::string fault_of_file(const fs::path& path, const json* hash, ContentHashes&
 /// one kept a list of their names alone, and others before them none.
 std::string fault_of_files(const CellFiles& files, const json& made, ContentHashes& hashes) {
   for (const fs::path& path : {files.picture(), files.preview()})
-    if (std::string fault = fault_of_file(path, nullptr, hashes); !fault.empty())
-      return fault;
+    if (std::string fault = fault_of_file(path, nullptr, hashes); !fault.empty()) return fault;
   for (const auto& [key, value] : made.items()) {
     const std::string name = made.is_array() ? value.get<std::string>() : key;
     const json* hash = made.is_array() ? nullptr : &value;

@@ -101,7 +101,7 @@ std::ptrdiff_t rank(std::size_t n, double share) {
   return std::max<std::ptrdiff_t>(std::ptrdiff_t(std::ceil(share * double(n))), 1) - 1;
 }
 
-Mask within(const Mask* mask, Mask region) { return mask ? both(*mask, region) : region; }
+Mask within(const Mask* mask, const Mask& region) { return mask ? both(*mask, region) : region; }
 
 }  // namespace
 

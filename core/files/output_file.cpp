@@ -90,7 +90,8 @@ int make_temporary(const fs::path& path) {
   for (;;) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) return -1;
-    while (::flock(file, LOCK_EX) != 0 && errno == EINTR) continue;  // whoever has it removes the file
+    while (::flock(file, LOCK_EX) != 0 && errno == EINTR)
+      continue;  // whoever has it removes the file
     if (is_at(path, file)) return file;
     ::close(file);
   }

@@ -92,7 +92,7 @@ namespace {
 template <class Keep>
 vtkSmartPointer<vtkUnstructuredGrid> cells_with(vtkDataSet* data, const Keep& keep,
                                                 std::vector<vtkIdType>* numbers) {
-  const auto kept = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  auto kept = vtkSmartPointer<vtkUnstructuredGrid>::New();
   kept->SetPoints(points_of(data));
   kept->GetPointData()->ShallowCopy(data->GetPointData());
   kept->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());

@@ -104,7 +104,8 @@ TEST_F(UnitCommandLine, CarriesAttributesOfAFileAlong) {
       // The tree's lines are strips, whose borders differ by 0.03; by t it would be 0.2.
       EXPECT_LE(double(nlohmann::json::parse(compared.out)["rmse"]), 0.05) << method;
     }
-  EXPECT_THAT(refusal("render " + scene("T", "1") + " -m raytrace --quiet -o " + (folder_ / "t.png").string()),
+  EXPECT_THAT(refusal("render " + scene("T", "1") + " -m raytrace --quiet -o " +
+                      (folder_ / "t.png").string()),
               AllOf(HasSubstr("no scalar 'T'"), HasSubstr("what is integrated has s, speed, t")));
 }
 
@@ -124,12 +125,11 @@ TEST_F(UnitCommandLine, TracesFromSeedsOfEveryKind) {
   const auto of_file = [&](const char* name) { return (folder_ / name).string(); };
   const std::string circle = "circle:center=1,2,3,radius=1,normal=0,0,2";
   const std::string grid = "grid:from=0,0,0,to=1,1,0,count=3,2,1";
-  const std::vector<std::pair<std::string, int>> line_counts{
-      {lines + circle, 4},
-      {one_each + grid, 6},
-      {one_each + of_file("p.csv"), 3},
-      {lines + of_file("open.obj"), 4},
-      {one_each + of_file("mesh.obj"), 3}};
+  const std::vector<std::pair<std::string, int>> line_counts{{lines + circle, 4},
+                                                             {one_each + grid, 6},
+                                                             {one_each + of_file("p.csv"), 3},
+                                                             {lines + of_file("open.obj"), 4},
+                                                             {one_each + of_file("mesh.obj"), 3}};
   for (const auto& [call, count] : line_counts) {
     const Outcome outcome = run(call);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

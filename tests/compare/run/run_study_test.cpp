@@ -110,7 +110,8 @@ TEST(UnitRunStudy, AFailingCellIsARowAndTheOthersGoOn) {
   const StudyOutcome outcome = run(folder, R"(["broken", "not-a-number", "shifted"])");
   EXPECT_EQ(outcome.rows.size(), 8u);
   EXPECT_THAT(row_of(outcome, "one", "broken").error, HasSubstr("the driver lacks"));
-  EXPECT_THAT(row_of(outcome, "one", "not-a-number").error, HasSubstr("384 of its picture's pixels"));
+  EXPECT_THAT(row_of(outcome, "one", "not-a-number").error,
+              HasSubstr("384 of its picture's pixels"));
   EXPECT_DOUBLE_EQ(*row_of(outcome, "two", "shifted").metrics.linear.of("rmse"), 0.25);
   const std::string csv = read_text(folder / "results/results.csv");
   // Scene, method, no parameters, and none of the numbers.
