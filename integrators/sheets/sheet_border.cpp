@@ -37,12 +37,12 @@ SheetGap border_between(SheetParticles& particles, const SheetDomain& domain,
   for (int i = 0; i < halvings; ++i) {
     SheetVertex middle = vertex_at(particles, domain.between(last.place, beyond, 0.5));
     if (middle.is_there())
-      last = std::move(middle);
+      last = middle;
     else
       beyond = middle.place;
   }
-  if (forwards) return {std::move(last), std::nullopt};
-  return {std::nullopt, std::move(last)};
+  if (forwards) return {last, std::nullopt};
+  return {std::nullopt, last};
 }
 
 /// The way between two vertices, and how far apart they are, world units.

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
-#include <set>
 
 #include "geometry/files/gltf/gltf_document.h"
 #include "geometry/files/gltf/gltf_transforms.h"
@@ -23,10 +22,10 @@ class CameraReader {
 
   std::vector<GltfCamera> read() {
     try {
-      const Json& root = document_.root();
-      if (!root.contains("scenes")) return {};
-      const Json& scene = document_.element("scenes", root.value("scene", Json(0)));
-      for (const Json& node : scene.value("nodes", Json::array())) read_node(node, Mat4(1), 0);
+      visit_gltf_nodes(document_, [&](const Json& node, const Json&, const Mat4& world_from_node) {
+        if (const auto camera = node.find("camera"); camera != node.end())
+          cameras_.push_back(camera_of(*camera, world_from_node));
+      });
     } catch (const Json::exception& error) {
       document_.fail(fmt::format("not as glTF has it: {}", error.what()));
     }
@@ -34,18 +33,6 @@ class CameraReader {
   }
 
  private:
-  void read_node(const Json& index, const Mat4& world_from_parent, int depth) {
-    const Json& node = document_.element("nodes", index);
-    if (!visited_.insert(index.get<std::size_t>()).second || depth > deepest_gltf_node)
-      document_.fail(fmt::format("nodes[{}] has two parents, or more than {} levels above it",
-                                 index.dump(), deepest_gltf_node));
-    const Mat4 world_from_node = world_from_parent * gltf_transform(document_, node);
-    if (const auto camera = node.find("camera"); camera != node.end())
-      cameras_.push_back(camera_of(*camera, world_from_node));
-    if (const auto children = node.find("children"); children != node.end())
-      for (const Json& child : *children) read_node(child, world_from_node, depth + 1);
-  }
-
   GltfCamera camera_of(const Json& index, const Mat4& world_from_node) const {
     const Json& camera = document_.element("cameras", index);
     GltfCamera read{Vec3(world_from_node[3]),
@@ -63,7 +50,6 @@ class CameraReader {
   }
 
   GltfDocument document_;
-  std::set<std::size_t> visited_;
   std::vector<GltfCamera> cameras_;
 };
 

@@ -49,9 +49,10 @@ class GltfReader {
  private:
   GltfScene read_scene() {
     const Json& root = document_.root();
-    if (const auto scenes = root.find("scenes"); scenes != root.end()) {
-      const Json& scene = document_.element("scenes", root.value("scene", Json(0)));
-      for (const Json& node : scene.value("nodes", Json::array())) read_node(node, Mat4(1), 0);
+    if (root.contains("scenes")) {
+      visit_gltf_nodes(document_, [&](const Json& node, const Json& index, const Mat4& world) {
+        read_node(node, index, world);
+      });
     } else {  // a library of meshes
       for (std::size_t i = 0; i < root.value("meshes", Json::array()).size(); ++i)
         read_mesh(Json(i), Json::object(), Mat4(1));
@@ -61,20 +62,14 @@ class GltfReader {
     return std::move(scene_);
   }
 
-  void read_node(const Json& index, const Mat4& world_from_parent, int depth) {
-    const Json& node = document_.element("nodes", index);
-    if (!visited_.insert(index.get<std::size_t>()).second || depth > deepest_gltf_node)
-      document_.fail(fmt::format("nodes[{}] has two parents, or more than {} levels above it",
-                                 index.dump(), deepest_gltf_node));
-    const Mat4 world_from_node = world_from_parent * gltf_transform(document_, node);
-    if (node.contains("mesh") && node.contains("skin"))
+  void read_node(const Json& node, const Json& index, const Mat4& world_from_node) {
+    if (!node.contains("mesh")) return;
+    if (node.contains("skin"))
       document_.fail(
           fmt::format("nodes[{}] has a skin, which is not read; accepted: meshes as they stand, "
                       "with the pose applied",
                       index.dump()));
-    if (node.contains("mesh")) read_instances(node, world_from_node);
-    if (const auto children = node.find("children"); children != node.end())
-      for (const Json& child : *children) read_node(child, world_from_node, depth + 1);
+    read_instances(node, world_from_node);
   }
 
   void read_instances(const Json& node, const Mat4& world_from_node) {
@@ -276,7 +271,6 @@ class GltfReader {
   GltfDocument document_;
   GltfMode first_mode_, last_mode_;
   Json weights_;                    // of the mesh's morph targets; none: of all 0
-  std::set<std::size_t> visited_;   // nodes: each has one parent at most
   std::set<std::size_t> textured_;  // materials with a texture of their colour
   std::set<std::string> unread_;    // attributes of instances
   bool has_normals_ = false, has_colors_ = false;

@@ -58,9 +58,8 @@ std::size_t count_of(const GltfDocument& document,
   return *count;
 }
 
-}  // namespace
-
-Mat4 gltf_transform(const GltfDocument& document, const Json& node) {
+/// From the node's coordinates to its parent's.
+Mat4 transform_of(const GltfDocument& document, const Json& node) {
   Mat4 m(1);
   if (const auto columns = document.numbers<16>(node, "matrix")) {
     for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = (*columns)[std::size_t(i)];
@@ -73,6 +72,39 @@ Mat4 gltf_transform(const GltfDocument& document, const Json& node) {
   if (const auto shift = document.numbers<3>(node, "translation"))
     m[3] = glm::dvec4((*shift)[0], (*shift)[1], (*shift)[2], 1);
   return m;
+}
+
+class NodeWalk {
+ public:
+  NodeWalk(const GltfDocument& document, const GltfVisit& visit)
+      : document_(document), visit_(visit) {}
+
+  void enter(const Json& index, const Mat4& world_from_parent, int depth) {
+    constexpr int deepest = 1000;
+    const Json& node = document_.element("nodes", index);
+    if (!visited_.insert(index.get<std::size_t>()).second || depth > deepest)
+      document_.fail(fmt::format("nodes[{}] has two parents, or more than {} levels above it",
+                                 index.dump(), deepest));
+    const Mat4 world_from_node = world_from_parent * transform_of(document_, node);
+    visit_(node, index, world_from_node);
+    if (const auto children = node.find("children"); children != node.end())
+      for (const Json& child : *children) enter(child, world_from_node, depth + 1);
+  }
+
+ private:
+  const GltfDocument& document_;
+  const GltfVisit& visit_;
+  std::set<std::size_t> visited_;  // each has one parent at most
+};
+
+}  // namespace
+
+void visit_gltf_nodes(const GltfDocument& document, const GltfVisit& visit) {
+  const Json& root = document.root();
+  if (!root.contains("scenes")) return;
+  const Json& scene = document.element("scenes", root.value("scene", Json(0)));
+  NodeWalk walk(document, visit);
+  for (const Json& node : scene.value("nodes", Json::array())) walk.enter(node, Mat4(1), 0);
 }
 
 GltfInstances gltf_instances(GltfDocument& document, const Json& node) {

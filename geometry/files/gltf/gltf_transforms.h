@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,11 +11,14 @@
 
 namespace pellucid::geometry {
 
-/// So many nodes may stand above one: they are gone through one within another.
-constexpr int deepest_gltf_node = 1000;
+/// A GltfVisit is told a node, its number, and its transform: from its coordinates to the world's.
+using GltfVisit = std::function<void(const nlohmann::json& node, const nlohmann::json& index,
+                                     const Mat4& world_from_node)>;
 
-/// Returns a node's transform: from the node's coordinates to its parent's.
-Mat4 gltf_transform(const GltfDocument& document, const nlohmann::json& node);
+/// Visits the nodes of the document's scene, if it has one, parents before their children. Throws
+/// InputError for a node with two parents, or with more than 1000 above it: they are gone through
+/// one within another.
+void visit_gltf_nodes(const GltfDocument& document, const GltfVisit& visit);
 
 /// A GltfInstances says where a node's mesh stands: from each instance's coordinates to the node's.
 struct GltfInstances {
