@@ -4,16 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <memory>
-#include <tuple>
+#include <utility>
 
-#include "compare/cells/measure_cell.h"
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/given_faults.h"
-#include "compare/run/contest.h"
 #include "compare/run/entrants.h"
+#include "compare/run/tune_entrants.h"
 #include "core/error.h"
 #include "core/machine/stopwatch.h"
 #include "scene/files/scene_file.h"
@@ -22,48 +20,12 @@ namespace pellucid::compare {
 namespace {
 
 constexpr int small_by = 4;             // a small picture has so many times fewer pixels on a side
-constexpr double contender_within = 2;  // the least of a few times is known to such a factor,
-constexpr double hopeless = 8;          // and one of two to such a one: what disturbs a machine
-constexpr int fair_times = 5;  // for a while, disturbs both of two that take turns so often
 constexpr std::size_t quick_times = 9;  // of a picture until so many seconds are spent on it:
 constexpr double quick_seconds = 0.1;   // what delays a process for some ms hits not all of them
-constexpr std::size_t most_contenders = 12;  // they have their memory at once
-constexpr double narrow = 0.01;
-constexpr double small_part = 0.3;    // of the time for small pictures, and until
-constexpr double drawing_part = 0.7;  // for whole ones; the rest is for the contenders
-constexpr int fewest_times = 5;
+constexpr double small_part = 0.3;      // of the time for small pictures, and until
+constexpr double drawing_part = 0.7;    // for whole ones; the rest is for the contenders
 /// The others take longer than many a picture.
 const std::string judged_by[]{"rmse", "ssim", "psnr", "max_error", "rmse_covered", "ssim_covered"};
-
-/// An error that is not known is no small one.
-double rmse_of(const ResultRow& row) {
-  return row.metrics.linear.of("rmse").value_or(std::numeric_limits<double>::infinity());
-}
-
-/// Whose row comes first in the table: by the cost that was asked for, of equal bytes by the error.
-bool is_cheaper(Cost cost, const ResultRow& a, const ResultRow& b) {
-  if (a.error.empty() != b.error.empty()) return a.error.empty();
-  if (cost == Cost::seconds) return a.seconds.median < b.seconds.median;
-  const auto bytes_and_error = [](const ResultRow& row) {
-    return std::pair(known_bytes(row), rmse_of(row));
-  };
-  return bytes_and_error(a) < bytes_and_error(b);
-}
-
-/// An Entrant is a candidate that competes.
-struct Entrant {
-  MethodCall call;
-  std::size_t place;                         // among the candidates
-  std::optional<double> small_seconds = {};  // of the small picture; none where time was over
-  double small_setup = 0;
-  std::unique_ptr<CellMeter> meter = nullptr;  // while it may be timed further
-  ResultRow row = {};                          // once the whole picture was drawn
-  bool drawn = false, within = false, tied = false;
-  bool of_reference = false;  // its row is the reference's, which was drawn before
-
-  /// The least time is nearest to what nothing disturbed.
-  double least_seconds() const { return std::ranges::min(meter->seconds()); }
-};
 
 class Tuning {
  public:
@@ -88,9 +50,15 @@ class Tuning {
     expected_seconds_ = told.seconds;
     if (request_.on_estimate) request_.on_estimate(told);
     for (std::size_t i = 0; i < entrants_.size(); ++i) enter(i);
-    time_contenders();
+    if (request_.cost == Cost::bytes)
+      weigh(entrants_);
+    else
+      time_contenders(
+          entrants_, request_.repeats, [&] { return is_over(); },
+          [&](const Entrant& entrant) { tell(entrant.call.text()); });
     report(request_.progress, 1, "tuned");
-    return collect();
+    rank(std::move(entrants_), request_.cost, outcome_);
+    return std::move(outcome_);
   }
 
  private:
@@ -114,7 +82,6 @@ class Tuning {
     report(request_.progress, std::min(part, 0.99), what);
   }
 
-  bool is_slower(CellMeter& one, CellMeter& than, double factor) const;
   bool is_too_slow(Entrant& entrant);
   void choose_entrants();
   void draw_reference();
@@ -124,11 +91,6 @@ class Tuning {
   void take_reference(Entrant& entrant);
   void draw(Entrant& entrant);
   void judge(const Image& image, Entrant& entrant);
-  void keep_contenders();
-  void finish(Entrant& entrant, const TimingRule& rule);
-  void weigh();
-  void time_contenders();
-  TuneOutcome collect();
 
   const TuneRequest& request_;
   Stopwatch clock_;
@@ -207,17 +169,6 @@ TuneEstimate Tuning::estimate() const {
   return estimate;
 }
 
-/// By times that are taken in turn: the least of either.
-bool Tuning::is_slower(CellMeter& one, CellMeter& than, double factor) const {
-  double of_one = std::numeric_limits<double>::infinity(), of_other = of_one;
-  for (int k = 0; k < fair_times && !is_over(); ++k)
-    for (auto& [meter, least] : {std::pair(&one, &of_one), std::pair(&than, &of_other)}) {
-      meter->time_once();
-      *least = std::min(*least, meter->seconds().back());
-    }
-  return of_one > factor * of_other;
-}
-
 /// Whether its small picture takes longer than the whole one of the fastest that is within the
 /// bound.
 bool Tuning::is_too_slow(Entrant& entrant) {
@@ -230,7 +181,7 @@ bool Tuning::is_too_slow(Entrant& entrant) {
   if (small <= hopeless * best->least_seconds()) {
     try {
       CellMeter meter(cell(entrant.call), small_, request_.context);
-      if (!is_slower(meter, *best->meter, 1)) return false;
+      if (!is_slower(meter, *best->meter, 1, [&] { return is_over(); })) return false;
     } catch (const std::exception&) {
       return false;  // drawn in full, it says why
     }
@@ -260,7 +211,7 @@ void Tuning::enter(std::size_t index) {
     entrant.within = false;
   }
   if (request_.on_row) request_.on_row(entrant.row);
-  keep_contenders();
+  keep_contenders(entrants_, [&] { return is_over(); });
 }
 
 /// The reference's picture is there and its time known: with it there is always an answer.
@@ -297,85 +248,6 @@ void Tuning::judge(const Image& image, Entrant& entrant) {
     row.given_faults = given_faults(reference_.image, image, scene_.background);
   entrant.drawn = true;
   entrant.within = request_.bound.holds_for(row);
-}
-
-/// Ends those that are too slow to be the fastest.
-void Tuning::keep_contenders() {
-  std::vector<Entrant*> in;
-  for (Entrant& entrant : entrants_)
-    if (entrant.meter) in.push_back(&entrant);
-  std::ranges::stable_sort(in, {}, [](const Entrant* e) { return e->least_seconds(); });
-  for (std::size_t i = 1; i < in.size(); ++i) {
-    const double times = in[i]->least_seconds() / in.front()->least_seconds();
-    const bool is_out = i >= most_contenders || times > hopeless ||
-                        (times > contender_within &&
-                         is_slower(*in[i]->meter, *in.front()->meter, contender_within));
-    if (is_out) finish(*in[i], fixed_repeats(2));
-  }
-}
-
-/// Takes the row, with the errors that are known, and frees what the method holds.
-void Tuning::finish(Entrant& entrant, const TimingRule& rule) {
-  CellMeasurement measured = entrant.meter->finish(rule);
-  measured.row.metrics = entrant.row.metrics;
-  measured.row.given_faults = std::move(entrant.row.given_faults);
-  entrant.row = std::move(measured.row);
-  entrant.meter.reset();
-}
-
-/// Bytes are the same in every run: those of the fewest are tied, whatever time they take.
-void Tuning::weigh() {
-  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
-  for (const Entrant& entrant : entrants_)
-    if (entrant.within) fewest = std::min(fewest, known_bytes(entrant.row));
-  for (Entrant& entrant : entrants_)
-    entrant.tied = entrant.within && known_bytes(entrant.row) == fewest;
-}
-
-void Tuning::time_contenders() {
-  if (request_.cost == Cost::bytes) return weigh();
-  std::vector<Entrant*> contenders;
-  for (Entrant& entrant : entrants_)
-    if (entrant.meter) contenders.push_back(&entrant);
-  const TimingRule rule{std::min(fewest_times, request_.repeats), request_.repeats, narrow};
-  const auto time_once = [&](std::size_t i) {
-    tell(contenders[i]->call.text());
-    contenders[i]->meter->time_once();
-    return contenders[i]->meter->seconds();
-  };
-  const std::vector<bool> in =
-      fastest_of(contenders.size(), rule, time_once, [&] { return !is_over(); });
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
-    best = std::min(best, contenders[i]->least_seconds());
-    contenders[i]->tied = in[i];
-    finish(*contenders[i], rule);
-  }
-  // Of one time alone, which tells no more than that.
-  for (Entrant& entrant : entrants_)
-    if (entrant.of_reference && entrant.within)
-      entrant.tied = entrant.row.seconds.median <= contender_within * best;
-}
-
-TuneOutcome Tuning::collect() {
-  std::erase_if(entrants_, [](const Entrant& entrant) { return !entrant.drawn; });
-  std::ranges::stable_sort(entrants_, {}, &Entrant::place);
-  std::ranges::stable_sort(entrants_, [&](const Entrant& a, const Entrant& b) {
-    return is_cheaper(request_.cost, a.row, b.row);
-  });
-  const auto steady = [](const Entrant& e) {
-    return std::tuple(known_bytes(e.row), rmse_of(e.row), e.place);
-  };
-  const Entrant* cheapest = nullptr;
-  for (const Entrant& entrant : entrants_)
-    if (entrant.tied && (!cheapest || steady(entrant) < steady(*cheapest))) cheapest = &entrant;
-  for (Entrant& entrant : entrants_) {
-    if (&entrant == cheapest) outcome_.cheapest = outcome_.rows.size();
-    outcome_.within_bound.push_back(entrant.within);
-    outcome_.tied.push_back(entrant.tied && &entrant != cheapest);
-    outcome_.rows.push_back(std::move(entrant.row));
-  }
-  return std::move(outcome_);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace pellucid::compare {
 namespace {
 
-using testing::UnitVerdict;
 using ::testing::HasSubstr;
+using testing::UnitVerdict;
 
 TEST_F(UnitVerdict, OfTheRightPictureIsThatItPasses) {
   for (const ConformanceCase& c : conformance_cases()) {

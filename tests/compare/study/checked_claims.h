@@ -13,8 +13,8 @@ namespace pellucid::compare {
 
 inline const std::vector<std::string> scenes{"one", "two"};
 inline const std::vector<ResultRow> rows{row("one", "a", 0.1),  row("one", "b", 0.2),
-                                  row("one", "c", 0.3),  row("two", "a", 0.4),
-                                  row("two", "b", 0.25), row("two", "c", 0.5)};
+                                         row("one", "c", 0.3),  row("two", "a", 0.4),
+                                         row("two", "b", 0.25), row("two", "c", 0.5)};
 
 /// A claim that the calls are in this order, by a column.
 inline Claim claim(const char* by, std::vector<std::vector<std::string>> order) {
