@@ -101,9 +101,8 @@ void time_contenders(std::span<Entrant> entrants, int repeats, const IsOver& is_
 void rank(std::vector<Entrant> entrants, Cost cost, TuneOutcome& outcome) {
   std::erase_if(entrants, [](const Entrant& entrant) { return !entrant.drawn; });
   std::ranges::stable_sort(entrants, {}, &Entrant::place);
-  std::ranges::stable_sort(entrants, [&](const Entrant& a, const Entrant& b) {
-    return is_cheaper(cost, a.row, b.row);
-  });
+  std::ranges::stable_sort(
+      entrants, [&](const Entrant& a, const Entrant& b) { return is_cheaper(cost, a.row, b.row); });
   const auto steady = [](const Entrant& e) {
     return std::tuple(known_bytes(e.row), rmse_of(e.row), e.place);
   };

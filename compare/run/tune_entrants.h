@@ -54,8 +54,8 @@ void weigh(std::span<Entrant> entrants);
 void time_contenders(std::span<Entrant> entrants, int repeats, const IsOver& is_over,
                      const std::function<void(const Entrant&)>& tell);
 
-/// Adds the entrants that were drawn to the outcome, the cheapest first; of tied ones the cheapest is
-/// that of the fewest bytes, then of the least error, then the first of the candidates.
+/// Adds the entrants that were drawn to the outcome, the cheapest first; of tied ones the cheapest
+/// is that of the fewest bytes, then of the least error, then the first of the candidates.
 void rank(std::vector<Entrant> entrants, Cost cost, TuneOutcome& outcome);
 
 }  // namespace pellucid::compare
