@@ -7,7 +7,7 @@
 #include "fuzz/support/block_file.h"
 #include "fuzz/support/use_field.h"
 #include "geometry/files/mesh_formats.h"
-#include "geometry/files/vdb_points.h"
+#include "geometry/files/point_blocks.h"
 #include "readers/vdb/grid_blocks.h"
 
 using namespace pellucid;

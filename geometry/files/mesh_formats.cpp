@@ -24,13 +24,15 @@ FormatRow trx_format();
 FormatRow hair_format();
 FormatRow gltf_format();
 FormatRow glb_format();
+FormatRow hdf5_format();
+FormatRow h5_format();
 
 std::span<const FormatRow> mesh_formats() {
   static const FormatRow rows[] = {
-      ply_format(),        obj_format(),      vtp_format(),  vtu_format(),
-      legacy_vtk_format(), binlines_format(), csv_format(),  vdb_format(),
-      stl_format(),        off_format(),      gltf_format(), glb_format(),
-      tck_format(),        trk_format(),      trx_format(),  hair_format()};
+      ply_format(),      obj_format(),  vtp_format(), vtu_format(), legacy_vtk_format(),
+      binlines_format(), csv_format(),  vdb_format(), stl_format(), off_format(),
+      gltf_format(),     glb_format(),  tck_format(), trk_format(), trx_format(),
+      hair_format(),     hdf5_format(), h5_format()};
   return rows;
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "geometry/files/color_names.h"
+#include "geometry/files/component_suffix.h"
 
 namespace pellucid::geometry {
 namespace {
@@ -57,18 +58,6 @@ vtkDataArray* find_colors(vtkDataSetAttributes& arrays) {
   return nullptr;
 }
 
-/// "_x" of a vector, "_xy" of a tensor, symmetric ones in the order of VTK 9, else the number.
-std::string component_suffix(int component, int components) {
-  static constexpr const char* of_vector[] = {"_x", "_y", "_z", "_w"};
-  static constexpr const char* of_symmetric[] = {"_xx", "_yy", "_zz", "_xy", "_yz", "_xz"};
-  static constexpr const char* of_tensor[] = {"_xx", "_xy", "_xz", "_yx", "_yy",
-                                              "_yz", "_zx", "_zy", "_zz"};
-  if (components <= 4) return of_vector[component];
-  if (components == 6) return of_symmetric[component];
-  if (components == 9) return of_tensor[component];
-  return fmt::format("_{}", component);
-}
-
 bool is_scalar(vtkDataArray* array) { return array && array->GetNumberOfComponents() == 1; }
 
 /// Whether there is a colour, of one array or of three, so that scalars called as its channels are
@@ -90,7 +79,8 @@ void take_array(vtkDataArray& array, const PointIds& points, bool channels,
   if (components == 1)
     return take_column(array, points, name, 0, is_channel ? vtk_color_unit(array) : 1, attributes);
   for (int c = 0; c < components; ++c)
-    take_column(array, points, name + component_suffix(c, components), c, 1, attributes);
+    take_column(array, points, name + component_suffix(std::size_t(c), std::size_t(components)), c,
+                1, attributes);
 }
 
 }  // namespace

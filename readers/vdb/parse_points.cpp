@@ -12,7 +12,12 @@
 namespace pellucid::readers {
 namespace {
 
-using Columns = std::map<std::string, std::vector<double>>;
+/// An attribute's numbers, point after point.
+struct Column {
+  std::uint32_t components = 1;
+  std::vector<double> values;
+};
+using Columns = std::map<std::string, Column>;
 using openvdb::points::PointDataGrid;
 using Leaf = PointDataGrid::TreeType::LeafNodeType;
 
@@ -24,9 +29,25 @@ void for_each_point(const Leaf& leaf, const std::string& attribute, const auto& 
 }
 
 template <class T>
-void append(const Leaf& leaf, const std::string& attribute, std::vector<double>& values) {
+void append(const Leaf& leaf, const std::string& attribute, Column& column) {
   for_each_point<T>(leaf, attribute,
-                    [&](const T& value, const auto&) { values.push_back(double(value)); });
+                    [&](const T& value, const auto&) { column.values.push_back(double(value)); });
+}
+
+template <class T>
+void append_vectors(const Leaf& leaf, const std::string& attribute, Column& column) {
+  column.components = 3;
+  for_each_point<T>(leaf, attribute, [&](const T& value, const auto&) {
+    for (int c = 0; c < 3; ++c) column.values.push_back(double(value[c]));
+  });
+}
+
+void append_color(const Leaf& leaf, const std::string& attribute, Columns& columns) {
+  for_each_point<openvdb::Vec3f>(leaf, attribute, [&](const openvdb::Vec3f& color, const auto&) {
+    for (int channel = 0; channel < 3; ++channel)
+      columns[std::array{"red", "green", "blue"}[std::size_t(channel)]].values.push_back(
+          color[channel]);
+  });
 }
 
 void append_attribute(const Leaf& leaf, const std::string& name, Columns& attributes) {
@@ -36,11 +57,10 @@ void append_attribute(const Leaf& leaf, const std::string& name, Columns& attrib
   if (type == "int32") append<std::int32_t>(leaf, name, attributes[name]);
   if (type == "int64") append<std::int64_t>(leaf, name, attributes[name]);
   if (type == "vec3s" && name == "Cd")
-    for_each_point<openvdb::Vec3f>(leaf, name, [&](const openvdb::Vec3f& color, const auto&) {
-      for (int channel = 0; channel < 3; ++channel)
-        attributes[std::array{"red", "green", "blue"}[std::size_t(channel)]].push_back(
-            color[channel]);
-    });
+    append_color(leaf, name, attributes);
+  else if (type == "vec3s")
+    append_vectors<openvdb::Vec3f>(leaf, name, attributes[name]);
+  if (type == "vec3d") append_vectors<openvdb::Vec3d>(leaf, name, attributes[name]);
 }
 
 struct Points {
@@ -68,7 +88,8 @@ Points points_of(openvdb::io::File& file) {
   }
   // What only some of the grids have belongs to none of the points.
   std::erase_if(points.attributes, [&](const auto& attribute) {
-    return attribute.second.size() != points.positions.size();
+    const auto& [components, values] = attribute.second;
+    return values.size() != components * points.positions.size();
   });
   return points;
 }
@@ -79,8 +100,8 @@ void parse_vdb_points(const std::filesystem::path& path, BlockWriter& out) {
   const auto file = open_vdb(path);
   const Points points = points_of(*file);
   out.add("positions", NumberType::f64, 3, points.positions.size(), points.positions.data());
-  for (const auto& [name, values] : points.attributes)
-    out.add("column:" + name, std::span<const double>(values));
+  for (const auto& [name, column] : points.attributes)
+    out.add("column:" + name, std::span<const double>(column.values), column.components);
 }
 
 }  // namespace pellucid::readers

@@ -16,7 +16,8 @@ void parse_vdb_grids(const std::filesystem::path& path, const std::string& wante
                      BlockWriter& out);
 
 /// Parses the points of each point grid of a .vdb file, whatever its codecs, and writes `positions`
-/// (f64 × 3, world) and a block `column:NAME` (f64) per attribute of numbers that all points have.
+/// (f64 × 3, world) and a block `column:NAME` (f64, × 3 for vectors) per attribute of numbers that
+/// all points have.
 /// Houdini's colour `Cd` becomes the columns red, green and blue. Throws as above.
 void parse_vdb_points(const std::filesystem::path& path, BlockWriter& out);
 

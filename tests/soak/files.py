@@ -117,6 +117,7 @@ class Seeds:
                              "lines.tck": "tck/little_endian", "lines.trk": "trk/values", "lines.hair": "hair/full"}.items():
             shutil.copy(TESTS.parent / "fuzz" / "corpus" / target, self.folder / name)
         self.write_by_others()
+        self.write_snapshot()
         for name in ("a.exr", "a.png"):
             self.make(program, "render", "scene.json", "-m", "raytrace", "-o", name)
         self.names = sorted(p.name for p in self.folder.iterdir())
@@ -136,6 +137,17 @@ class Seeds:
             (self.folder / name.replace("g.", "field.")).write_text(text)
         for name in ("e.ex2", "n.nc", "t.tec", "p.xyz", "p.q", "i.nii.gz"):
             shutil.copy(apart / name, self.folder / ("field" + name[1:]))
+
+    def write_snapshot(self):
+        try:
+            import h5py
+        except ImportError as missing:
+            print(f"without snapshots: {missing}")
+            return
+        with h5py.File(self.folder / "points.hdf5", "w") as file:
+            for group in ("PartType0", "PartType1"):
+                file[f"{group}/Coordinates"] = [[0.1 * i, 0, 0.2] for i in range(9)]
+                file.create_dataset(f"{group}/Masses", data=[1.0] * 9, chunks=(4,), compression="gzip")
 
     def make(self, program, *arguments):
         subprocess.run([program, *arguments, "--quiet"], cwd=self.folder, capture_output=True)

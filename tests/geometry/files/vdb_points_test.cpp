@@ -66,6 +66,8 @@ TEST(UnitVdbPoints, PositionsAndNumbersAreThoseOfTheGrids) {
   attach<openvdb::Vec3f>(*exact, "Cd", [](const openvdb::Vec3d& x) {
     return openvdb::Vec3f(float(x.z() + 2) / 4, 0.5f, 0.25f);
   });
+  attach<openvdb::Vec3f>(
+      *exact, "v", [](const openvdb::Vec3d& x) { return openvdb::Vec3f(1, float(x.x()), 2); });
   const auto path = folder / "stars.vdb";
   write(path, {exact});
   const PointSet set = read_points(path);
@@ -74,6 +76,7 @@ TEST(UnitVdbPoints, PositionsAndNumbersAreThoseOfTheGrids) {
     const Vec3& x = set.positions[i];
     EXPECT_FLOAT_EQ(set.scalars.at("density")[i], x.x + 3);
     EXPECT_EQ(set.scalars.at("id")[i], int(100 * x.y));
+    EXPECT_FLOAT_EQ(set.scalars.at("v_y")[i], x.x);
     // A sum up to 4 is rounded to float, by 1.2e-7, and a quarter of it again.
     EXPECT_NEAR(set.colors[i].r, (x.z + 2) / 4, 1.2e-7);
     EXPECT_EQ(Rgba(0, set.colors[i].g, set.colors[i].b, set.colors[i].a), Rgba(0, 0.5, 0.25, 1));
