@@ -203,6 +203,18 @@ void trace_lines(const TraceOptions& options, const GlobalOptions& globals,
   print(options, globals, json);
 }
 
+/// Throws InputError for numbers that the output's format does not hold.
+void check_carried(const TraceOptions& options) {
+  const geometry::FormatRow* format = geometry::mesh_format(options.output);
+  if (options.carry.empty() || !format || format->writes_scalars) return;
+  std::string accepted;
+  for (const geometry::FormatRow& row : geometry::mesh_formats())
+    if (row.writes_scalars && row.write_lines)
+      accepted += fmt::format("{}{}", accepted.empty() ? "" : ", ", row.ending);
+  throw InputError(fmt::format("{}: {} files hold no '{}' of --carry; accepted: {}", options.output,
+                               format->ending, options.carry.front(), accepted));
+}
+
 void trace(const TraceOptions& options, const GlobalOptions& globals) {
   using integrators::IntegratorKind;
   const ProtectedInputs inputs;
@@ -216,6 +228,7 @@ void trace(const TraceOptions& options, const GlobalOptions& globals) {
     if (!value->empty() && (lines || options.error_samples() == 0))
       throw InputError(
           fmt::format("{}: accepted: with a surface and --samples of at least 1", name));
+  check_carried(options);
   if (lines && options.samples) throw InputError("--samples: accepted: with a surface");
   const fields::Attributes attributes(options.field, {}, options.carry);
   if (lines) {

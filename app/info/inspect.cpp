@@ -9,6 +9,7 @@
 #include "core/files/ending.h"
 #include "core/files/output_file.h"
 #include "fields/readers/file_field.h"
+#include "fields/readers/file_lists.h"
 #include "geometry/files/mesh_formats.h"
 #include "readers/vtk/vtk_formats.h"
 
@@ -39,10 +40,11 @@ FileContents inspect(const std::filesystem::path& path, const Progress& progress
   require_file(path);
   if (ending == ".json") return inspect_scene(path, progress);
   if (readers::vtk_format(path)) return inspect_vtk(path);
+  if (ending == ".mhd" || ending == ".mha") return inspect_meta_image(path);
   if (ending == ".vdb") return inspect_vdb(path);
   if (is_among(ending, picture_endings)) return inspect_picture(path);
   if (geometry::mesh_format(path)) return inspect_geometry(path);
-  if (fields::file_format(path.string())) return inspect_field(path, progress);
+  if (fields::is_file_list(path)) return inspect_list(path, progress);
   throw InputError(fmt::format("{}: unknown kind of file '{}'; accepted: {}", path.string(), ending,
                                known_endings()));
 }

@@ -16,12 +16,15 @@ FileContents inspect(const std::filesystem::path& path, const Progress& progress
 
 /// VTK's data sets: their own arrays, at points and at cells.
 FileContents inspect_vtk(const std::filesystem::path& path);
+/// MetaImages, as VTK would have them.
+FileContents inspect_meta_image(const std::filesystem::path& path);
 /// OpenVDB's grids, an array each; points have their attributes.
 FileContents inspect_vdb(const std::filesystem::path& path);
 /// Geometry as it is drawn: of triangles, lines and points what the file has.
 FileContents inspect_geometry(const std::filesystem::path& path);
-/// Sampled fields that are no VTK data set, and time series of files.
-FileContents inspect_field(const std::filesystem::path& path, const Progress& progress);
+/// Lists of files over time: their times, and what the first of them holds. Throws InputError for a
+/// list of lists.
+FileContents inspect_list(const std::filesystem::path& path, const Progress& progress);
 /// Pictures, a channel an array.
 FileContents inspect_picture(const std::filesystem::path& path);
 /// Scenes, ready to be drawn.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
 #include <vtkDataArray.h>
@@ -13,6 +14,8 @@
 #include <map>
 
 #include "app/info/inspect.h"
+#include "core/error.h"
+#include "fields/files/meta_image_data.h"
 #include "fields/readers/file_field.h"
 #include "geometry/files/mesh_formats.h"
 #include "readers/vtk/vtk_file.h"
@@ -104,24 +107,52 @@ std::string title_of(const std::filesystem::path& path) {
   return "VTK";
 }
 
+/// The first time of a file or, with the reason as a remark, the last: the first one is often
+/// written by hand.
+readers::VtkTime first_readable(const std::filesystem::path& path, std::string& remark) {
+  try {
+    return readers::read_vtk_file(path, {}, "first").front();
+  } catch (const InputError& error) {
+    try {
+      const readers::VtkTime last = readers::read_vtk_file(path, {}, "last").front();
+      if (last.of.size() < 2) throw;
+      remark = fmt::format("told of the last time; the first is not read: {}", error.what());
+      return last;
+    } catch (const InputError&) {
+    }
+    throw;
+  }
+}
+
+FileContents inspect_data_set(vtkDataSet& data, const std::filesystem::path& path) {
+  FileContents contents;
+  contents.kind = kind_of(data);
+  contents.title = title_of(path);
+  double box[6];
+  data.GetBounds(box);
+  contents.bounds = Box3{{box[0], box[2], box[4]}, {box[1], box[3], box[5]}};
+  count_cells(data, contents);
+  count_lost_points(data, contents);
+  add_lattice(data, contents);
+  add_arrays(*data.GetPointData(), "point", contents);
+  add_arrays(*data.GetCellData(), "cell", contents);
+  return contents;
+}
+
 }  // namespace
 
 FileContents inspect_vtk(const std::filesystem::path& path) {
-  const readers::VtkTime read = readers::read_vtk_file(path, {}, "first").front();
-  const vtkSmartPointer<vtkDataSet>& data = read.data;
-  FileContents contents;
-  contents.kind = kind_of(*data);
-  contents.title = title_of(path);
-  double box[6];
-  data->GetBounds(box);
-  contents.bounds = Box3{{box[0], box[2], box[4]}, {box[1], box[3], box[5]}};
-  count_cells(*data, contents);
-  count_lost_points(*data, contents);
-  add_lattice(*data, contents);
-  add_arrays(*data->GetPointData(), "point", contents);
-  add_arrays(*data->GetCellData(), "cell", contents);
-  if (!read.left_out.empty()) contents.more["left out, of other dimensions"] = read.left_out;
+  std::string remark;
+  const readers::VtkTime read = first_readable(path, remark);
+  FileContents contents = inspect_data_set(*read.data, path);
+  contents.times = read.of;
+  if (!remark.empty()) contents.more["remarks"] = {remark};
+  if (!read.left_out.empty()) contents.more["left out"] = read.left_out;
   return contents;
+}
+
+FileContents inspect_meta_image(const std::filesystem::path& path) {
+  return inspect_data_set(*fields::data_set_of(fields::read_meta_image(path)), path);
 }
 
 }  // namespace pellucid::app

@@ -85,6 +85,34 @@ class Lines {
   std::filesystem::path path_;
 };
 
+/// As MetaIO names them: "long" is 4 bytes wide there.
+constexpr std::pair<const char*, NumberType> number_types[] = {
+    {"MET_CHAR", NumberType::i8},       {"MET_UCHAR", NumberType::u8},
+    {"MET_SHORT", NumberType::i16},     {"MET_USHORT", NumberType::u16},
+    {"MET_INT", NumberType::i32},       {"MET_UINT", NumberType::u32},
+    {"MET_LONG", NumberType::i32},      {"MET_ULONG", NumberType::u32},
+    {"MET_LONG_LONG", NumberType::i64}, {"MET_ULONG_LONG", NumberType::u64},
+    {"MET_FLOAT", NumberType::f32},     {"MET_DOUBLE", NumberType::f64}};
+
+NumberType type_of(const Lines& lines) {
+  const std::string name = lines.find({"ElementType"}, "").second;
+  std::string known;
+  for (const auto& [candidate, type] : number_types) {
+    if (name == candidate) return type;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", candidate);
+  }
+  bad_file(lines.path(), fmt::format("ElementType = {}; accepted: {}", name, known));
+}
+
+std::size_t channels_of(const Lines& lines) {
+  constexpr double most = 16;
+  const double count = lines.numbers<1>({"ElementNumberOfChannels"}, "1")[0];
+  if (!(count >= 1 && count <= most) || count != std::floor(count))
+    bad_file(lines.path(),
+             fmt::format("ElementNumberOfChannels = {}; accepted: 1 to {}", count, most));
+  return std::size_t(count);
+}
+
 std::array<std::size_t, 3> size_of(const Lines& lines) {
   const auto counts = lines.numbers<3>({"DimSize"}, "");
   std::array<std::size_t, 3> size{};
@@ -137,9 +165,9 @@ void refuse_more_lines(std::istream& file, const std::filesystem::path& path) {
 MetaImageHeader read_meta_image_header(std::istream& file, const std::filesystem::path& path) {
   const Lines lines(file, path);
   lines.one_of("NDims", "", {"3"});
-  lines.one_of("ElementNumberOfChannels", "1", {"3"});
   MetaImageHeader header;
-  header.is_double = lines.one_of("ElementType", "", {"MET_FLOAT", "MET_DOUBLE"}) == "MET_DOUBLE";
+  header.channels = channels_of(lines);
+  header.type = type_of(lines);
   if (!lines.is_true({"BinaryData"}, true))
     bad_file(path, "BinaryData = False: numbers in text; accepted: True");
   header.compressed = lines.is_true({"CompressedData"}, false);

@@ -38,10 +38,14 @@ std::optional<int> flat_axis(vtkDataSet& data) {
   return flat;
 }
 
+/// What stands for a component that is nowhere but 0: "array=u,v,0".
+constexpr std::string_view zero = "0";
+
 /// One number of each of three arrays, or of an array's components; a part that is missing is 0.
 struct Part {
   vtkDataArray* array = nullptr;
   int component = 0;
+  bool is_zero = false;  // because that was asked for
 };
 using Parts = std::array<Part, 3>;
 
@@ -79,10 +83,12 @@ class Finder {
     std::vector<Part> parts;
     for (const std::string_view one : names) {
       vtkDataArray* array = arrays_.GetArray(std::string(one).c_str());
-      if (!array || array->GetNumberOfComponents() != 1) return std::nullopt;
-      parts.push_back({array, 0});
+      const bool is_scalar = array && array->GetNumberOfComponents() == 1;
+      if (!is_scalar && (array || one != zero)) return std::nullopt;
+      parts.push_back({array, 0, !array});
     }
-    return placed(parts);
+    const bool any = std::ranges::any_of(parts, [](const Part& part) { return part.array; });
+    return any ? std::optional(placed(parts)) : std::nullopt;
   }
 
   std::optional<Parts> parts_of(vtkDataArray* array) const {
@@ -117,12 +123,12 @@ class Finder {
   std::optional<int> flat_;
 };
 
-/// "U", or "U,V,W", of which several may be one array.
+/// "U", or "U,V,W", of which several may be one array, or 0.
 std::string name_of(const Parts& parts) {
   std::string names;
   for (const Part& part : parts) {
-    if (!part.array || part.component > 0) continue;
-    const char* name = const_cast<vtkDataArray*>(part.array)->GetName();
+    if (part.component > 0 || (!part.array && !part.is_zero)) continue;
+    const char* name = part.array ? part.array->GetName() : zero.data();
     if (!names.empty()) names += ',';
     names += name ? name : "vectors";
   }
@@ -138,8 +144,8 @@ std::string own_name(const Parts& parts) {
 
 bool is_one_array(const Parts& parts) {
   for (int axis = 0; axis < 3; ++axis)
-    if (const auto& [array, component] = parts[std::size_t(axis)];
-        array != parts[0].array || component != axis)
+    if (const Part& part = parts[std::size_t(axis)];
+        part.array != parts[0].array || part.component != axis)
       return false;
   return true;
 }
@@ -156,8 +162,8 @@ vtkSmartPointer<vtkDataArray> joined(const Parts& parts, vtkIdType count) {
   vectors->SetNumberOfTuples(count);
   for (int axis = 0; axis < 3; ++axis)
     for (vtkIdType i = 0; i < count; ++i) {
-      const auto& [array, component] = parts[std::size_t(axis)];
-      vectors->SetComponent(i, axis, array ? array->GetComponent(i, component) : 0);
+      const Part& part = parts[std::size_t(axis)];
+      vectors->SetComponent(i, axis, part.array ? part.array->GetComponent(i, part.component) : 0);
     }
   return vectors;
 }
@@ -258,7 +264,7 @@ class Choice {
           "arrays: {}",
           path_.string(), wanted_, takes_points() ? "" : " of the cells", describe_arrays(data_)));
     const std::string way =
-        flat_ ? "array=NAME, array=U,V or array=U,V,W" : "array=NAME or array=U,V,W";
+        flat_ ? "array=NAME, array=U,V or array=U,V,W" : "array=NAME, array=U,V,W or array=U,V,0";
     const std::string problem =
         wanted_.empty() ? "which vectors?" : fmt::format("array={}: no such vectors;", wanted_);
     throw InputError(fmt::format(

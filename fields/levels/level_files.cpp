@@ -7,15 +7,16 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "core/error.h"
 #include "core/files/bad_file.h"
 #include "core/files/ending.h"
+#include "fields/files/meta_image_data.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/vdb_levels.h"
 #include "fields/levels/vtk_levels.h"
-#include "fields/readers/pvd_collection.h"
-#include "fields/readers/series_field.h"
+#include "fields/readers/file_lists.h"
 #include "readers/vdb/vdb_file.h"
 #include "readers/vtk/times.h"
 #include "readers/vtk/vtk_file.h"
@@ -27,16 +28,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view vdb_ending = ".vdb";
+constexpr std::string_view meta_image_endings[] = {".mhd", ".mha"};
 constexpr std::string_view list_endings[] = {".pvd", ".series"};
 
-bool is_list(const fs::path& path) {
-  return std::ranges::find(list_endings, small_ending(path)) != std::end(list_endings);
+bool ends_as(const fs::path& path, std::span<const std::string_view> endings) {
+  return std::ranges::find(endings, small_ending(path)) != endings.end();
 }
 
 std::string accepted_endings() {
   std::vector<std::string_view> endings{vdb_ending};
   for (const readers::VtkFormat& format : readers::vtk_formats())
     if (!format.without_arrays) endings.push_back(format.ending);
+  endings.insert(endings.end(), std::begin(meta_image_endings), std::end(meta_image_endings));
   endings.insert(endings.end(), std::begin(list_endings), std::end(list_endings));
   return fmt::format("{}", fmt::join(endings, ", "));
 }
@@ -72,9 +75,17 @@ FileLevels read_vtk(const fs::path& path, const Wanted& wanted) {
   FileLevels file;
   if (std::string remark = remark_on_choice(*read.data, path, wanted.scalar); !remark.empty())
     file.remarks.push_back(std::move(remark));
-  if (wanted.time.empty() && read.of > 1)
-    file.remarks.push_back(remark_on_time(path, read.time, read.of));
+  if (wanted.time.empty() && read.of.size() > 1)
+    file.remarks.push_back(remark_on_time(path, read.time, read.of.size()));
   file.levels = level_of(*read.data, path, wanted.scalar, wanted.velocity);
+  file.range = sample_range(file.levels);
+  return file;
+}
+
+FileLevels read_image(const fs::path& path, const Wanted& wanted) {
+  if (!wanted.time.empty()) readers::chosen_time({}, wanted.time, path);  // throws: it has none
+  FileLevels file;
+  file.levels = level_of(*data_set_of(read_meta_image(path)), path, wanted.scalar, wanted.velocity);
   file.range = sample_range(file.levels);
   return file;
 }
@@ -82,22 +93,14 @@ FileLevels read_vtk(const fs::path& path, const Wanted& wanted) {
 FileLevels read_one(const fs::path& path, const Wanted& wanted) {
   if (readers::vtk_format(path)) return read_vtk(path, wanted);
   if (small_ending(path) == vdb_ending) return read_vdb(path, wanted);
+  if (ends_as(path, meta_image_endings)) return read_image(path, wanted);
   bad_file(path, fmt::format("ending '{}'; accepted of an isosurface: {}. ParaView: save as .vti",
                              path.extension().string(), accepted_endings()));
 }
 
-/// The files of each time, in the order of these.
-Collection files_over_time(const fs::path& path) {
-  if (small_ending(path) == list_endings[0]) return pvd_collection(path);
-  Collection files;
-  for (const SeriesEntry& entry : series_entries(path))
-    files[entry.time].push_back({{}, entry.file});
-  return files;
-}
-
 /// The parts of one time are levels of their own.
 FileLevels read_list(const fs::path& path, const Wanted& wanted) {
-  const Collection files = files_over_time(path);
+  const Collection files = listed_files(path);
   std::vector<double> times;
   for (const auto& [time, parts] : files) times.push_back(time);
   const double time =
@@ -128,7 +131,7 @@ void append(FileLevels more, FileLevels& files) {
 FileLevels read_levels(const fs::path& path, std::string_view scalar, const std::string& velocity,
                        const std::string& time) {
   const Wanted wanted{scalar, velocity, time};
-  return is_list(path) ? read_list(path, wanted) : read_one(path, wanted);
+  return is_file_list(path) ? read_list(path, wanted) : read_one(path, wanted);
 }
 
 }  // namespace pellucid::fields

@@ -23,10 +23,10 @@ struct FileLevels {
 void append(FileLevels more, FileLevels& files);
 
 /// Reads the levels of a scalar from a file: the grids of a .vdb (levels_of()), the one grid of a
-/// file that VTK reads (level_of()), or those of the files that a .pvd or a .series lists at one
-/// time. The time is the one that readers::chosen_time() finds, the first if `time` is empty.
-/// Throws InputError, naming the file, for one of another ending, with those that are accepted, and
-/// for what its reader refuses.
+/// file that VTK reads or of a MetaImage (level_of()), or those of the files that a .pvd or a
+/// .series lists at one time. The time is the one that readers::chosen_time() finds, the first if
+/// `time` is empty. Throws InputError, naming the file, for one of another ending, with those that
+/// are accepted, and for what its reader refuses.
 FileLevels read_levels(const std::filesystem::path& path, std::string_view scalar,
                        const std::string& velocity = {}, const std::string& time = {});
 

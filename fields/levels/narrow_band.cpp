@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "fields/files/vdb_box.h"
 
 namespace pellucid::fields {
 namespace {
@@ -50,7 +51,7 @@ ValueGaps gaps_between(const Layer& below, const Layer& above, std::size_t width
 
 template <class Grid>
 void add_gaps(const Grid& grid, ValueGaps& gaps) {
-  const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+  const openvdb::CoordBBox box = box_of_values(grid);
   if (box.empty()) return;
   constexpr int layers_at_once = 16;  // of which each but the outermost is looked up once
   const int cells = box.max().z() - box.min().z();

@@ -51,17 +51,10 @@ void place(const openvdb::GridBase& grid, const openvdb::Coord& first, const std
   level.origin = {origin[0], origin[1], origin[2]};
 }
 
-/// Whether voxels that are not active have values that mean something: beyond its narrow band a
-/// level set has the band's width, with the sign of the side; around a fog there is none.
-bool has_values_beyond(const openvdb::GridBase& grid) {
-  return grid.getGridClass() == openvdb::GRID_LEVEL_SET ||
-         grid.getGridClass() == openvdb::GRID_FOG_VOLUME;
-}
-
 template <class Grid>
 auto level_of(const Grid& grid, const std::string& name) {
   Level<decltype(sample_of(typename Grid::ValueType()))> level;
-  const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
+  const openvdb::CoordBBox box = box_of_values(grid);
   if (box.empty()) throw InputError(fmt::format("{}: it has no active voxels", name));
   if (!fills_a_box(grid, box) && !has_values_beyond(grid))
     throw InputError(

@@ -15,8 +15,12 @@
 namespace pellucid::fields {
 namespace {
 
-// Of a spacing: lengths are written in decimals, and positions are kept in floats.
+// Of a spacing: lengths are written in decimals.
 constexpr double length_rounding = 1e-4;
+// Of a spacing, where degrees are written with a few decimals: 0.08, 0.17, 0.25, … for twelfths.
+constexpr double degree_rounding = 0.1;
+// Of the largest coordinate: positions are kept in floats, and so is each end of a spacing.
+constexpr double float_rounding = 0x1p-22;
 // Of the largest sample: those at both ends of a period were computed in floats, each by itself.
 constexpr double sample_rounding = 1e-6;
 // Of the coordinates: a plane kept in floats, and a seed on it in decimals, are off by less.
@@ -142,7 +146,7 @@ class Maker {
                       "whether the last is the first again; accepted: periodic={0}:LENGTH",
                       name));
     if (equals_first(a, size_[a] - 1)) return length;
-    if (!is_even(axis))
+    if (!is_even(axis, length_rounding))
       fail(
           fmt::format("periodic={0}: its spacing along {0} is not even; accepted: "
                       "periodic={0}:LENGTH",
@@ -150,20 +154,24 @@ class Maker {
     return length + length / double(axis.size() - 1);
   }
 
-  static bool is_even(const Axis& axis) {
+  /// `rounding` is a share of the spacing.
+  static bool is_even(const Axis& axis, double rounding) {
     const double spacing = (axis.back() - axis.front()) / double(axis.size() - 1);
+    const double slack =
+        std::max(rounding * spacing,
+                 float_rounding * std::max(std::abs(axis.front()), std::abs(axis.back())));
     for (std::size_t i = 0; i + 1 < axis.size(); ++i)
-      if (std::abs(axis.width(i) - spacing) > length_rounding * spacing) return false;
+      if (std::abs(axis.width(i) - spacing) > slack) return false;
     return true;
   }
 
   bool is_longitude() const {
     const auto &x = source_.axes[0], &y = source_.axes[1];
-    if (source_.frame || !x.axis || !y.axis || !is_even(*x.axis)) return false;
+    if (source_.frame || !x.axis || !y.axis || !is_even(*x.axis, degree_rounding)) return false;
     if (y.front() < -90 || y.back() > 90) return false;
     const double length = x.back() - x.front(), spacing = length / double(x.axis->size() - 1);
     const auto is_a_turn = [&](double angle) {
-      return std::abs(angle - 360) <= length_rounding * spacing;
+      return std::abs(angle - 360) <= degree_rounding * spacing;
     };
     if (is_a_turn(length)) return has_cells() || equals_first(0, size_[0] - 1);
     return !has_cells() && is_a_turn(length + spacing);

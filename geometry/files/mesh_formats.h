@@ -29,6 +29,7 @@ struct FormatRow {
                      const std::string&) = nullptr;
   void (*write_lines)(const std::filesystem::path&, const LineSet&, const std::string&) = nullptr;
   void (*write_points)(const std::filesystem::path&, const PointSet&, const std::string&) = nullptr;
+  bool writes_scalars = true;  // what is written has the vertices' numbers
 };
 
 /// Returns the table of formats.

@@ -145,7 +145,8 @@ FormatRow tck_format() {
           .title = "tracks of MRtrix",
           .traps = "in scanner coordinates, mm; positions alone are written, in floats",
           .read_lines = read_tck,
-          .write_lines = write_tck};
+          .write_lines = write_tck,
+          .writes_scalars = false};
 }
 
 }  // namespace pellucid::geometry

@@ -153,6 +153,9 @@ class TrxReader {
   explicit TrxReader(const Blocks& files) : files_(files) {}
 
   FileLines read() {
+    if (!files_.find("header.json"))
+      throw BlockError(fmt::format("it has no header.json at its root{}",
+                                   files_.all().empty() ? "" : ", but " + files_.all()[0].name));
     const nlohmann::json header = parse_json("header.json", files_.text("header.json"));
     const std::uint64_t vertices = count_in(header, "NB_VERTICES");
     const std::uint64_t lines = count_in(header, "NB_STREAMLINES");

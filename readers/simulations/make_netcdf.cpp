@@ -42,10 +42,12 @@ class NetcdfReader : public vtkNetCDFCFReader {
     const std::vector<NetcdfChoice> choices = all_choices();
     const std::string dimensions = chosen_dimensions(choices, wanted, GetFileName());
     for (const NetcdfChoice& choice : choices) {
-      const bool fits = choice.is_number && choice.dimensions == dimensions;
+      const bool fits = choice.is_grid() && choice.dimensions == dimensions;
       if (fits && choice.time_is_late) refuse_late_time(choice);
       SetVariableArrayStatus(choice.name.c_str(), fits);
-      if (!fits && choice.axes() > 0) left_out.push_back(choice.name + choice.dimensions);
+      if (!fits && choice.axes() > 0)
+        left_out.push_back(
+            fmt::format("{}{}: it {}", choice.name, choice.dimensions, reason_of(choice)));
     }
     return left_out;
   }
@@ -68,7 +70,6 @@ class NetcdfReader : public vtkNetCDFCFReader {
   }
 
   int LoadVariable(int file, const char* name, double time, vtkDataSet* output) override {
-    refuse_unsigned(NetcdfVariable(file, name), name);
     time_to_load_ = time;
     const bool is_loaded = vtkNetCDFCFReader::LoadVariable(file, name, time, output) != 0;
     time_to_load_.reset();
@@ -97,11 +98,30 @@ class NetcdfReader : public vtkNetCDFCFReader {
     if (!UpdateMetaData() || nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR) return choices;
     for (int i = 0; i < GetNumberOfVariableArrays(); ++i) {
       const char* const name = GetVariableArrayName(i);
-      choices.push_back({name, GetVariableDimensions()->GetValue(i),
-                         NetcdfVariable(file, name).is_number(), is_time_late(file, name)});
+      const NetcdfVariable variable(file, name);
+      choices.push_back({name, GetVariableDimensions()->GetValue(i), variable.is_number(),
+                         variable.unread_by_vtk(), is_time_late(file, name)});
     }
+    if (choices.empty()) refuse_groups(file);
     nc_close(file);
     return choices;
+  }
+  static std::string reason_of(const NetcdfChoice& choice) {
+    if (!choice.is_number) return "holds no numbers";
+    return choice.unread.empty() ? "has other dimensions" : choice.unread;
+  }
+  /// VTK knows the variables of the root group alone.
+  void refuse_groups(int file) {
+    int count = 0;
+    if (nc_inq_grps(file, &count, nullptr) != NC_NOERR || count == 0) return;
+    std::vector<int> groups(std::size_t(count), 0);
+    nc_inq_grps(file, nullptr, groups.data());
+    char name[NC_MAX_NAME + 1] = {};
+    nc_inq_grpname(groups.front(), name);
+    throw InputError(
+        fmt::format("{}: its variables are in groups, '{}' is the first of {}; accepted: variables "
+                    "of the file itself (ncks -G : brings them there)",
+                    GetFileName(), name, count));
   }
   /// Says whether a variable has its time among its dimensions, but not as the first.
   bool is_time_late(int file, const char* name) {
@@ -143,13 +163,6 @@ class NetcdfReader : public vtkNetCDFCFReader {
       throw InputError(
           fmt::format("{}: the coordinate '{}' has a scale_factor or an add_offset, "
                       "which VTK does not apply; accepted: none",
-                      GetFileName(), name));
-  }
-  void refuse_unsigned(const NetcdfVariable& variable, const char* name) {
-    if (variable.is_called_unsigned())
-      throw InputError(
-          fmt::format("{}: '{}' has the attribute _Unsigned, which VTK does not know; "
-                      "accepted: a variable of an unsigned or a wider type",
                       GetFileName(), name));
   }
 

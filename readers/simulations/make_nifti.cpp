@@ -19,11 +19,9 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <optional>
 
 #include "core/error.h"
-#include "readers/simulations/permuted_axes.h"
-#include "readers/vtk/ascending_axes.h"
+#include "readers/simulations/placed_image.h"
 
 namespace pellucid::readers {
 namespace {
@@ -56,59 +54,16 @@ glm::dvec3 step_along(int a, vtkMatrix4x4& world_from_mm, const double* spacing)
          spacing[a];
 }
 
-using Steps = std::array<glm::dvec3, 3>;
-
-/// Which axis of space each step runs along, where all do: within what quaternions of floats leave.
-std::optional<std::array<int, 3>> axes_along(const Steps& steps) {
-  constexpr double rounding = 1e-6;
-  std::array<int, 3> axes{};
-  glm::bvec3 taken(false);
-  for (std::size_t a = 0; a < 3; ++a) {
-    const glm::dvec3 size = glm::abs(steps[a]);
-    axes[a] = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-    glm::dvec3 across = steps[a];
-    across[axes[a]] = 0;
-    if (glm::length(across) > rounding * glm::length(steps[a]) || taken[axes[a]])
-      return std::nullopt;
-    taken[axes[a]] = true;
-  }
-  return axes;
-}
-
-Steps steps_of(vtkMatrix4x4& world_from_mm, const double* spacing, const char* file) {
-  Steps steps;
-  for (int a = 0; a < 3; ++a) {
-    steps[std::size_t(a)] = step_along(a, world_from_mm, spacing);
-    const double length = glm::length(steps[std::size_t(a)]);
-    if (!std::isfinite(length) || length == 0)
-      throw InputError(
-          fmt::format("{}: a step along axis {} of its matrix is {} long; accepted: "
-                      "a positive length",
-                      file, a, length));
-  }
-  return steps;
-}
-
-/// Places the voxels, the first of which VTK has at 0: `world_from_mm` takes VTK's positions into
-/// the file's space, slices reversed or not. Axes along those of space become these; others turn
-/// the image.
+/// `world_from_mm` takes VTK's positions into the file's space, slices reversed or not; VTK has the
+/// first voxel at 0.
 void place(vtkImageData& image, vtkMatrix4x4& world_from_mm, const char* file) {
-  const Steps steps = steps_of(world_from_mm, image.GetSpacing(), file);
-  const auto axes = axes_along(steps);
-  double spacing[3], direction[9];
-  for (std::size_t a = 0; a < 3; ++a) {
-    spacing[a] = axes ? steps[a][(*axes)[a]] : glm::length(steps[a]);
-    for (std::size_t row = 0; row < 3; ++row)
-      direction[3 * row + a] = steps[a][int(row)] / glm::length(steps[a]);
-  }
-  image.SetSpacing(spacing);
-  image.SetOrigin(world_from_mm.GetElement(0, 3), world_from_mm.GetElement(1, 3),
-                  world_from_mm.GetElement(2, 3));
-  if (axes)
-    permute_axes(image, *axes);
-  else
-    image.SetDirectionMatrix(direction);
-  make_axes_ascend(image);
+  std::array<glm::dvec3, 3> steps;
+  for (int a = 0; a < 3; ++a)
+    steps[std::size_t(a)] = step_along(a, world_from_mm, image.GetSpacing());
+  place_image(image, steps,
+              {world_from_mm.GetElement(0, 3), world_from_mm.GetElement(1, 3),
+               world_from_mm.GetElement(2, 3)},
+              file);
 }
 
 class NiftiReader : public vtkNIFTIImageReader {

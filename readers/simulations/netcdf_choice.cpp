@@ -18,13 +18,23 @@ const NetcdfChoice* find(const std::vector<NetcdfChoice>& choices, std::string_v
   return found == choices.end() ? nullptr : &*found;
 }
 
+void refuse_unread(const NetcdfChoice& choice, const std::string& file) {
+  if (!choice.unread.empty())
+    throw InputError(fmt::format("{}: '{}' {}", file, choice.name, choice.unread));
+}
+
 /// The dimensions of those that are wanted, which have to be the same; "" where there are none.
 std::string wanted_dimensions(const std::vector<NetcdfChoice>& choices, const std::string& wanted,
                               const std::string& file) {
-  if (const NetcdfChoice* whole = find(choices, wanted)) return whole->dimensions;
+  const auto find_loaded = [&](std::string_view name) {
+    const NetcdfChoice* one = find(choices, name);
+    if (one) refuse_unread(*one, file);
+    return one;
+  };
+  if (const NetcdfChoice* whole = find_loaded(wanted)) return whole->dimensions;
   const NetcdfChoice* first = nullptr;
   for (const std::string_view name : split(wanted, ',')) {
-    const NetcdfChoice* one = find(choices, name);
+    const NetcdfChoice* one = find_loaded(name);
     if (!first) first = one;
     if (one && one->dimensions != first->dimensions)
       throw InputError(
@@ -53,8 +63,11 @@ std::string usual_dimensions(const std::vector<NetcdfChoice>& choices) {
 
 std::string chosen_dimensions(const std::vector<NetcdfChoice>& choices, const std::string& wanted,
                               const std::string& file) {
-  const std::string dimensions = wanted_dimensions(choices, wanted, file);
-  return dimensions.empty() ? usual_dimensions(choices) : dimensions;
+  std::string dimensions = wanted_dimensions(choices, wanted, file);
+  if (dimensions.empty()) dimensions = usual_dimensions(choices);
+  if (dimensions.empty())
+    for (const NetcdfChoice& choice : choices) refuse_unread(choice, file);
+  return dimensions;
 }
 
 }  // namespace pellucid::readers

@@ -5,6 +5,7 @@
 
 #include "readers/simulations/netcdf_missing.h"
 
+#include <fmt/format.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "readers/simulations/netcdf_axes.h"
 
@@ -41,9 +43,21 @@ std::optional<double> NetcdfVariable::number(const char* attribute) const {
   return values.empty() ? std::nullopt : std::optional(values.front());
 }
 
-bool NetcdfVariable::is_called_unsigned() const {
+/// VTK takes the types of NetCDF 3 alone, and does not know the attribute _Unsigned.
+std::string NetcdfVariable::unread_by_vtk() const {
+  constexpr std::pair<int, const char*> others[] = {{NC_UBYTE, "ubyte"},
+                                                    {NC_USHORT, "ushort"},
+                                                    {NC_UINT, "uint"},
+                                                    {NC_INT64, "int64"},
+                                                    {NC_UINT64, "uint64"}};
+  constexpr const char* accepted = "accepted: byte, short, int, float, double";
+  for (const auto& [type, name] : others)
+    if (type_ == type) return fmt::format("is of {}, which VTK does not read; {}", name, accepted);
   const std::string text = text_attribute(file_, id_, "_Unsigned");
-  return text == "true" || text == "True" || text == "TRUE";
+  if (text == "true" || text == "True" || text == "TRUE")
+    return fmt::format("has the attribute _Unsigned, which VTK does not know; {}, without it",
+                       accepted);
+  return {};
 }
 
 bool NetcdfVariable::is_number() const {

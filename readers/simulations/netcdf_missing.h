@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkDataSetAttributes;
@@ -18,8 +19,8 @@ class NetcdfVariable {
   std::vector<double> numbers(const char* attribute) const;
   std::optional<double> number(const char* attribute) const;
 
-  /// Says whether the file calls its numbers, of a type with a sign, such without.
-  bool is_called_unsigned() const;
+  /// Returns why VTK cannot load it, "is of int64, which …"; "" where it can.
+  std::string unread_by_vtk() const;
   bool is_number() const;
   bool is_integer() const;
   bool is_byte() const;  // with a sign

@@ -29,6 +29,7 @@
 #include "readers/simulations/make_mrc.h"
 #include "readers/simulations/make_netcdf.h"
 #include "readers/simulations/make_nifti.h"
+#include "readers/simulations/make_nrrd.h"
 #include "readers/simulations/simulation_checks.h"
 #include "readers/simulations/tecplot_coordinates.h"
 #include "readers/vtk/parse_file.h"
@@ -178,10 +179,16 @@ class TecplotReader : public vtkTecplotReader {
 
 vtkSmartPointer<vtkAlgorithm> make_tecplot(const Path& path) {
   refuse_fortran_numbers(path);
+  refuse_several_solution_times(path);
   const auto reader = reader_of<TecplotReader>(path);
   reader->TakeAllVariables();
   return reader;
 }
+
+/// Of zones: what Tecplot 360 writes of their place in an animation, which reads nothing otherwise.
+constexpr std::string_view tecplot_words[] = {
+    "'STRANDID' is currently unsupported", "'SOLUTIONTIME' is currently unsupported",
+    "'PARENTZONE' is currently unsupported", "'FILETYPE' is currently unsupported"};
 
 constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".foam", make_foam},
@@ -193,11 +200,13 @@ constexpr VtkReader readers[] = {{".vtkhdf", make<vtkHDFReader>},
                                  {".cgns", make_cgns},
                                  {".xyz", make_plot3d},
                                  {".p3d", make_plot3d},
-                                 {".tec", make_tecplot},
+                                 {".tec", make_tecplot, nullptr, tecplot_words},
                                  {".nc", make_netcdf, pick_netcdf_variables},
                                  {".cdf", make_netcdf, pick_netcdf_variables},
                                  {".nii", make_nifti},
                                  {".nii.gz", make_nifti},
+                                 {".nrrd", make_nrrd},
+                                 {".nhdr", make_nrrd},
                                  {".stl", make_stl},
                                  {".mrc", make_mrc},
                                  {".rec", make_mrc}};

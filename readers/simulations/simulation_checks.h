@@ -23,4 +23,8 @@ void refuse_divided_foam(const std::filesystem::path& path);
 /// VTK reads as 9 and without the exponent.
 void refuse_fortran_numbers(const std::filesystem::path& path);
 
+/// Throws InputError for a Tecplot file with zones of several times (SOLUTIONTIME), which VTK would
+/// lay over each other.
+void refuse_several_solution_times(const std::filesystem::path& path);
+
 }  // namespace pellucid::readers

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <optional>
 
 #include "core/error.h"
+#include "core/options/lower_case.h"
+#include "core/options/parameters.h"
 #include "readers/simulations/simulation_checks.h"
 
 namespace pellucid::readers {
@@ -43,6 +46,27 @@ void refuse_fortran_numbers(const std::filesystem::path& path) {
                         "each by itself, exponents after an E",
                         path.string(), word));
     }
+  }
+}
+
+void refuse_several_solution_times(const std::filesystem::path& path) {
+  constexpr std::string_view key = "solutiontime";
+  std::ifstream file(path);
+  std::optional<double> first;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t at = lower_case(line).find(key);
+    if (at == line.npos || line.find('#') < at) continue;
+    const std::size_t begin = line.find_first_not_of(" =\t", at + key.size());
+    if (begin == line.npos) continue;
+    const std::size_t end = std::min(line.find_first_of(" ,\t\r", begin), line.size());
+    double time = 0;
+    if (!parse_number(std::string_view(line).substr(begin, end - begin), time)) continue;
+    if (first && *first != time)
+      throw InputError(
+          fmt::format("{}: zones at the times {} and {}; accepted: a file per time, "
+                      "and a .series of them",
+                      path.string(), *first, time));
+    first = time;
   }
 }
 

@@ -8,7 +8,9 @@
 
 #include <fstream>
 #include <string>
+#include <utility>
 
+#include "core/options/lower_case.h"
 #include "core/options/parameters.h"
 
 namespace pellucid::readers {
@@ -71,6 +73,27 @@ void add_case(const fs::path& folder, Paths& paths) {
   }
 }
 
+/// What follows "data file:" in an NRRD header, and the lines behind it, where a LIST has its
+/// names; the header ends at an empty line.
+std::pair<std::string, Paths> data_files_of_nrrd(const fs::path& file) {
+  constexpr std::size_t longest = 4096;  // what is longer is no header's line
+  std::ifstream text(file, std::ios::binary);
+  for (std::string line; std::getline(text, line) && !line.empty() && line.size() < longest;) {
+    const std::size_t colon = line.find(": ");
+    const std::string key = lower_case(line.substr(0, colon));
+    if (colon == line.npos || (key != "data file" && key != "datafile")) continue;
+    std::string value = line.substr(colon + 2);
+    value.erase(value.find_last_not_of(" \t\r") + 1);
+    Paths names;
+    while (std::getline(text, line) && !line.empty() && line.size() < longest)
+      names.emplace_back(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+    return {value, names};
+  }
+  return {};
+}
+
+bool is_list(const std::string& value) { return value.substr(0, value.find(' ')) == "LIST"; }
+
 }  // namespace
 
 std::vector<fs::path> files_of_ensight(const fs::path& file) {
@@ -87,6 +110,19 @@ std::vector<fs::path> files_of_foam(const fs::path& file) {
   for (const fs::path& entry : entries_of<fs::directory_iterator>(folder))
     if (entry.filename().string().starts_with("processor")) add_case(entry, paths);
   return paths;
+}
+
+std::vector<fs::path> files_of_nrrd(const fs::path& file) {
+  const auto [value, names] = data_files_of_nrrd(file);
+  if (value.empty()) return {};
+  Paths paths = is_list(value) ? names : Paths{value};
+  for (fs::path& path : paths) path = folder_of(file) / path;
+  return paths;
+}
+
+std::string numbered_files_of_nrrd(const fs::path& file) {
+  const std::string value = data_files_of_nrrd(file).first;
+  return value.find('%') == value.npos || is_list(value) ? "" : value;
 }
 
 }  // namespace pellucid::readers

@@ -122,8 +122,8 @@ FileTimes parse_vtk_file(const std::filesystem::path& path, std::span<const VtkR
     require_closing_tag(path);
     check_xml(path);
   }
-  const VtkMessages messages;
   const VtkReader& row = row_of(path, readers);
+  const VtkMessages messages(row.harmless);
   const auto reader = row.make(path);
   std::vector<std::string> left_out;
   if (row.pick_arrays) left_out = row.pick_arrays(*reader, request.arrays);
@@ -141,9 +141,15 @@ FileTimes parse_vtk_file(const std::filesystem::path& path, std::span<const VtkR
     parse(std::nullopt);
     return {};
   }
-  const std::size_t all = times.size();
+  const std::vector<double> all = times;
   if (!request.time.empty()) times = {times[chosen_time(times, request.time, path)]};
-  for (const double time : times) parse(time);
+  for (const double time : times) try {
+      parse(time);
+    } catch (const InputError& error) {
+      if (all.size() == 1) throw;
+      throw InputError(fmt::format("{} (at time {} of {}; time=last reads the last alone)",
+                                   error.what(), time, all.size()));
+    }
   return {times, all};
 }
 

@@ -30,10 +30,9 @@ struct ParsedTime {
   std::vector<std::string> left_out;  // arrays that do not fit those in `data`
 };
 
-/// FileTimes are the times that were read, and how many there are: none of a file without.
+/// FileTimes are the times that were read, and all that there are: none of a file without.
 struct FileTimes {
-  std::vector<double> read;
-  std::size_t all = 0;
+  std::vector<double> read, all;
 };
 
 /// One reader of VTK: made for a file, whose name and options it has.
@@ -44,6 +43,8 @@ struct VtkReader {
   /// the names of all others.
   std::vector<std::string> (*pick_arrays)(vtkAlgorithm& reader,
                                           const std::string& wanted) = nullptr;
+  /// Words of warnings after which what is read is whole; other messages refuse the file.
+  std::span<const std::string_view> harmless = {};
 };
 
 /// VTK's own formats.

@@ -39,12 +39,15 @@ std::uint64_t note_files_beside(const fs::path& path, const VtkFormat& format) {
 /// Without times the one that there is.
 std::vector<VtkTime> times_of(const Blocks& blocks) {
   const auto times = blocks.at("times").values<double>();
-  const auto count = blocks.at("time count").values<std::uint64_t>();
+  const auto of = blocks.at("all times").values<double>();
   std::vector<VtkTime> all;
   for (std::size_t i = 0; i < std::max<std::size_t>(times.size(), 1); ++i) {
     const Blocks part = blocks.within(fmt::format("{}|", i));
-    all.push_back({times.empty() ? 0 : times[i], data_set_of(part), lines_of(part.text("blocks")),
-                   lines_of(part.text("left out")), count.empty() ? 0 : std::size_t(count[0])});
+    all.push_back({times.empty() ? 0 : times[i],
+                   data_set_of(part),
+                   lines_of(part.text("blocks")),
+                   lines_of(part.text("left out")),
+                   {of.begin(), of.end()}});
   }
   return all;
 }

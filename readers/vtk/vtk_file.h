@@ -16,8 +16,8 @@ struct VtkTime {
   double time = 0;  // 0 in a file without times
   vtkSmartPointer<vtkDataSet> data;
   std::vector<std::string> blocks;    // names of those merged in it; none of a file of one data set
-  std::vector<std::string> left_out;  // arrays that do not fit the grid of the others
-  std::size_t of = 0;                 // how many times the file has
+  std::vector<std::string> left_out;  // arrays, and why: "NAME(x, y): it has other dimensions"
+  std::vector<double> of;             // all times of the file
 };
 
 /// Reads a file of vtk_formats() by VTK, in a process of its own: the blocks named in `block`, at

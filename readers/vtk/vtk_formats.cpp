@@ -97,6 +97,14 @@ constexpr VtkFormat table[] = {
      "scaled by its slope and intercept; one volume; placed by its matrix, sform before qform, in "
      "scanner coordinates (RAS), as .trk and .tck are; vectors are not turned"},
     {".nii.gz", "NIfTI image, compressed", simulation, Beside::nothing, {}, "as .nii"},
+    {".nrrd",
+     "NRRD image",
+     simulation,
+     Beside::header,
+     {},
+     "read by Teem; two or three axes of space, and one of a sample's numbers; anatomical spaces "
+     "are brought to RAS, vectors with them, from their measurement frame; no times"},
+    {".nhdr", "NRRD header beside its data", simulation, Beside::header, {}, "as .nrrd"},
     {".stl",
      "stereolithography, text or binary",
      simulation,
@@ -164,6 +172,9 @@ std::vector<fs::path> files_beside(const fs::path& path, const VtkFormat& format
       break;
     case Beside::tree:
       paths = files_of_foam(path);
+      break;
+    case Beside::header:
+      paths = files_of_nrrd(path);
       break;
   }
   keep_files(paths, path);

@@ -10,8 +10,9 @@
 namespace pellucid::readers {
 
 /// Beside says which other files VTK reads with one: those its XML names; that of the same name
-/// whose ending is `second`; those an EnSight case names; those of an OpenFOAM case's folders.
-enum class Beside { nothing, named, second, folder, tree };
+/// whose ending is `second`; those an EnSight case names; those of an OpenFOAM case's folders;
+/// those an NRRD header names.
+enum class Beside { nothing, named, second, folder, tree, header };
 
 /// One kind of file that VTK reads. Which of VTK's readers it is stands in the program's own table
 /// (parse_file.cpp, parse_simulation.cpp).

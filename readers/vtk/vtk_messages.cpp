@@ -20,11 +20,16 @@ class Capture final : public vtkOutputWindow {
 
   void DisplayText(const char* text) override {
     const std::lock_guard lock(mutex_);  // readers may decompress on several threads
-    if (first.empty() && text) first = text;
+    if (first.empty() && text && !is_harmless(text)) first = text;
   }
   std::string first;
+  std::span<const std::string_view> harmless;
 
  private:
+  bool is_harmless(std::string_view text) const {
+    return std::ranges::any_of(harmless,
+                               [&](std::string_view word) { return text.find(word) != text.npos; });
+  }
   std::mutex mutex_;
 };
 
@@ -32,11 +37,13 @@ vtkStandardNewMacro(Capture);
 
 }  // namespace
 
-VtkMessages::VtkMessages()
+VtkMessages::VtkMessages(std::span<const std::string_view> harmless)
     : lock_(output_mutex()),
       before_(vtkOutputWindow::GetInstance()),
       verbosity_before_(vtkLogger::GetCurrentVerbosityCutoff()) {
-  capture_.TakeReference(Capture::New());
+  Capture* const capture = Capture::New();
+  capture->harmless = harmless;
+  capture_.TakeReference(capture);
   vtkOutputWindow::SetInstance(capture_);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // the second way to stderr
 }

@@ -6,7 +6,9 @@
 #include <vtkSmartPointer.h>
 
 #include <mutex>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace pellucid::readers {
 
@@ -14,7 +16,8 @@ namespace pellucid::readers {
 /// one output for the whole process, so these objects wait for each other.
 class VtkMessages {
  public:
-  VtkMessages();
+  /// Messages with one of the `harmless` words are passed over.
+  explicit VtkMessages(std::span<const std::string_view> harmless = {});
   ~VtkMessages();
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;

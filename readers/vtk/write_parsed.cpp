@@ -5,8 +5,6 @@
 #include <fmt/ranges.h>
 #include <vtkDataSet.h>
 
-#include <cstdint>
-
 #include "readers/vtk/data_set_blocks.h"
 
 namespace pellucid::readers {
@@ -25,8 +23,7 @@ void write_parsed(const std::filesystem::path& path, std::span<const VtkReader> 
   const FileTimes times = parse_vtk_file(path, readers, request, take);
   out.name_within("");
   out.add("times", std::span<const double>(times.read));
-  const std::uint64_t all = times.all;
-  out.add("time count", std::span(&all, 1));
+  out.add("all times", std::span<const double>(times.all));
 }
 
 }  // namespace pellucid::readers

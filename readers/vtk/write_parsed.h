@@ -11,8 +11,8 @@
 namespace pellucid::readers {
 
 /// Parses a file and writes what read_vtk_file() reads: per time number N the data set's blocks
-/// "blocks" and "left out" (names, one a line) within "N|", the "times", and how many the file has,
-/// the "time count". `arguments` are the request's block, time and arrays.
+/// "blocks" and "left out" (names, one a line) within "N|", the "times" that are, and all of the
+/// file, "all times". `arguments` are the request's block, time and arrays.
 void write_parsed(const std::filesystem::path& path, std::span<const VtkReader> readers,
                   std::span<const std::string> arguments, BlockWriter& out);
 

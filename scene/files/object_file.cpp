@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/files/mesh_file.h"
@@ -230,7 +231,12 @@ class ObjectReader {
       }
       apply_appearance(appearance, object_.vertices());
     });
-    if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) remark_map_span(*by);
+    if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) {
+      remark_map_span(*by);
+      remark_lack(by->scalar, "colour");
+    }
+    if (const auto* by = std::get_if<ScalarOpacity>(&appearance.opacity))
+      remark_lack(by->scalar, "opacity");
     if (object_.source) fill_in(appearance);
   }
 
@@ -240,6 +246,17 @@ class ObjectReader {
       scene::remark_map_span(map_span(by, *mesh), "triangle", *mesh);
     if (auto* lines = std::get_if<LineObject>(&object_.shape))
       scene::remark_map_span(map_span(by, lines->set), "segment", lines->set);
+  }
+
+  /// Where no value of a scalar is a number, nothing is by it.
+  void remark_lack(const std::string& scalar, std::string_view what) {
+    geometry::Vertices& vertices = object_.vertices();
+    const auto found = vertices.scalars.find(scalar);
+    if (found == vertices.scalars.end() ||
+        std::ranges::any_of(found->second, [](double value) { return std::isfinite(value); }))
+      return;
+    vertices.remarks.push_back(
+        fmt::format("no value of '{}' is a number: its {} is that of none", scalar, what));
   }
 
   bool asks_attributes_of_field(const SceneObject& object) const {

@@ -111,6 +111,32 @@ TEST_F(UnitInfo, ASeriesHasItsTimesAndWhatItsFirstFileHolds) {
   EXPECT_EQ(array_of(json, "v")["count"], 12);
 }
 
+/// Which vectors would be a velocity is nobody's question here.
+TEST_F(UnitInfo, ACollectionOfFilesWithTwoVectorsHasItsTimes) {
+  std::string two = image;
+  const std::string vectors =
+      two.substr(two.find("<DataArray type=\"Float32\""),
+                 two.find("</PointData>") - two.find("<DataArray type=\"Float32\""));
+  std::string other = vectors;
+  other.replace(other.find("\"v\""), 3, "\"w\"");
+  two.insert(two.find("</PointData>"), other);
+  info("two.vti", two);
+  const Json json = info("c.pvd", R"(<VTKFile type="Collection"><Collection>
+      <DataSet timestep="3" file="two.vti"/><DataSet timestep="1" file="two.vti"/></Collection></VTKFile>)");
+  EXPECT_EQ(json["kind"], "files over time");
+  EXPECT_EQ(json["times"], Json({1, 3}));
+  EXPECT_EQ(json["counts"]["files"], 2);
+  EXPECT_EQ(array_of(json, "w")["count"], 12);
+}
+
+TEST_F(UnitInfo, AMetaImageHasItsNumbers) {
+  const Json json = info("a.mha",
+                         "NDims = 3\nDimSize = 2 1 2\nElementType = MET_UCHAR\n"
+                         "Offset = 1 2 3\nElementDataFile = LOCAL\nabcd");
+  EXPECT_EQ(json["dimensions"], Json({2, 1, 2}));
+  EXPECT_EQ(array_of(json, "MetaImage")["ranges"], Json::parse("[[97, 100]]"));
+}
+
 TEST_F(UnitInfo, GeometryTellsWhatItIsDrawnAs) {
   const std::string vertices =
       "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"

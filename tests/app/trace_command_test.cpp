@@ -83,6 +83,13 @@ TEST_F(UnitCommandLine, CarriesAttributesOfAFileAlong) {
                       "--carry p -o " +
                       lines),
               HasSubstr("it has no scalar 'p'"));
+  for (const char* ending : {".obj", ".tck"})
+    EXPECT_THAT(
+        refusal("trace --field " + field +
+                " --seed 1,0,1:2,0,1 --duration 1 --integrator "
+                "stream-lines:particles=2 --carry p -o " +
+                (folder_ / ("l" + std::string(ending))).string()),
+        AllOf(HasSubstr("files hold no 'p' of --carry; accepted: .ply"), HasSubstr(".vtp")));
   // A scene's colours ask for them by name, whatever draws the surface, and back in time.
   const auto scene = [&](const std::string& by, const std::string& duration) {
     write_text(folder_ / "scene.json",

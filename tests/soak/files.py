@@ -60,6 +60,12 @@ def meta_image():
             b"ElementDataFile = LOCAL\n" + values)
 
 
+def nrrd():
+    values = b"".join(struct.pack("<3f", 1, 0.5, 0) for _ in range(27))
+    return (b"NRRD0004\ntype: float\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 3 3 3\nkinds: vector space "
+            b"space space\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nendian: little\nencoding: raw\n\n" + values)
+
+
 OBJ = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nl 1 2 3\n"
 
 
@@ -105,7 +111,7 @@ class Seeds:
         for name, content in {
                 "field.vti": image_data("ImageData"), "field.vtr": image_data("RectilinearGrid"),
                 "field.vts": image_data("StructuredGrid"), "field.vtu": unstructured(),
-                "field.vtk": legacy(), "field.mha": meta_image(), "mesh.obj": OBJ,
+                "field.vtk": legacy(), "field.mha": meta_image(), "field.nrrd": nrrd(), "mesh.obj": OBJ,
                 "points.csv": b"x,y,z,red\n0,0,0,1\n1,1,0,0.5\n0,1,1,0\n",
                 "scene.json": scene_of([{"mesh": "mesh.ply", "opacity": 0.4},
                                         {"lines": "lines.ply", "radius": 0.05}]).encode()}.items():

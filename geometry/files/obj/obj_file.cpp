@@ -185,7 +185,8 @@ FormatRow obj_format() {
       .read_mesh = read_obj,
       .read_lines = read_obj_lines,
       .write_mesh = write_obj,
-      .write_lines = write_obj_lines};
+      .write_lines = write_obj_lines,
+      .writes_scalars = false};
 }
 
 }  // namespace pellucid::geometry

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
@@ -146,30 +148,34 @@ void read_strips(ply::Reader& reader, const ply::Element& element, TriangleMesh&
         ply::skip(reader, property);
 }
 
-/// Calls `read(element, reader)` for each element after the vertices, whose positions it fills;
-/// what `read` returns false for is passed over.
+/// Calls `read(element, reader)` for each element but the vertices, whose positions it fills
+/// before; what `read` returns false for is passed over. Elements may stand before the vertices.
 template <class Read>
 VertexAttributes read_elements(const std::filesystem::path& path, Vertices& vertices,
                                const Read& read) {
   const std::string content = read_text(path);
   ply::Reader reader(path.string(), without_mark(content));
   VertexAttributes attributes;
-  for (const ply::Element& element : reader.read_header().elements) {
+  const std::vector<ply::Element> elements = reader.read_header().elements;
+  std::vector<std::pair<const ply::Element*, ply::Reader>> before;
+  bool has_vertices = std::ranges::find(elements, "vertex", &ply::Element::name) == elements.end();
+  for (const ply::Element& element : elements) {
     ply::check_count(reader, element);
-    if (element.name == "vertex")
+    if (element.name == "vertex") {
       attributes = read_vertices(reader, element, vertices);
-    else if (!read(element, reader))
+      has_vertices = true;
+      for (auto& [earlier, at] : before) read(*earlier, at);
+    } else if (!has_vertices) {
+      before.emplace_back(&element, reader);
       ply::skip(reader, element);
+    } else if (!read(element, reader)) {
+      ply::skip(reader, element);
+    }
   }
   return attributes;
 }
 
 constexpr auto nothing_else = [](const ply::Element&, ply::Reader&) { return false; };
-
-[[noreturn]] void refuse_order(const ply::Element& element, const ply::Reader& reader) {
-  throw InputError(fmt::format("{}: the element '{}' stands before 'vertex'; accepted: behind it",
-                               reader.where(), element.name));
-}
 
 FileMesh read_ply(const std::filesystem::path& path) {
   FileMesh mesh;
@@ -177,7 +183,6 @@ FileMesh read_ply(const std::filesystem::path& path) {
   auto attributes =
       read_elements(path, mesh, [&](const ply::Element& element, ply::Reader& reader) {
         if (element.name != "face" && element.name != "tristrips") return false;
-        if (element.count > 0 && mesh.positions.empty()) refuse_order(element, reader);
         if (element.name == "face")
           numbers = read_faces(reader, element, mesh);
         else

@@ -105,7 +105,7 @@ TEST_F(UnitLevelFiles, OfPointsAndCellsOfOneNameOneIsNamed) {
 }
 
 TEST_F(UnitLevelFiles, OtherEndingsAreNamed) {
-  for (const char* name : {"x.nrrd", "x.raw", "x.mhd", "x"}) {
+  for (const char* name : {"x.raw", "x.xdmf", "x"}) {
     write_bytes(folder_ / name, "NRRD0004");
     EXPECT_THAT(
         [&] { read_levels(folder_ / name, "p"); },
@@ -113,6 +113,33 @@ TEST_F(UnitLevelFiles, OtherEndingsAreNamed) {
             HasSubstr(std::string(name) + ": ending '"),
             HasSubstr("accepted of an isosurface: .vdb, .vti"), HasSubstr(".pvd, .series"))));
   }
+}
+
+/// The slope in numbers of 16 bits, in an image whose axes run against x and y.
+TEST_F(UnitLevelFiles, ScalarsOfAMetaImage) {
+  std::string bytes;
+  for (int k = 0; k < 6; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 5; ++i) {
+        const auto value = std::int16_t(slope({1 - 0.5 * i, 3.5 - 0.5 * j, 0.5 * k}) * 2);
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+      }
+  write_bytes(folder_ / "l.mha",
+              "ObjectType = Image\nNDims = 3\nDimSize = 5 4 6\nElementType = MET_SHORT\n"
+              "TransformMatrix = -1 0 0 0 -1 0 0 0 1\nOffset = 1 3.5 0\n"
+              "ElementSpacing = 0.5 0.5 0.5\nElementDataFile = LOCAL\n" +
+                  bytes);
+  const auto levels = rounded(read_levels(folder_ / "l.mha", "MetaImage").levels, 0).levels;
+  ASSERT_EQ(levels.size(), 1u);
+  EXPECT_EQ(levels[0].origin, Vec3(-1, 2, 0));
+  EXPECT_EQ(levels[0].size, (std::array{5, 4, 6}));
+  for (int k = 0; k < 6; ++k)
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 5; ++i)
+        EXPECT_EQ(levels[0].at(i, j, k), 2 * slope(levels[0].world(Vec3(i, j, k))));
+  EXPECT_THAT([&] { read_levels(folder_ / "l.mha", "p"); },
+              ::testing::ThrowsMessage<InputError>(
+                  HasSubstr("no array is the scalar 'p'; arrays: MetaImage (point")));
 }
 
 TEST_F(UnitLevelFiles, ListsOfFilesOverTime) {

@@ -105,5 +105,29 @@ TEST(UnitLevelSets, ASurfaceOfALevelSetPassesActiveVoxelsAlone) {
   EXPECT_TRUE(value_gaps(grids, "ball").empty());
 }
 
+/// Around a fog there is none: its surface of any value is closed, also where the outermost of its
+/// active voxels are denser.
+TEST(UnitLevelSets, AFogEndsInTheVoxelsAroundIt) {
+  const auto fog = openvdb::FloatGrid::create(0);
+  fog->setGridClass(openvdb::GRID_FOG_VOLUME);
+  auto voxels = fog->getAccessor();
+  constexpr int half = 3;
+  for (int k = -half; k <= half; ++k)
+    for (int j = -half; j <= half; ++j)
+      for (int i = -half; i <= half; ++i) voxels.setValueOn({i, j, k}, 1);
+  const std::vector<readers::VdbGrid> grids{{.name = "fog", .value_type = "float", .grid = fog}};
+  const auto levels = std::get<0>(levels_of(grids, "fog.vdb", "fog"));
+  ASSERT_EQ(levels.size(), 1u);
+  const ScalarLevel& level = levels[0];
+  EXPECT_EQ(level.size, (std::array{9, 9, 9}));
+  EXPECT_EQ(level.origin, Vec3(-4));
+  for (int k = 0; k < 9; ++k)
+    for (int j = 0; j < 9; ++j)
+      for (int i = 0; i < 9; ++i) {
+        const int least = std::min({i, j, k}), most = std::max({i, j, k});
+        EXPECT_EQ(level.at(i, j, k), least == 0 || most == 8 ? 0 : 1);
+      }
+}
+
 }  // namespace
 }  // namespace pellucid::fields

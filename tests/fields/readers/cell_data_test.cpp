@@ -203,9 +203,18 @@ TEST_F(UnitCellData, ThreeScalarsAreVectors) {
                     1e-12);
   EXPECT_NEAR_VEC(velocity_of(*read("s.vtr", rectilinear(axes, three), ":array=u,v,u"), x),
                   Vec3(v.x, v.y, v.x), 1e-12);
-  EXPECT_THAT(complaint("s.vtr", rectilinear(axes, three)),
-              HasSubstr("which vectors? accepted: array=NAME or array=U,V,W, of three components "
-                        "together; arrays: u (point, 1 component, -11 … -0.5)"));
+  EXPECT_NEAR_VEC(velocity_of(*read("s.vtr", rectilinear(axes, three), ":array=u,v,0"), x),
+                  Vec3(v.x, v.y, 0), 1e-12);
+  EXPECT_NEAR_VEC(
+      velocity_of(*read("s.vtr", rectilinear(axes, three), ":array=0,0,w,sampler=c1"), x),
+      Vec3(0, 0, v.z), 1e-12);
+  EXPECT_THAT(complaint("s.vtr", rectilinear(axes, three), ":array=0,0,0"),
+              HasSubstr("array=0,0,0: no such vectors"));
+  EXPECT_THAT(
+      complaint("s.vtr", rectilinear(axes, three)),
+      HasSubstr(
+          "which vectors? accepted: array=NAME, array=U,V,W or array=U,V,0, of three components "
+          "together; arrays: u (point, 1 component, -11 … -0.5)"));
   EXPECT_THAT(complaint("s.vtr", rectilinear(axes, three), ":array=u,v,q"),
               HasSubstr("array=u,v,q: no such vectors"));
   EXPECT_THAT(complaint("s.vtr", rectilinear(axes, three), ":array=u,v"),

@@ -119,6 +119,43 @@ TEST_F(UnitMetaImage, CompressedDataThatAreNotWhatIsClaimedAreRefused) {
               HasSubstr("compressed bytes hold no 1000000000000000000 samples of 12"));
 }
 
+TEST_F(UnitMetaImage, VectorsMayBeOfAnyNumbers) {
+  const auto field_of = [&](const char* type, auto number) {
+    std::string bytes;
+    for (const int value :
+         {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24}) {
+      number = decltype(number)(value);
+      bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
+    const fs::path path = folder_ / "t.mha";
+    std::ofstream(path, std::ios::binary)
+        << "NDims = 3\nDimSize = 2 2 2\nElementNumberOfChannels = 3\nElementType = " << type
+        << "\nElementDataFile = LOCAL\n"
+        << bytes;
+    return at(*make_field(path.string()), {1, 1, 0});
+  };
+  const Vec3 fourth(10, 11, 12);
+  EXPECT_EQ(field_of("MET_CHAR", std::int8_t()), fourth);
+  EXPECT_EQ(field_of("MET_UCHAR", std::uint8_t()), fourth);
+  EXPECT_EQ(field_of("MET_SHORT", std::int16_t()), fourth);
+  EXPECT_EQ(field_of("MET_USHORT", std::uint16_t()), fourth);
+  EXPECT_EQ(field_of("MET_INT", std::int32_t()), fourth);
+  EXPECT_EQ(field_of("MET_LONG", std::int32_t()), fourth);
+  EXPECT_EQ(field_of("MET_UINT", std::uint32_t()), fourth);
+  EXPECT_EQ(field_of("MET_LONG_LONG", std::int64_t()), fourth);
+  EXPECT_EQ(field_of("MET_ULONG_LONG", std::uint64_t()), fourth);
+  EXPECT_EQ(field_of("MET_DOUBLE", double()), fourth);
+}
+
+TEST_F(UnitMetaImage, OtherNumbersOfASampleAreNoVectors) {
+  const fs::path path = folder_ / "s.mha";
+  std::ofstream(path, std::ios::binary)
+      << "NDims = 3\nDimSize = 1 1 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nab";
+  EXPECT_THAT([&] { make_field(path.string()); },
+              ::testing::ThrowsMessage<InputError>(
+                  HasSubstr("ElementNumberOfChannels = 1; accepted of a field: 3")));
+}
+
 TEST_F(UnitMetaImage, AxesThatDoNotSpanSpaceAreRefused) {
   for (const char* matrix : {"1 0 0 1 0 0 0 0 1", "0 0 0 0 0 0 0 0 0", "nan 0 0 0 1 0 0 0 1"})
     EXPECT_NE(complaint(fmt::format("Rotation = {}\n", matrix)), "") << matrix;

@@ -144,6 +144,25 @@ TEST_F(UnitPeriodic, ALongitudeGoesAround) {
               Not(HasSubstr("longitude")));
 }
 
+/// As ERA5-Land (0.1 degrees), CMEMS (1/12) and others write them: in floats, and in decimals.
+TEST_F(UnitPeriodic, ALongitudeIsOneInFloatsAndInDecimals) {
+  const auto east = [](const Vec3&) { return Vec3(1, 0, 0); };
+  const auto goes_around = [&](double first, int count, const auto& kept) {
+    std::vector<double> x;
+    for (int i = 0; i < count; ++i) x.push_back(kept(first + 360.0 * i / count));
+    return read({x, evenly(-10, 10, 3), evenly(0, 1, 2)}, "", east)
+               ->description()
+               .find("x taken as a longitude") != std::string::npos;
+  };
+  const auto in_float = [](double x) { return double(float(x)); };
+  const auto in_hundredths = [](double x) { return std::round(100 * x) / 100; };
+  for (const double first : {0.0, -180.0, 0.05})
+    for (const int count : {3600, 4320, 1440, 7200, 128})
+      EXPECT_TRUE(goes_around(first, count, in_float)) << first << " " << count;
+  for (const int count : {4320, 1080, 3600})
+    EXPECT_TRUE(goes_around(0, count, in_hundredths)) << count;
+}
+
 TEST_F(UnitPeriodic, OtherGridsRefuse) {
   write_bytes(folder_ / "p.vts", structured(once, vectors("U", crossings(once), wave)));
   EXPECT_THROW(make_field((folder_ / "p.vts").string() + ":periodic=x"), InputError);

@@ -72,15 +72,16 @@ TEST_F(UnitPlyFaces, ListsHaveWholeLengths) {
   EXPECT_EQ(read_mesh(square("", "0\n3 0 1 2\n")).triangles.size(), 1u);
 }
 
-TEST_F(UnitPlyFaces, FacesBeforeTheirVerticesAreRefused) {
-  EXPECT_THAT(
-      refusal([&] {
-        read_mesh(file("b.ply",
-                       "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int "
-                       "vertex_indices\nelement vertex 3\nproperty float x\nproperty float y\n"
-                       "property float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n"));
-      }),
-      HasSubstr("the element 'face' stands before 'vertex'"));
+TEST_F(UnitPlyFaces, FacesMayStandBeforeTheirVertices) {
+  const auto mesh = read_mesh(
+      file("b.ply",
+           "ply\nformat ascii 1.0\nelement face 2\nproperty list uchar int vertex_indices\n"
+           "property float heat\nelement vertex 4\nproperty float x\nproperty float y\n"
+           "property float z\nend_header\n3 0 1 2 5\n3 0 2 3 6\n"
+           "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"));
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  EXPECT_THAT(mesh.triangles[1], ::testing::ElementsAre(0, 2, 3));
+  EXPECT_THAT(mesh.face_scalars.at("heat"), ::testing::ElementsAre(5, 6));
 }
 
 }  // namespace

@@ -101,6 +101,8 @@ TEST_F(UnitTrx, WhatDoesNotFitTogetherIsRefused) {
               HasSubstr("NB_VERTICES: accepted: a whole number"));
   EXPECT_THAT(complaint({{"header.json", R"({"NB_VERTICES": 0, "NB_STREAMLINES": 0})"}}),
               HasSubstr("it has no positions"));
+  EXPECT_THAT(complaint({{"all/header.json", "{}"}}),
+              HasSubstr("it has no header.json at its root, but all/header.json"));
   EXPECT_THAT(refusal([&] { read_lines(file("b.trx", "no zip file")); }), HasSubstr("b.trx"));
   expect_cuts_are_refused("cut.trx", zip(two_streamlines(), "store"), read_lines);
 }

@@ -188,12 +188,14 @@ TEST_F(UnitNetcdf, VariablesOfOtherDimensionsAreLeftOut) {
       all.push_back(read.front().data->GetPointData()->GetArrayName(i));
     return all;
   };
-  const auto levels =
-      ElementsAre("ice(lat, lon)", "sp(lat, lon)", "sst(lat, lon)", "title(lat)", "u");
+  const std::string other = ": it has other dimensions";
+  const auto levels = ElementsAre("ice(lat, lon)" + other, "sp(lat, lon)" + other,
+                                  "sst(lat, lon)" + other, "title(lat): it holds no numbers", "u");
   EXPECT_THAT(names(""), levels);
   EXPECT_THAT(names("u"), levels);
   EXPECT_THAT(names("point:u,other"), levels);
-  EXPECT_THAT(names("sp,ice"), ElementsAre("title(lat)", "u(lev, lat, lon)", "ice", "sp", "sst"));
+  EXPECT_THAT(names("sp,ice"), ElementsAre("title(lat): it holds no numbers",
+                                           "u(lev, lat, lon)" + other, "ice", "sp", "sst"));
   EXPECT_THAT(complaint("u,sp"),
               HasSubstr("'u' has the dimensions (lev, lat, lon) and 'sp' (lat, lon)"));
 }
@@ -206,9 +208,34 @@ TEST_F(UnitNetcdf, OfAsManyAxesThoseOfMoreVariablesAreRead) {
     file.add("p", {a, b}), file.add("q", {b, c}), file.add("r", {b, c});
   }
   const auto read = read_vtk_file(path_);
-  EXPECT_THAT(read.front().left_out, ElementsAre("p(a, b)"));
+  EXPECT_THAT(read.front().left_out, ElementsAre("p(a, b): it has other dimensions"));
   EXPECT_THAT(read_vtk_file(path_, {}, {}, "p").front().left_out,
-              ElementsAre("q(b, c)", "r(b, c)"));
+              ElementsAre("q(b, c): it has other dimensions", "r(b, c): it has other dimensions"));
+}
+
+/// As NumPy's and xarray's masks are: int64.
+TEST_F(UnitNetcdf, TypesThatVtkDoesNotReadAreLeftOutUnlessTheyAreWanted) {
+  {
+    NetcdfFile file(path_);
+    const int y = file.add({"y", {1, 2}, {}}), x = file.add({"x", {1, 2, 3}, {}});
+    file.add("u", {y, x}), file.add("v", {y, x}), file.add("mask", {y, x}, NC_INT64);
+  }
+  const auto read = read_vtk_file(path_, {}, {}, "u,v");
+  EXPECT_EQ(read.front().data->GetPointData()->GetNumberOfArrays(), 2);
+  EXPECT_THAT(read.front().left_out,
+              ElementsAre(HasSubstr("mask(y, x): it is of int64, which VTK does not read")));
+  EXPECT_THAT(read_vtk_file(path_).front().left_out, ::testing::SizeIs(1));
+  EXPECT_THAT(complaint("mask"), HasSubstr("'mask' is of int64, which VTK does not read"));
+}
+
+TEST_F(UnitNetcdf, VariablesInGroupsAreSaidToBeThere) {
+  int file = 0, group = 0, dimension = 0, variable = 0;
+  nc_create(path_.c_str(), NC_NETCDF4, &file);
+  nc_def_grp(file, "flow", &group);
+  nc_def_dim(group, "x", 2, &dimension);
+  nc_def_var(group, "u", NC_DOUBLE, 1, &dimension, &variable);
+  nc_close(file);
+  EXPECT_THAT(complaint(""), HasSubstr("its variables are in groups, 'flow' is the first of 1"));
 }
 
 /// A file of u = 10 t at each of the times, over a plane.
@@ -236,7 +263,7 @@ TEST_F(UnitNetcdfTimes, AreReadInOrderWhateverTheirs) {
     }
     const auto last = read_vtk_file(path_, {}, "last");
     EXPECT_EQ(last.front().time, std::ranges::max(times));
-    EXPECT_EQ(last.front().of, 3u);
+    EXPECT_EQ(last.front().of.size(), 3u);
   }
 }
 

@@ -121,6 +121,22 @@ TEST_F(UnitSimulationFiles, TecplotNumbersOfFortranAreRefused) {
               HasSubstr("the number -1.5D-03, which"));
 }
 
+/// As Tecplot 360 writes them into every zone.
+TEST_F(UnitSimulationFiles, TecplotZonesMayHaveATimeAndAStrand) {
+  const auto with = [&](const std::string& zone, const std::string& more = "") {
+    std::string text = read_text(tecplot(R"("X" "Y" "Z" "U")", "{x} {y} {z} 5"));
+    text.replace(text.find("ZONE "), 5, "ZONE " + zone);
+    write_text(folder_ / "t.tec", text + more);
+    return folder_ / "t.tec";
+  };
+  EXPECT_EQ(values(with("STRANDID=1, SOLUTIONTIME=0.5, "), 8), std::vector<double>(8, 5));
+  EXPECT_THAT(complaint(with("SOLUTIONTIME=0.5, ",
+                             "ZONE SOLUTIONTIME=0.75, I=1, J=1, K=1, "
+                             "F=POINT\n0 0 0 5\n")),
+              HasSubstr("zones at the times 0.5 and 0.75; accepted: a file per time"));
+  EXPECT_THAT(complaint(with("VARSHARELIST=([1]=1), ")), HasSubstr("t.tec: "));
+}
+
 TEST_F(UnitSimulationFiles, CgnsInCylindricalCoordinatesIsRefused) {
   write_text(folder_ / "c.cgns", std::string(100, ' ') + "CoordinateTheta");
   EXPECT_THAT(complaint(folder_ / "c.cgns"), HasSubstr("it has CoordinateTheta; accepted"));

@@ -86,6 +86,21 @@ TEST_F(UnitSceneFile, TrianglesThatPassOverMuchOfAMapAreSaid) {
   EXPECT_THAT(remarks(R"(, "range": [5, 6])"), ::testing::SizeIs(0));  // all have the low end's
 }
 
+TEST_F(UnitSceneFile, AScalarWithoutAnyNumberIsSaid) {
+  std::ofstream(folder_ / "none.csv") << "x,y,z,p\n0,0,0,nan\n1,0,0,nan\n";
+  const auto remarks = [&](const std::string& keys) {
+    return with(R"({"points": "none.csv", "radius": 0.1, )" + keys + "}")
+        .objects.front()
+        .vertices()
+        .remarks;
+  };
+  EXPECT_THAT(remarks(R"("color": {"by": "p"})"),
+              ::testing::ElementsAre("no value of 'p' is a number: its colour is that of none"));
+  EXPECT_THAT(remarks(R"("opacity": {"by": "p", "opacities": [0.2, 0.8]})"),
+              ::testing::ElementsAre("no value of 'p' is a number: its opacity is that of none"));
+  EXPECT_THAT(remarks(R"("opacity": 0.5)"), ::testing::SizeIs(0));
+}
+
 TEST_F(UnitSceneFile, OpacityByScalarIsLinearBetweenTheEnds) {
   const auto alphas = [&](const std::string& range) {
     const Scene scene = with(R"({"mesh": "sheet.ply", "opacity": {"by": "speed", )" + range +
