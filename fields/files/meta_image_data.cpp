@@ -6,36 +6,9 @@
 
 #include <cstring>
 
+#include "readers/vtk/vtk_type.h"
+
 namespace pellucid::fields {
-namespace {
-
-int vtk_type(NumberType type) {
-  switch (type) {
-    case NumberType::i8:
-      return VTK_SIGNED_CHAR;
-    case NumberType::u8:
-      return VTK_UNSIGNED_CHAR;
-    case NumberType::i16:
-      return VTK_SHORT;
-    case NumberType::u16:
-      return VTK_UNSIGNED_SHORT;
-    case NumberType::i32:
-      return VTK_INT;
-    case NumberType::u32:
-      return VTK_UNSIGNED_INT;
-    case NumberType::i64:
-      return VTK_LONG_LONG;
-    case NumberType::u64:
-      return VTK_UNSIGNED_LONG_LONG;
-    case NumberType::f32:
-      return VTK_FLOAT;
-    case NumberType::f64:
-      return VTK_DOUBLE;
-  }
-  return VTK_VOID;  // not reached
-}
-
-}  // namespace
 
 vtkSmartPointer<vtkImageData> data_set_of(const MetaImage& image) {
   const MetaImageHeader& header = image.header;
@@ -50,7 +23,7 @@ vtkSmartPointer<vtkImageData> data_set_of(const MetaImage& image) {
     data->SetDirectionMatrix(rows);
   }
   vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(vtk_type(header.type)));
+  array.TakeReference(vtkDataArray::CreateDataArray(readers::vtk_type(header.type)));
   array->SetName(header.channels == 3 ? "velocity" : "MetaImage");
   array->SetNumberOfComponents(int(header.channels));
   array->SetNumberOfTuples(vtkIdType(header.samples()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The meanings are those of "Definition of NRRD File Format", teem.sourceforge.net/nrrd/format.html.
-// Teem's library reads the file; VTK 9.1's own reader loses layers where `space` stands before
-// `sizes`.
+// The meanings are those of "Definition of NRRD File Format",
+// teem.sourceforge.net/nrrd/format.html. Teem's library reads the file; VTK 9.1's own reader loses
+// layers where `space` stands before `sizes`.
 
 #include "readers/simulations/make_nrrd.h"
 
@@ -22,6 +22,7 @@
 #include "core/error.h"
 #include "readers/simulations/placed_image.h"
 #include "readers/vtk/case_files.h"
+#include "readers/vtk/vtk_type.h"
 
 namespace pellucid::readers {
 namespace {
@@ -37,7 +38,8 @@ using OwnNrrd = std::unique_ptr<Nrrd, Nuke>;
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
-/// Of Teem's complaint, a line per function that passed it on, the last line: the first to complain.
+/// Of Teem's complaint, a line per function that passed it on, the last line: the first to
+/// complain.
 [[noreturn]] void fail_as_teem(const Path& path) {
   const std::unique_ptr<char, decltype(&std::free)> text(biffGetDone(NRRD), std::free);
   std::string why = text ? text.get() : "";
@@ -65,8 +67,8 @@ Axes axes_of(const Nrrd& nrrd, const Path& path) {
     const NrrdAxisInfo& axis = nrrd.axis[a];
     if (axis.kind == nrrdKindTime && axis.size > 1)
       fail(path, fmt::format("{} samples over time; accepted: one", axis.size));
-    const bool is_row = axis.kind == nrrdKindUnknown ? a == 0 && nrrd.dim == 4
-                                                     : !nrrdKindIsDomain(axis.kind);
+    const bool is_row =
+        axis.kind == nrrdKindUnknown ? a == 0 && nrrd.dim == 4 : !nrrdKindIsDomain(axis.kind);
     if (is_row && axes.row) fail(path, "two axes of numbers in a sample; accepted: one");
     if (is_row)
       axes.row = a;
@@ -89,35 +91,18 @@ OwnNrrd with_rows_first(OwnNrrd nrrd, const Axes& axes, const Path& path) {
   return turned;
 }
 
-int vtk_type(int type) {
-  switch (type) {
-    case nrrdTypeChar:
-      return VTK_SIGNED_CHAR;
-    case nrrdTypeUChar:
-      return VTK_UNSIGNED_CHAR;
-    case nrrdTypeShort:
-      return VTK_SHORT;
-    case nrrdTypeUShort:
-      return VTK_UNSIGNED_SHORT;
-    case nrrdTypeInt:
-      return VTK_INT;
-    case nrrdTypeUInt:
-      return VTK_UNSIGNED_INT;
-    case nrrdTypeLLong:
-      return VTK_LONG_LONG;
-    case nrrdTypeULLong:
-      return VTK_UNSIGNED_LONG_LONG;
-    case nrrdTypeFloat:
-      return VTK_FLOAT;
-    default:
-      return VTK_DOUBLE;
-  }
+/// Teem numbers its types as NumberType does, from 1.
+NumberType type_of(const Nrrd& nrrd) {
+  static_assert(nrrdTypeChar == 1 + int(NumberType::i8) &&
+                nrrdTypeULLong == 1 + int(NumberType::u64));
+  static_assert(nrrdTypeDouble == 1 + int(NumberType::f64));
+  return NumberType(nrrd.type - 1);
 }
 
 vtkSmartPointer<vtkDataArray> samples_of(const Nrrd& nrrd, std::size_t components) {
   const std::size_t numbers = nrrdElementNumber(&nrrd);
   vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(vtk_type(nrrd.type)));
+  array.TakeReference(vtkDataArray::CreateDataArray(vtk_type(type_of(nrrd))));
   array->SetName("NRRD");
   array->SetNumberOfComponents(int(components));
   array->SetNumberOfTuples(vtkIdType(numbers / components));
@@ -165,8 +150,7 @@ Placement by_axes(const Nrrd& nrrd, const Axes& axes) {
       step = (axis.max - axis.min) / double(of_cells ? axis.size : axis.size - 1);
     if (!std::isfinite(step)) step = 1;
     placement.steps[i] *= step;
-    if (std::isfinite(axis.min))
-      placement.origin[int(i)] = axis.min + (of_cells ? 0.5 * step : 0);
+    if (std::isfinite(axis.min)) placement.origin[int(i)] = axis.min + (of_cells ? 0.5 * step : 0);
   }
   return placement;
 }
@@ -198,8 +182,7 @@ vtkSmartPointer<vtkImageData> image_of(const Path& path) {
       nrrd->spaceDim > 0 ? in_space(*nrrd, axes, path) : by_axes(*nrrd, axes);
   const auto image = vtkSmartPointer<vtkImageData>::New();
   int size[3] = {1, 1, 1};
-  for (std::size_t i = 0; i < axes.space.size(); ++i)
-    size[i] = int(nrrd->axis[axes.space[i]].size);
+  for (std::size_t i = 0; i < axes.space.size(); ++i) size[i] = int(nrrd->axis[axes.space[i]].size);
   image->SetDimensions(size);
   const std::size_t components = axes.row ? nrrd->axis[*axes.row].size : 1;
   nrrd = with_rows_first(std::move(nrrd), axes, path);

@@ -21,17 +21,10 @@
 
 #include "readers/vtk/cell_rules.h"
 #include "readers/vtk/data_set_blocks.h"
+#include "readers/vtk/vtk_type.h"
 
 namespace pellucid::readers {
 namespace {
-
-int vtk_type(NumberType type) {
-  constexpr int types[] = {
-      VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
-      VTK_INT,         VTK_UNSIGNED_INT,  VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-      VTK_FLOAT,       VTK_DOUBLE};
-  return types[std::size_t(type)];
-}
 
 /// The block's numbers in memory that VTK is to free.
 void* numbers_of(const Block& block) {

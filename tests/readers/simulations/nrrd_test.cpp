@@ -55,9 +55,8 @@ TEST_F(UnitNrrd, SamplesAreWhereSpacingsMinsAndCentersHaveThem) {
                 [](auto& i) { return glm::dvec3(2, 0.5, 3) * i; });
   expect_places(numbered(sizes + "axis mins: 1 2 3\naxis maxs: 3 3 9\n"),
                 [](auto& i) { return glm::dvec3(1, 2, 3) + glm::dvec3(2, 0.5, 2) * i; });
-  expect_places(
-      numbered(sizes + "centers: cell cell node\naxis mins: 0 0 0\naxis maxs: 2 6 6\n"),
-      [](auto& i) { return glm::dvec3(0.5, 1, 0) + glm::dvec3(1, 2, 2) * i; });
+  expect_places(numbered(sizes + "centers: cell cell node\naxis mins: 0 0 0\naxis maxs: 2 6 6\n"),
+                [](auto& i) { return glm::dvec3(0.5, 1, 0) + glm::dvec3(1, 2, 2) * i; });
 }
 
 /// `space` may stand before the sizes, where another reader loses layers by it.
@@ -70,17 +69,15 @@ TEST_F(UnitNrrd, AnatomicalSpacesAreBroughtToRas) {
                                                        {"scanner-xyz", {-1, -1, 1}},
                                                        {"3D-right-handed", {1, 1, 1}}};
   for (const auto& [space, signs] : spaces)
-    expect_places(numbered(fmt::format("dimension: 3\nspace: {}\n{}", space, rest)),
-                  [&](auto& i) {
-                    return signs * (glm::dvec3(10, 20, 30) + glm::dvec3(2, 3, 4) * i);
-                  });
+    expect_places(numbered(fmt::format("dimension: 3\nspace: {}\n{}", space, rest)), [&](auto& i) {
+      return signs * (glm::dvec3(10, 20, 30) + glm::dvec3(2, 3, 4) * i);
+    });
 }
 
 TEST_F(UnitNrrd, AxesMayBeExchangedAndTurned) {
   const std::string head = "dimension: 3\nsizes: 2 3 4\nspace dimension: 3\n";
-  expect_places(numbered(head + "space directions: (0,2,0) (0,0,-1) (3,0,0)\n"), [](auto& i) {
-    return glm::dvec3(3 * i.z, 2 * i.x, -i.y);
-  });
+  expect_places(numbered(head + "space directions: (0,2,0) (0,0,-1) (3,0,0)\n"),
+                [](auto& i) { return glm::dvec3(3 * i.z, 2 * i.x, -i.y); });
   expect_places(
       numbered(head + "space directions: (0.6,0.8,0) (-0.8,0.6,0) (0,0,1)\n"
                       "space origin: (1,0,0)\n"),
@@ -89,10 +86,10 @@ TEST_F(UnitNrrd, AxesMayBeExchangedAndTurned) {
 
 TEST_F(UnitNrrd, RowsOfNumbersAreVectorsInTheSpaceOfTheImage) {
   const auto vectors = [&](const std::string& fields, bool rows_first) {
-    const std::string data = rows_first ? "1 2 3  4 5 6  7 8 9  10 11 12"
-                                        : "1 4 7 10  2 5 8 11  3 6 9 12";
-    const auto read = read_vtk_data_set(
-        write("type: double\nencoding: text\ndimension: 4\n" + fields, data));
+    const std::string data =
+        rows_first ? "1 2 3  4 5 6  7 8 9  10 11 12" : "1 4 7 10  2 5 8 11  3 6 9 12";
+    const auto read =
+        read_vtk_data_set(write("type: double\nencoding: text\ndimension: 4\n" + fields, data));
     std::vector<glm::dvec3> all;
     for (vtkIdType id = 0; id < read->GetNumberOfPoints(); ++id) {
       glm::dvec3 v;
@@ -118,15 +115,17 @@ TEST_F(UnitNrrd, RowsOfNumbersAreVectorsInTheSpaceOfTheImage) {
 }
 
 TEST_F(UnitNrrd, DataMayLieInFilesThatCountAsRead) {
-  for (const char* name : {"a.txt", "b.txt"}) write_text(folder_ / name, "1 2 3 4 5 6 7 8 9 10 11 12");
+  for (const char* name : {"a.txt", "b.txt"})
+    write_text(folder_ / name, "1 2 3 4 5 6 7 8 9 10 11 12");
   const std::string head = "type: float\nencoding: ascii\ndimension: 3\nsizes: 2 3 4\n";
   const auto list = write(head + "data file: LIST 3\na.txt\nb.txt", "", "l.nhdr");
   EXPECT_EQ(read_vtk_data_set(list)->GetPointData()->GetArray(0)->GetComponent(12, 0), 1);
   EXPECT_THAT(files_beside(list, *vtk_format(list)),
               ElementsAre(folder_ / "a.txt", folder_ / "b.txt"));
-  const auto one = write("type: float\nencoding: ascii\ndimension: 3\nsizes: 2 3 2\n"
-                         "datafile: b.txt",
-                         "", "o.nhdr");
+  const auto one = write(
+      "type: float\nencoding: ascii\ndimension: 3\nsizes: 2 3 2\n"
+      "datafile: b.txt",
+      "", "o.nhdr");
   EXPECT_THAT(files_beside(one, *vtk_format(one)), ElementsAre(folder_ / "b.txt"));
   EXPECT_EQ(read_vtk_data_set(one)->GetPointData()->GetArray(0)->GetComponent(11, 0), 12);
   EXPECT_THAT(complaint(write(head + "data file: %c.txt 1 2 1", "", "p.nhdr")),
