@@ -24,8 +24,11 @@ class HaloBuilder {
 
  private:
   void add_line(std::size_t begin, std::size_t end) {
-    ribbon_half_widths(std::span(lines_.set.positions).subspan(begin, end - begin), lines_.radius,
-                       frame_, projection_, half_widths_);
+    // Of one width, since the halo has a side at a tip, too; 1 where the line is nothing but tips.
+    const double largest = lines_.radius.of(begin, end - begin).largest();
+    full_ = largest > 0 ? largest : 1;
+    ribbon_half_widths(std::span(lines_.set.positions).subspan(begin, end - begin), full_, frame_,
+                       projection_, half_widths_);
     for (const double side : {-1.0, 1.0}) {
       const auto first = std::uint32_t(mesh_.positions.size());
       for (std::size_t i = begin; i < end; ++i) add_rim(i, side * half_widths_[i - begin]);
@@ -35,14 +38,15 @@ class HaloBuilder {
     }
   }
 
+  /// `half_width` is that of the full radius.
   void add_rim(std::size_t i, const Vec3& half_width) {
     const Vec3& x = lines_.set.positions[i];
     const bool beside_the_eye = projection_ == Projection::perspective && x != frame_.eye;
     const Vec3 away = beside_the_eye ? glm::normalize(x - frame_.eye) : frame_.forward;
     const Halo& halo = *lines_.halo;
-    const Vec3 rim = x + half_width;
+    const Vec3 rim = x + lines_.radius.at(i) / full_ * half_width;
     mesh_.positions.push_back(rim);
-    mesh_.positions.push_back(rim + halo.width / lines_.radius * half_width + halo.depth * away);
+    mesh_.positions.push_back(rim + halo.width / full_ * half_width + halo.depth * away);
     for (int corner = 0; corner < 2; ++corner) {
       mesh_.normals.push_back(-away);
       mesh_.colors.emplace_back(color_, lines_.set.colors[i].a);
@@ -54,7 +58,8 @@ class HaloBuilder {
   CameraFrame frame_;
   Projection projection_;
   Vec3 color_;
-  std::vector<Vec3> half_widths_;
+  double full_ = 0;                // radius of half_widths_, world
+  std::vector<Vec3> half_widths_;  // of the line's points
   geometry::TriangleMesh mesh_;
 };
 

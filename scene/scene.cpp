@@ -7,12 +7,6 @@
 namespace pellucid::scene {
 namespace {
 
-double radius_of(const SceneObject& object) {
-  if (const auto* lines = std::get_if<LineObject>(&object.shape)) return lines->radius;
-  if (const auto* points = std::get_if<PointObject>(&object.shape)) return points->radius;
-  return 0;
-}
-
 struct PrimitiveCounts {
   std::size_t triangles = 0, lines = 0, segments = 0, points = 0, isosurfaces = 0;
 
@@ -37,10 +31,26 @@ const geometry::Vertices& SceneObject::vertices() const {
                     shape);
 }
 
+const Radii& SceneObject::radii() const {
+  static const Radii none;
+  if (const auto* lines = std::get_if<LineObject>(&shape)) return lines->radius;
+  if (const auto* points = std::get_if<PointObject>(&shape)) return points->radius;
+  return none;
+}
+
 Box3 SceneObject::bounds() const {
-  Box3 box = vertices().bounds();
-  const double radius = radius_of(*this);
-  return {box.min - radius, box.max + radius};
+  const Radii& radius = radii();
+  Box3 box;
+  if (!radius.vary()) {
+    box = vertices().bounds();
+    return {box.min - radius.largest(), box.max + radius.largest()};
+  }
+  const std::vector<Vec3>& x = vertices().positions;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    box.extend(x[i] - radius.at(i));
+    box.extend(x[i] + radius.at(i));
+  }
+  return box;
 }
 
 Box3 Scene::bounds() const {

@@ -21,6 +21,7 @@
 #include "scene/opacity_energy.h"
 #include "scene/view/camera.h"
 #include "scene/view/pixel_samples.h"
+#include "scene/view/radii.h"
 
 namespace pellucid::fields {
 class Attributes;
@@ -46,7 +47,7 @@ struct LineObject {
   enum class Profile { ribbon, tube };
 
   geometry::LineSet set;
-  double radius = 0;  // world; half a ribbon's width
+  Radii radius;  // half a ribbon's width; of a tube, see TubeGeometry
   Profile profile = Profile::ribbon;
   std::optional<Halo> halo = std::nullopt;
 };
@@ -59,7 +60,7 @@ struct PointObject {
   enum class Profile { disc, sphere };
 
   geometry::PointSet set;
-  double radius = 0;  // world
+  Radii radius;  // a point of radius 0 is not drawn
   Profile profile = Profile::disc;
 };
 
@@ -91,6 +92,8 @@ struct SceneObject {
   /// Returns the shape, which has to be a mesh.
   const geometry::TriangleMesh& mesh() const { return std::get<geometry::TriangleMesh>(shape); }
   geometry::TriangleMesh& mesh() { return std::get<geometry::TriangleMesh>(shape); }
+  /// Returns how wide its vertices are drawn: those of a mesh or of an isosurface 0.
+  const Radii& radii() const;
   /// Returns the box of all that is drawn, widths included, in world units.
   Box3 bounds() const;
 };

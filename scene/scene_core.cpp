@@ -45,12 +45,14 @@ struct Extent {
     for (std::size_t k = 0; k < lines.set.line_count(); ++k)
       for (std::size_t i = lines.set.offsets[k]; i + 1 < lines.set.offsets[k + 1]; ++i)
         for (const std::size_t end : {i, i + 1})
-          weights[end] += glm::length(x[i + 1] - x[i]) * lines.radius;
+          weights[end] += glm::length(x[i + 1] - x[i]) * lines.radius.at(end);
     return weights;
   }
   std::vector<double> of(const PointObject& points) const {
-    return std::vector<double>(points.set.positions.size(),
-                               std::numbers::pi * points.radius * points.radius);
+    std::vector<double> weights(points.set.positions.size());
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      weights[i] = std::numbers::pi * points.radius.at(i) * points.radius.at(i);
+    return weights;
   }
   /// Its vertices are spread evenly over it.
   std::vector<double> of(const Isosurface&) const {
@@ -127,9 +129,11 @@ SceneCore scene_core(const Scene& scene) {
 Camera core_camera(const Scene& scene, const SceneCore& core, const ViewDirection& from) {
   CameraFit fit(scene.camera.projection, scene.camera.fov, from,
                 double(scene.width) / double(scene.height));
-  for (const SceneObject& object : scene.objects)
-    for (const Vec3& x : object.vertices().positions)
-      if (!object.is_halo && core.holds(x)) fit.add(x, drawn_radius(object));
+  for (const SceneObject& object : scene.objects) {
+    const std::vector<Vec3>& x = object.vertices().positions;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (!object.is_halo && core.holds(x[i])) fit.add(x[i], object.radii().at(i));
+  }
   return fit.camera();
 }
 

@@ -19,7 +19,7 @@ struct SceneOutliers {
 
 /// A SceneCore is the ball that holds most of what is drawn. A vertex counts by what is drawn
 /// around it, times its opacity: of meshes a third of its triangles' area, of lines half of its
-/// segments' length times the line's width, of points a disc. The centre is the median along each
+/// segments' length times the width there, of points a disc. The centre is the median along each
 /// axis; the radius is a quarter more than that of 98 % of what counts, so that what trails off
 /// evenly is kept whole.
 struct SceneCore {

@@ -3,14 +3,9 @@
 
 namespace pellucid::scene {
 
-double drawn_radius(const SceneObject& object) {
-  if (const auto* lines = std::get_if<LineObject>(&object.shape)) return lines->radius;
-  if (const auto* points = std::get_if<PointObject>(&object.shape)) return points->radius;
-  return 0;
-}
-
 void show(const SceneObject& object, CameraFit& fit) {
-  for (const Vec3& x : object.vertices().positions) fit.add(x, drawn_radius(object));
+  const std::vector<Vec3>& x = object.vertices().positions;
+  for (std::size_t i = 0; i < x.size(); ++i) fit.add(x[i], object.radii().at(i));
 }
 
 Camera fitted_camera(const Scene& scene, const ViewDirection& from) {

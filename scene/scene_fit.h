@@ -6,9 +6,6 @@
 
 namespace pellucid::scene {
 
-/// Returns how far what is drawn of an object reaches from its vertices, in world units.
-double drawn_radius(const SceneObject& object);
-
 /// Shows a camera that is to be fitted all that is drawn of an object.
 void show(const SceneObject& object, CameraFit& fit);
 

@@ -41,9 +41,11 @@ class DepthsOfShapes {
   }
   void operator()(const PointObject& points) {
     const bool sphere = points.profile == PointObject::Profile::sphere;
-    const Vec3 reach(points.radius, points.radius, sphere ? points.radius : 0);
-    for (const Vec3& x : points.set.positions) {
-      const Vec3 p = frustum_.from_world(x);
+    for (std::size_t i = 0; i < points.set.positions.size(); ++i) {
+      const double radius = points.radius.at(i);
+      if (radius == 0) continue;  // not drawn
+      const Vec3 reach(radius, radius, sphere ? radius : 0);
+      const Vec3 p = frustum_.from_world(points.set.positions[i]);
       add_box({p - reach, p + reach});
     }
   }
@@ -55,10 +57,11 @@ class DepthsOfShapes {
   void operator()(const LineObject& lines) {
     const std::span<const Vec3> points(lines.set.positions);
     for (std::size_t k = 0; k < lines.set.line_count(); ++k) {
-      const auto line =
-          points.subspan(lines.set.offsets[k], lines.set.offsets[k + 1] - lines.set.offsets[k]);
-      lines.profile == LineObject::Profile::tube ? add_tube(line, lines.radius)
-                                                 : add_ribbon(line, lines.radius);
+      const std::size_t first = lines.set.offsets[k], count = lines.set.offsets[k + 1] - first;
+      const auto line = points.subspan(first, count);
+      const RadiusSpan radius = lines.radius.of(first, count);
+      lines.profile == LineObject::Profile::tube ? add_tube(line, radius)
+                                                 : add_ribbon(line, radius);
     }
   }
 
@@ -86,19 +89,22 @@ class DepthsOfShapes {
     for (const Vec3& p : corners) in_picture_.extend({p.z, p.z});
   }
 
-  void add_ribbon(std::span<const Vec3> line, double radius) {
+  void add_ribbon(std::span<const Vec3> line, RadiusSpan radius) {
     ribbon_half_widths(line, radius, frustum_.frame(), projection_, half_widths_);
     add_corners(ribbon_corners(line, half_widths_));
     for (std::uint32_t i = 0; i + 1 < line.size(); ++i)
       for (const auto& triangle : ribbon_triangles(i)) add_triangle(triangle);
   }
 
-  void add_tube(std::span<const Vec3> line, double radius) {
+  void add_tube(std::span<const Vec3> line, RadiusSpan radius) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       Box3 box;
-      box.extend(frustum_.from_world(line[i]));
-      box.extend(frustum_.from_world(line[i + 1]));
-      add_box({box.min - radius, box.max + radius});
+      for (const std::size_t end : {i, i + 1}) {
+        const Vec3 p = frustum_.from_world(line[end]);
+        box.extend(p - radius.at(end));
+        box.extend(p + radius.at(end));
+      }
+      add_box(box);
     }
   }
 

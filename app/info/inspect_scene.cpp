@@ -22,6 +22,16 @@ std::string primitives_of(const scene::SceneObject& object) {
   return scene::describe_primitives(alone);
 }
 
+/// The one radius, or the least and the largest.
+nlohmann::ordered_json radius_of(const scene::SceneObject& object) {
+  const scene::Radii& radii = object.radii();
+  if (!radii.vary()) return radii.largest();
+  double least = radii.largest();
+  for (std::size_t i = 0; i < object.vertices().positions.size(); ++i)
+    least = std::min(least, radii.at(i));
+  return {least, radii.largest()};
+}
+
 nlohmann::ordered_json describe(const scene::SceneObject& object) {
   const Box3 box = object.bounds();
   FileContents range;
@@ -33,7 +43,7 @@ nlohmann::ordered_json describe(const scene::SceneObject& object) {
                               {"bounds", {{"min", json_of(box.min)}, {"max", json_of(box.max)}}},
                               {"opaque", object.opaque},
                               {"scalars", scalars_of(object)}};
-  if (const double radius = scene::drawn_radius(object); radius > 0) json["radius"] = radius;
+  if (object.radii().largest() > 0) json["radius"] = radius_of(object);
   if (!object.vertices().remarks.empty()) json["remarks"] = object.vertices().remarks;
   if (!range.arrays.empty()) {
     const Vec2 opacity = range.arrays.front().ranges.back();

@@ -43,11 +43,11 @@ Json camera_json(const scene::Camera& camera, const CameraMatrices& matrices) {
 
 Json object_json(const ExportedObject& object, const scene::SceneObject& given,
                  const std::string& file) {
-  const bool wide = object.kind != "triangles";
+  const bool wide = object.kind != "triangles", one = wide && !object.radius.vary();
   return {{"file", file},
           {"name", given.name},
           {"kind", object.kind},
-          {"radius", wide ? Json(object.radius) : Json()},
+          {"radius", one ? Json(object.radius.largest()) : Json()},
           {"profile", wide ? Json(object.profile) : Json()},
           {"opaque", object.opaque},
           {"lit", object.lit},

@@ -108,6 +108,7 @@ std::string header_of(const ExportedObject& object) {
   if (!v.normals.empty()) text += floats({"nx", "ny", "nz"});
   text += floats({"red", "green", "blue", "alpha"});
   if (!v.importance.empty()) text += floats({"importance"});
+  if (object.radius.vary()) text += floats({"radius"});
   if (object.kind == "lines")
     text += fmt::format(
         "property uint line\nelement edge {}\nproperty uint vertex1\nproperty uint vertex2\n",
@@ -124,6 +125,7 @@ void append_vertex(std::string& out, const ExportedObject& object, std::size_t i
   if (!v.normals.empty()) append_floats(out, v.normals[i]);
   append_floats(out, v.colors[i]);
   if (!v.importance.empty()) append(out, v.importance[i]);
+  if (object.radius.vary()) append(out, float(object.radius.at(i)));
   if (object.kind == "lines") append(out, object.line[i]);
 }
 

@@ -18,8 +18,8 @@ namespace pellucid::compare {
 struct ExportedObject {
   std::string_view kind;  // "triangles", "lines", "points"
   std::string_view profile =
-      {};             // of lines: "ribbon", "tube"; of points: "disc", "sphere"; else empty
-  double radius = 0;  // world units, of lines and points
+      {};                    // of lines: "ribbon", "tube"; of points: "disc", "sphere"; else empty
+  scene::Radii radius = {};  // of lines and points
   bool opaque = false;
   /// Colours are those of the fragments: the light is in them, or there is none.
   bool lit = true;
@@ -41,8 +41,8 @@ ExportedObject exported_object(const scene::Scene& scene, std::size_t index);
 double float_rounding(const ExportedObject& object);
 
 /// Writes a binary PLY file: floats x y z, nx ny nz where there are normals, red green blue alpha,
-/// importance where there is any; of lines each vertex's `line`, and the element `edge`. Throws as
-/// write_text() does.
+/// importance where there is any, radius where radii differ; of lines each vertex's `line`, and the
+/// element `edge`. Throws as write_text() does.
 void write_exported_ply(const std::filesystem::path& path, const ExportedObject& object);
 
 }  // namespace pellucid::compare

@@ -19,7 +19,7 @@ using tinygltf::Value;
 constexpr std::uint64_t largest_file = std::numeric_limits<std::uint32_t>::max();
 
 std::uint64_t bytes_of(const ExportedObject& object) {
-  constexpr std::uint64_t per_vertex = sizeof(float) * (3 + 3 + 4);
+  const std::uint64_t per_vertex = sizeof(float) * (3 + 3 + 4 + object.radius.vary());
   return per_vertex * object.vertices.positions.size() +
          sizeof(std::uint32_t) * (3 * object.triangles.size() + 2 * object.edges.size());
 }
@@ -29,6 +29,13 @@ bool fits(const std::vector<ExportedObject>& objects) {
   std::uint64_t bytes = 0;
   for (const ExportedObject& object : objects) bytes += bytes_of(object) + per_object;
   return bytes < largest_file;
+}
+
+/// What the format has no place for; radii that differ are the vertices' _RADIUS.
+Value extras_of(const ExportedObject& object) {
+  Value::Object extras{{"profile", Value(std::string(object.profile))}};
+  if (!object.radius.vary()) extras["radius"] = Value(object.radius.largest());
+  return Value(std::move(extras));
 }
 
 class GltfBuilder {
@@ -77,13 +84,12 @@ class GltfBuilder {
     if (!v.normals.empty())
       primitive.attributes["NORMAL"] = add_vectors<3>(v.normals, TINYGLTF_TYPE_VEC3, false);
     primitive.attributes["COLOR_0"] = add_vectors<4>(v.colors, TINYGLTF_TYPE_VEC4, false);
+    if (object.radius.vary()) primitive.attributes["_RADIUS"] = add_radii(object);
     if (object.kind != "points") primitive.indices = add_indices(object);
     tinygltf::Mesh mesh;
     mesh.name = name;
     mesh.primitives.push_back(primitive);
-    if (object.radius > 0)
-      mesh.extras = Value(Value::Object{{"radius", Value(object.radius)},
-                                        {"profile", Value(std::string(object.profile))}});
+    if (object.radius.largest() > 0) mesh.extras = extras_of(object);
     model_.meshes.push_back(mesh);
     tinygltf::Node node;
     node.name = name;
@@ -160,6 +166,13 @@ class GltfBuilder {
       model_.accessors.back().maxValues = high;
     }
     return index;
+  }
+
+  int add_radii(const ExportedObject& object) {
+    std::vector<std::array<float, 1>> radii;
+    for (std::size_t i = 0; i < object.vertices.positions.size(); ++i)
+      radii.push_back({float(object.radius.at(i))});
+    return add_vectors<1>(radii, TINYGLTF_TYPE_SCALAR, false);
   }
 
   int add_indices(const ExportedObject& object) {

@@ -6,12 +6,16 @@
 
 namespace pellucid::groundtruth {
 
-/// Returns -1 where the ray's point at depth 0, the eye of a perspective camera, lies less than
-/// `radius` from the segment between `a` and `b`, 0 where it lies exactly that far, else 1: of the
-/// world's coordinates, without rounding. `radius` is in units of the frame; a ball is a segment
-/// of equal ends.
-int eye_side(const ViewFrame& frame, const PictureRay& ray, const Vec3& a, const Vec3& b,
-             double radius);
+/// A Ball is all within a radius of its centre.
+struct Ball {
+  Vec3 center;
+  double radius;
+};
+
+/// Returns -1 where the ray's point at depth 0, the eye of a perspective camera, lies within the
+/// convex hull of two balls, 0 where it lies on its surface, else 1: of the world's coordinates,
+/// without rounding. Centres are in the world, radii in units of the frame.
+int eye_side(const ViewFrame& frame, const PictureRay& ray, const Ball& a, const Ball& b);
 
 /// The depths at which a ray enters and leaves a convex solid.
 struct SolidDepths {

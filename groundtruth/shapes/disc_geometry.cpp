@@ -9,21 +9,23 @@ namespace pellucid::groundtruth {
 
 DiscGeometry::DiscGeometry(const scene::PointObject& points, std::uint32_t index,
                            const GeometryContext& context)
-    : PointGeometry(points, index, context), largest_(radius()) {
+    : PointGeometry(points, index, context),
+      largest_(points.radius.largest() * context.frame.units_per_length()) {
   for (std::uint32_t k = 0; k < box_count(); ++k) largest_ = std::max(largest_, size_of(center(k)));
 }
 
 Box3 DiscGeometry::box(std::uint32_t point) const {
-  const Vec3 c = center(point), reach(radius(), radius(), 0);
+  const Vec3 c = center(point), reach(radius(point), radius(point), 0);
   return {c - reach, c + reach};
 }
 
 void DiscGeometry::cross(std::uint32_t point, const SceneRay& ray,
                          std::vector<Crossing>& crossings) const {
   const Vec3 c = center(point);
+  const double r = radius(point);
   double squared = 0;
-  if (c.z <= 0 || !ray.predicate.crosses_disc(c, radius(), squared)) return;
-  const double facing = std::sqrt(std::max(0.0, 1 - squared / (radius() * radius())));
+  if (r == 0 || c.z <= 0 || !ray.predicate.crosses_disc(c, r, squared)) return;
+  const double facing = std::sqrt(std::max(0.0, 1 - squared / (r * r)));
   crossings.push_back({c.z, 0, facing, object_index(), point});
 }
 

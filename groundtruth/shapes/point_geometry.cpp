@@ -10,10 +10,10 @@ namespace pellucid::groundtruth {
 PointGeometry::PointGeometry(const scene::PointObject& points, std::uint32_t index,
                              const GeometryContext& context)
     : set_(points.set),
+      radius_(points.radius),
       index_(index),
       frame_(context.frame),
-      lighting_(context.lighting),
-      radius_(points.radius * frame_.units_per_length()) {
+      lighting_(context.lighting) {
   check_count(set_.positions.size(), "points");
 }
 

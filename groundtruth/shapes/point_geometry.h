@@ -5,7 +5,7 @@
 
 namespace pellucid::groundtruth {
 
-/// A PointGeometry is what discs and spheres share: points of one radius, a primitive each, whose
+/// A PointGeometry is what discs and spheres share: points of some radius, a primitive each, whose
 /// crossings have in Crossing::v the cosine of the angle between ray and normal, in [-1, 1].
 class PointGeometry : public RayByRayGeometry {
  public:
@@ -22,15 +22,16 @@ class PointGeometry : public RayByRayGeometry {
   Vec3 center(std::uint32_t point) const { return frame_.from_world(world_center(point)); }
   const Vec3& world_center(std::uint32_t point) const { return set_.positions[point]; }
   const ViewFrame& frame() const { return frame_; }
-  double radius() const { return radius_; }              // view units
+  /// Returns how wide a point is drawn, in view units.
+  double radius(std::uint32_t point) const { return radius_.at(point) * frame_.units_per_length(); }
   std::uint32_t object_index() const { return index_; }  // in Scene::objects
 
  private:
   const geometry::PointSet& set_;
+  const scene::Radii& radius_;
   std::uint32_t index_;
   const ViewFrame& frame_;
   scene::Lighting lighting_;
-  double radius_;
 };
 
 }  // namespace pellucid::groundtruth

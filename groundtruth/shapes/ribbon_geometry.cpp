@@ -46,7 +46,8 @@ RibbonGeometry::RibbonGeometry(const scene::LineObject& lines, std::uint32_t ind
   std::vector<Vec3> of_line;
   for (std::size_t k = 0; k < set_.line_count(); ++k) {
     const auto line = points.subspan(set_.offsets[k], set_.offsets[k + 1] - set_.offsets[k]);
-    scene::ribbon_half_widths(line, lines.radius, camera, context.camera.projection, of_line);
+    scene::ribbon_half_widths(line, lines.radius.of(set_.offsets[k], line.size()), camera,
+                              context.camera.projection, of_line);
     for (const Vec3& w : of_line) half_widths_.push_back(frame_.vector_from_world(w));
   }
   for (std::uint32_t s = 0; s < box_count(); ++s)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Rays against balls and round cylinders, in double and close to the solid, whatever the distance
-// of the eye.
+// Rays against balls and hulls of two balls, in double and close to the solid, whatever the
+// distance of the eye.
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +30,10 @@ struct Chord {
   double begin, end;
 };
 
-/// A SolidEnd is where a ray crosses the surface of a ball or of a capsule.
+/// A SolidEnd is where a ray crosses the surface of a ball or of a cone-sphere.
 struct SolidEnd {
   double depth;   // view depth, units
-  double along;   // of a capsule: where on its axis the nearest point lies, -1 at a … 1 at b
+  double along;   // of a cone-sphere: where the ball's centre lies that touches there, see below
   double cosine;  // n · v, n the outer normal, v the ray's direction
 };
 
@@ -55,10 +55,12 @@ SolidDepths solid_depths(const SceneRay& ray, const SolidEnds& ends, const Side&
 /// Nothing but ray, centre and radius counts: whoever shares a ball gets the same bits.
 std::optional<SolidEnds> ball_ends(const SceneRay& ray, const Vec3& center, double radius);
 
-/// Returns where the ray crosses a capsule, if it meets it: all within `radius` of the segment from
-/// a to b, in view coordinates; a cylinder and the balls at its ends. Each end is that of the part
-/// it lies on: a ball's is ball_ends(), the cylinder's is the same from a to b and from b to a.
-std::optional<SolidEnds> capsule_ends(const SceneRay& ray, const Vec3& a, const Vec3& b,
-                                      double radius);
+/// Returns where the ray crosses a cone-sphere, if it meets it: the convex hull of the balls a and
+/// b, in view coordinates. That is what balls fill whose centres run from a's, at -1, to b's, at 1,
+/// and whose radii are linear between theirs: the two balls and the frustum around which their
+/// common tangents run, a cylinder where the radii are equal; the larger ball where it holds the
+/// other. Each end is that of the part it lies on: a ball's is ball_ends(), the frustum's is the
+/// same from a to b and from b to a.
+std::optional<SolidEnds> cone_sphere_ends(const SceneRay& ray, const Ball& a, const Ball& b);
 
 }  // namespace pellucid::groundtruth

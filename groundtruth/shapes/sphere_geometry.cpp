@@ -7,16 +7,16 @@ namespace pellucid::groundtruth {
 
 Box3 SphereGeometry::box(std::uint32_t point) const {
   const Vec3 c = center(point);
-  return {c - radius(), c + radius()};
+  return {c - radius(point), c + radius(point)};
 }
 
 void SphereGeometry::cross(std::uint32_t point, const SceneRay& ray,
                            std::vector<Crossing>& crossings) const {
-  const auto met = ball_ends(ray, center(point), radius());
+  const auto met = ball_ends(ray, center(point), radius(point));
   if (!met) return;
   const SolidDepths depths = solid_depths(ray, *met, [&] {
     const Vec3& center = world_center(point);
-    return eye_side(frame(), ray.picture, center, center, radius());
+    return eye_side(frame(), ray.picture, {center, radius(point)}, {center, radius(point)});
   });
   crossings.push_back({depths.enters, 0, met->enters.cosine, object_index(), point});
   crossings.push_back({depths.leaves, 0, met->leaves.cosine, object_index(), point});

@@ -11,30 +11,35 @@ namespace pellucid::groundtruth {
 TubeGeometry::TubeGeometry(const scene::LineObject& lines, std::uint32_t index,
                            const GeometryContext& context)
     : set_(lines.set),
+      radius_(lines.radius),
       index_(index),
       frame_(context.frame),
       lighting_(context.lighting),
-      radius_(lines.radius * frame_.units_per_length()),
       segments_(lines.set) {}
 
-std::array<Vec3, 2> TubeGeometry::ends(std::uint32_t segment) const {
-  const std::uint32_t i = segments_.first_point(segment);
-  return {frame_.from_world(set_.positions[i]), frame_.from_world(set_.positions[i + 1])};
+Ball TubeGeometry::ball(std::uint32_t point) const {
+  return {frame_.from_world(set_.positions[point]), radius_.at(point) * frame_.units_per_length()};
 }
 
 Box3 TubeGeometry::box(std::uint32_t segment) const {
-  const auto [a, b] = ends(segment);
-  return {glm::min(a, b) - radius_, glm::max(a, b) + radius_};
+  const std::uint32_t i = segments_.first_point(segment);
+  Box3 box;
+  for (const Ball& end : {ball(i), ball(i + 1)}) {
+    box.extend(end.center - end.radius);
+    box.extend(end.center + end.radius);
+  }
+  return box;
 }
 
 void TubeGeometry::cross(std::uint32_t segment, const SceneRay& ray,
                          std::vector<Crossing>& crossings) const {
-  const auto [a, b] = ends(segment);
-  const auto met = capsule_ends(ray, a, b, radius_);
+  const std::uint32_t i = segments_.first_point(segment);
+  const Ball a = ball(i), b = ball(i + 1);
+  const auto met = cone_sphere_ends(ray, a, b);
   if (!met) return;
   const SolidDepths depths = solid_depths(ray, *met, [&] {
-    const std::uint32_t i = segments_.first_point(segment);
-    return eye_side(frame_, ray.picture, set_.positions[i], set_.positions[i + 1], radius_);
+    return eye_side(frame_, ray.picture, {set_.positions[i], a.radius},
+                    {set_.positions[i + 1], b.radius});
   });
   const auto add = [&](const SolidEnd& end, double depth, double side) {
     crossings.push_back(

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "groundtruth/rays/eye_side.h"
 #include "groundtruth/shapes/crossing_geometry.h"
 #include "groundtruth/shapes/line_segments.h"
 
 namespace pellucid::groundtruth {
 
-/// A TubeGeometry holds lines as round tubes. The tube of a line is one closed solid, all within
-/// the radius of the line: cylinders with balls at joints and ends. A ray enters it
-/// (Crossing::v < 0) and leaves it (v > 0) an even number of times, however the line bends; where
-/// the line meets itself, so does the solid. A segment has a chord or has none, and the chords of a
-/// line's segments are united. Crossing::u is the place along the segment, in [0, 1]; Crossing::v
-/// is n · v, n the outer normal, v the ray's direction.
+/// A TubeGeometry holds lines as round tubes. The tube of a line is one closed solid: what a ball
+/// fills that runs along it, its radius that of the points and linear between them. A segment of
+/// one radius is a cylinder with a ball at either end, another one a cone-sphere (see
+/// round_solids.h). A ray enters the solid (Crossing::v < 0) and leaves it (v > 0) an even number
+/// of times, however the line bends; where the line meets itself, so does the solid. A segment has
+/// a chord or has none, and the chords of a line's segments are united. Crossing::u is the place
+/// along the segment, in [0, 1], of the ball that touches there; Crossing::v is n · v, n the outer
+/// normal, v the ray's direction.
 class TubeGeometry final : public RayByRayGeometry {
  public:
   TubeGeometry(const scene::LineObject& lines, std::uint32_t index, const GeometryContext& context);
@@ -30,13 +33,14 @@ class TubeGeometry final : public RayByRayGeometry {
   std::uint64_t bytes() const override { return segments_.bytes(); }
 
  private:
-  std::array<Vec3, 2> ends(std::uint32_t segment) const;
+  /// Returns the ball around a point, in view coordinates.
+  Ball ball(std::uint32_t point) const;
 
   const geometry::LineSet& set_;
+  const scene::Radii& radius_;
   std::uint32_t index_;
   const ViewFrame& frame_;
   scene::Lighting lighting_;
-  double radius_;  // units
   LineSegments segments_;
 };
 

@@ -104,8 +104,9 @@ std::vector<scene::Isosurface::Ball> march_stops(const scene::Scene& scene,
     const auto* points = std::get_if<scene::PointObject>(&object.shape);
     if (!points || !object.opaque || points->profile != scene::PointObject::Profile::sphere)
       continue;
-    for (const Vec3& center : points->set.positions)
-      balls.push_back({center, points->radius + *march->dilate});
+    for (std::size_t i = 0; i < points->set.positions.size(); ++i)
+      if (const double radius = points->radius.at(i); radius > 0)
+        balls.push_back({points->set.positions[i], radius + *march->dilate});
   }
   return balls;
 }

@@ -61,7 +61,8 @@ class ShapeClipper {
   }
 
   void add(const scene::LineObject& lines, std::size_t first, Line line) {
-    scene::ribbon_half_widths(line, lines.radius, view_.frame(), view_.projection(), half_widths_);
+    scene::ribbon_half_widths(line, lines.radius.of(first, line.size()), view_.frame(),
+                              view_.projection(), half_widths_);
     scene::line_directions(line, directions_);
     held_.clear();
     for (std::uint32_t i = 0; i < 2 * line.size(); ++i)

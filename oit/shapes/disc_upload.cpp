@@ -21,14 +21,14 @@ static_assert(sizeof(Point) == 32);
 float drawn_radius(const GuardBand& band, const ViewSpace& view, const scene::PointObject& points,
                    std::size_t i, const std::string& object) {
   const Vec3 center = view.exact_position(points.set.positions[i]);
-  const double radius = view.exact_length(points.radius);
-  if (band.disc_misses_picture(center, radius)) return 0;
+  const double radius = view.exact_length(points.radius.at(i));
+  if (radius == 0 || band.disc_misses_picture(center, radius)) return 0;
   if (!band.holds_disc(center, radius))
     throw InputError(
         fmt::format("{}: a disc of radius {} reaches over 10000 times farther than the picture; "
                     "accepted by this "
                     "method: less; raytrace draws it",
-                    object, points.radius));
+                    object, points.radius.at(i)));
   return float(radius);
 }
 

@@ -94,6 +94,7 @@ Defines Geometry::defines() const {
   if (lighting_ == scene::Lighting::phong) defines.emplace_back("PHONG", 1);
   if (view_.projection() == scene::Projection::orthographic)
     defines.emplace_back("ORTHOGRAPHIC", 1);
+  if (solids_ && solids_->tapered()) defines.emplace_back("TAPERED", 1);
   return defines;
 }
 

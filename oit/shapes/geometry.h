@@ -36,7 +36,7 @@ class Geometry {
   Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRange& range,
            std::span<const PrimitiveRange> places);
 
-  /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC.
+  /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC, TAPERED.
   Defines defines() const;
   /// Returns which kinds there are among the opaque objects, or among the others.
   std::vector<ShapeKind> kinds(bool opaque) const;

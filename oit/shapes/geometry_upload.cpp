@@ -162,7 +162,8 @@ IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const Vi
   result.vertices = Buffer::filled<Vertex>(gl, n.vertices, [&](Vertex* out) {
     std::vector<Vec3> half_widths;
     for_each_line(scene, [&](const scene::LineObject& lines, std::uint64_t first, Line line) {
-      scene::ribbon_half_widths(line, lines.radius, view.frame(), view.projection(), half_widths);
+      scene::ribbon_half_widths(line, lines.radius.of(first, line.size()), view.frame(),
+                                view.projection(), half_widths);
       for (std::size_t i = 0; i < line.size(); ++i)
         for (const Vec3& corner : {line[i] - half_widths[i], line[i] + half_widths[i]})
           *out++ = {view.position(corner), lines.set.colors[first + i]};

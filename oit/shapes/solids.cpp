@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "core/error.h"
 #include "oit/gl/bindings.h"
-#include "oit/shapes/capsule_bounds.h"
+#include "oit/shapes/solid_bounds.h"
 #include "oit/shapes/tube_overlaps.h"
 
 namespace pellucid::oit {
@@ -17,8 +19,8 @@ namespace {
 struct Solid {
   glm::vec4 bounds;
   glm::vec2 axis;
-  double radius;
-  std::uint32_t first_point, first_overlap, overlap_count, unused;
+  double radius;  // at its first point
+  std::uint32_t first_point, first_overlap, overlap_count, second_radius;
 };
 static_assert(sizeof(Solid) == 48);
 
@@ -38,30 +40,49 @@ constexpr std::size_t most_pairs = (std::size_t(1) << 26) - 1;
 /// Gathers solids of a scene.
 class SolidCollector {
  public:
-  explicit SolidCollector(const ViewSpace& view) : view_(view) {}
+  SolidCollector(const ViewSpace& view, bool tapered) : view_(view), tapered_(tapered) {}
 
   void add(const scene::PointObject& spheres) {
     for (std::size_t i = 0; i < spheres.set.positions.size(); ++i) {
       const auto point = std::uint32_t(points.size());
       add_point(spheres.set, i);
-      add_solid({points[point].position, points[point].position, spheres.radius}, point);
+      add_solid({points[point].position, points[point].position, spheres.radius.at(i),
+                 spheres.radius.at(i)},
+                point);
     }
   }
 
   void add(const scene::LineObject& tubes, const std::string& name) {
     for (std::size_t k = 0; k < tubes.set.line_count(); ++k) {
       const auto first = std::uint32_t(solids.size());
-      const std::uint64_t begin = tubes.set.offsets[k], end = tubes.set.offsets[k + 1];
-      for (std::uint64_t i = begin; i < end; ++i) add_point(tubes.set, i);
-      for (auto i = std::uint32_t(points.size() - (end - begin)); i + 1 < points.size(); ++i)
-        add_solid({points[i].position, points[i + 1].position, tubes.radius}, i);
-      link(first, std::span(tubes.set.positions).subspan(begin, end - begin), tubes.radius, name);
+      const std::uint64_t begin = tubes.set.offsets[k], count = tubes.set.offsets[k + 1] - begin;
+      const auto point = std::uint32_t(points.size());
+      const scene::RadiusSpan radius = tubes.radius.of(begin, count);
+      for (std::uint64_t i = 0; i < count; ++i) add_point(tubes.set, begin + i);
+      for (std::uint32_t i = 0; i + 1 < count; ++i)
+        add_solid({points[point + i].position, points[point + i + 1].position, radius.at(i),
+                   radius.at(i + 1)},
+                  point + i);
+      link(first, std::span(tubes.set.positions).subspan(begin, count), radius, name);
     }
   }
 
   std::vector<Solid> solids;
   std::vector<Point> points;
   std::vector<std::uint32_t> overlaps;
+
+  /// Appends to the overlaps the radii at the second points of tubes, whose first solid is `solid`;
+  /// returns the one behind their last.
+  std::uint32_t append_second_radii(const scene::LineObject& tubes, std::uint32_t solid) {
+    for (std::size_t k = 0; k < tubes.set.line_count(); ++k)
+      for (std::uint64_t i = tubes.set.offsets[k] + 1; i < tubes.set.offsets[k + 1]; ++i) {
+        solids[solid++].second_radius = std::uint32_t(overlaps.size());
+        const double radius = view_.exact_length(tubes.radius.at(i));
+        const auto words = std::bit_cast<std::array<std::uint32_t, 2>>(radius);
+        overlaps.insert(overlaps.end(), words.begin(), words.end());
+      }
+    return solid;
+  }
 
  private:
   void add_point(const geometry::Vertices& vertices, std::size_t i) {
@@ -70,19 +91,21 @@ class SolidCollector {
         {view_.view_position(vertices.positions[i]), importance, 1, vertices.colors[i]});
   }
 
-  /// The radius is in world units yet.
-  void add_solid(Capsule capsule, std::uint32_t first_point) {
-    capsule.radius = view_.exact_length(capsule.radius);
-    const PictureRectangle box = bounds_in_picture(capsule, view_);
-    solids.push_back({glm::vec4(box.first, box.second), glm::vec2(box.axis), capsule.radius,
+  /// The radii are in world units yet.
+  void add_solid(ConeSphere solid, std::uint32_t first_point) {
+    solid.radius_a = view_.exact_length(solid.radius_a);
+    solid.radius_b = view_.exact_length(solid.radius_b);
+    const PictureRectangle box = bounds_in_picture(solid, view_);
+    solids.push_back({glm::vec4(box.first, box.second), glm::vec2(box.axis), solid.radius_a,
                       first_point, 0, 0, 0});
   }
 
   /// Tells the segments of a line, from solid `first` on, which of the others they overlap.
-  void link(std::uint32_t first, std::span<const Vec3> line, double radius,
+  void link(std::uint32_t first, std::span<const Vec3> line, scene::RadiusSpan radius,
             const std::string& name) {
-    const std::size_t most =
-        std::min(most_pairs - overlaps.size() / 2, most_overlaps / 2 * line.size());
+    const std::size_t full = overlaps.size() / 2 + (tapered_ ? solids.size() : 0);
+    check_overlaps(full <= most_pairs, name);
+    const std::size_t most = std::min(most_pairs - full, most_overlaps / 2 * line.size());
     const std::vector<SegmentPair> pairs = overlapping_segments(line, radius, most);
     check_overlaps(pairs.size() <= most, name);
     for (const auto& [p, q] : pairs) {
@@ -113,19 +136,38 @@ class SolidCollector {
   }
 
   const ViewSpace& view_;
+  bool tapered_;  // second radii will be appended
 };
+
+template <class Call>
+void for_each_tube(const scene::Scene& scene, const Call& call) {
+  for (const scene::SceneObject& object : scene.objects)
+    if (kind_of(object) == ShapeKind::tube) call(object);
+}
+
+bool any_tapers(const scene::Scene& scene) {
+  bool any = false;
+  for_each_tube(scene, [&](const scene::SceneObject& tube) { any |= tube.radii().vary(); });
+  return any;
+}
 
 }  // namespace
 
-Solids::Solids(const Gl& gl, const scene::Scene& scene, const ViewSpace& view) {
-  SolidCollector collector(view);
+Solids::Solids(const Gl& gl, const scene::Scene& scene, const ViewSpace& view)
+    : tapered_(any_tapers(scene)) {
+  SolidCollector collector(view, tapered_);
   for (const scene::SceneObject& object : scene.objects)
     if (kind_of(object) == ShapeKind::sphere)
       collector.add(std::get<scene::PointObject>(object.shape));
   spheres_ = std::uint32_t(collector.solids.size());
-  for (const scene::SceneObject& object : scene.objects)
-    if (kind_of(object) == ShapeKind::tube)
-      collector.add(std::get<scene::LineObject>(object.shape), object.name);
+  for_each_tube(scene, [&](const scene::SceneObject& tubes) {
+    collector.add(std::get<scene::LineObject>(tubes.shape), tubes.name);
+  });
+  std::uint32_t first = spheres_;
+  if (tapered_)
+    for_each_tube(scene, [&](const scene::SceneObject& tubes) {
+      first = collector.append_second_radii(std::get<scene::LineObject>(tubes.shape), first);
+    });
   collector.overlaps.push_back(0);  // a buffer texture is not empty
   solids_ = {gl, GL_RGBA32UI, Buffer(gl, collector.solids)};
   points_ = {gl, GL_RGBA32UI, Buffer::filled<Point>(gl, collector.points.size(), [&](Point* out) {

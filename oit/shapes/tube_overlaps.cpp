@@ -1,33 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/shapes/tube_overlaps.h"
 
+#include <algorithm>
+
 namespace pellucid::oit {
 namespace {
 
-Box3 box_around(const Vec3& a, const Vec3& b) { return {glm::min(a, b), glm::max(a, b)}; }
+/// All within a reach of a box.
+struct RoundBox {
+  Box3 box;
+  double reach = 0;
+};
 
-bool within(const Box3& p, const Box3& q, double reach) {
-  const Vec3 gap = glm::max(glm::max(p.min - q.max, q.min - p.max), Vec3(0));
+/// A part of a line that is straight, its radius linear.
+struct Stretch {
+  Vec3 a, b;
+  double radius_a, radius_b;
+
+  double length() const { return glm::length(b - a); }
+  RoundBox bounds() const {
+    return {{glm::min(a, b), glm::max(a, b)}, std::max(radius_a, radius_b)};
+  }
+};
+
+bool may_overlap(const RoundBox& p, const RoundBox& q) {
+  // Beyond the rounding of coordinates to the view frame, and of the shader's sums.
+  const double reach = (p.reach + q.reach) * (1 + 1e-9);
+  const Vec3 gap = glm::max(glm::max(p.box.min - q.box.max, q.box.min - p.box.max), Vec3(0));
   return glm::dot(gap, gap) <= reach * reach;
 }
 
-/// Whether two segments may come within the reach: they are halved, the longer one first, while the
-/// boxes around what is left do.
-bool may_meet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double reach,
-              int halvings = 8) {
-  if (!within(box_around(a, b), box_around(c, d), reach)) return false;
+/// Whether two segments may overlap: they are halved, the longer one first, while what is around
+/// what is left does.
+bool may_meet(const Stretch& p, const Stretch& q, int halvings = 8) {
+  if (!may_overlap(p.bounds(), q.bounds())) return false;
   if (halvings == 0) return true;
-  if (glm::length(b - a) < glm::length(d - c)) return may_meet(c, d, a, b, reach, halvings);
-  const Vec3 middle = 0.5 * (a + b);
-  return may_meet(a, middle, c, d, reach, halvings - 1) ||
-         may_meet(middle, b, c, d, reach, halvings - 1);
+  if (p.length() < q.length()) return may_meet(q, p, halvings);
+  const Vec3 middle = 0.5 * (p.a + p.b);
+  const double radius = 0.5 * (p.radius_a + p.radius_b);
+  return may_meet({p.a, middle, p.radius_a, radius}, q, halvings - 1) ||
+         may_meet({middle, p.b, radius, p.radius_b}, q, halvings - 1);
 }
 
 /// The segments of a line in a binary tree: what follows each other is near each other.
 class SegmentTree {
  public:
-  SegmentTree(std::span<const Vec3> line, double reach)
-      : line_(line), reach_(reach), boxes_(4 * (line.size() - 1)) {
+  SegmentTree(std::span<const Vec3> line, scene::RadiusSpan radius)
+      : line_(line), radius_(radius), bounds_(4 * (line.size() - 1)) {
     build(root());
   }
 
@@ -51,15 +70,20 @@ class SegmentTree {
 
   Node root() const { return {0, 0, std::uint32_t(line_.size() - 1)}; }
 
-  const Box3& build(const Node& node) {
-    Box3& box = boxes_[node.index];
-    if (node.is_leaf()) return box = box_around(line_[node.first], line_[node.last]);
+  Stretch segment(std::uint32_t i) const {
+    return {line_[i], line_[i + 1], radius_.at(i), radius_.at(i + 1)};
+  }
+
+  const RoundBox& build(const Node& node) {
+    RoundBox& bounds = bounds_[node.index];
+    if (node.is_leaf()) return bounds = segment(node.first).bounds();
     for (const Node& half : {node.front(), node.back()}) {
-      const Box3& part = build(half);
-      box.extend(part.min);
-      box.extend(part.max);
+      const RoundBox& part = build(half);
+      bounds.box.extend(part.box.min);
+      bounds.box.extend(part.box.max);
+      bounds.reach = std::max(bounds.reach, part.reach);
     }
-    return box;
+    return bounds;
   }
 
   template <class Visit>
@@ -70,29 +94,26 @@ class SegmentTree {
 
   template <class Visit>
   bool visit_pairs(const Node& p, const Node& q, const Visit& visit) const {
-    if (!within(boxes_[p.index], boxes_[q.index], reach_)) return true;
+    if (!may_overlap(bounds_[p.index], bounds_[q.index])) return true;
     if (p.is_leaf() && q.is_leaf())
-      return !may_meet(line_[p.first], line_[p.last], line_[q.first], line_[q.last], reach_) ||
-             visit(p.first, q.first);
+      return !may_meet(segment(p.first), segment(q.first)) || visit(p.first, q.first);
     if (q.is_leaf() || (!p.is_leaf() && p.last - p.first > q.last - q.first))
       return visit_pairs(p.front(), q, visit) && visit_pairs(p.back(), q, visit);
     return visit_pairs(p, q.front(), visit) && visit_pairs(p, q.back(), visit);
   }
 
   std::span<const Vec3> line_;
-  double reach_;
-  std::vector<Box3> boxes_;
+  scene::RadiusSpan radius_;
+  std::vector<RoundBox> bounds_;
 };
 
 }  // namespace
 
-std::vector<SegmentPair> overlapping_segments(std::span<const Vec3> line, double radius,
+std::vector<SegmentPair> overlapping_segments(std::span<const Vec3> line, scene::RadiusSpan radius,
                                               std::size_t most) {
   std::vector<SegmentPair> pairs;
   if (line.size() < 3) return pairs;
-  // Beyond the rounding of coordinates to the view frame, and of the shader's sums.
-  const double reach = 2 * radius * (1 + 1e-9);
-  SegmentTree(line, reach).visit_pairs([&](std::uint32_t p, std::uint32_t q) {
+  SegmentTree(line, radius).visit_pairs([&](std::uint32_t p, std::uint32_t q) {
     pairs.push_back({p, q});
     return pairs.size() <= most;
   });

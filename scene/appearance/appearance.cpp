@@ -15,7 +15,6 @@
 #include "scene/appearance/colormap.h"
 
 namespace pellucid::scene {
-namespace {
 
 const std::vector<double>& find_scalar(const geometry::Vertices& vertices,
                                        const std::string& name) {
@@ -25,6 +24,8 @@ const std::vector<double>& find_scalar(const geometry::Vertices& vertices,
   for (const auto& [scalar, values] : vertices.scalars) known.push_back(scalar);
   throw InputError(unknown_name("scalar", name, known));
 }
+
+namespace {
 
 void set_rgb(Rgba& color, const Vec3& rgb) { color = Rgba(Vec3(rgb), color.a); }
 

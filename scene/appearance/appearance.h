@@ -55,6 +55,10 @@ struct Appearance {
 /// Returns the scalars that colours, opacities and importance are by.
 std::vector<std::string> scalars_of(const Appearance& appearance);
 
+/// Returns the values of a scalar. Throws InputError for one that the vertices do not have, with
+/// those they have.
+const std::vector<double>& find_scalar(const geometry::Vertices& vertices, const std::string& name);
+
 /// Fills `colors` (default: light grey, opaque) and `importance`. Throws InputError for a scalar
 /// that the vertices do not have, with those they have, and for an unknown colour map.
 void apply_appearance(const Appearance& appearance, geometry::Vertices& vertices);

@@ -18,18 +18,13 @@
 #include "scene/files/appearance_file.h"
 #include "scene/files/flow_file.h"
 #include "scene/files/isosurface_file.h"
+#include "scene/files/radius_file.h"
 #include "scene/files/transform_file.h"
 
 namespace pellucid::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-double read_radius(const JsonNode& node) {
-  const double radius = node["radius"].number(0, any);
-  if (radius == 0) node["radius"].fail("0; accepted: a positive length, world units");
-  return radius;
-}
 
 Halo read_halo(const JsonNode& node) {
   node.accept_keys({"width", "depth", "color"});
@@ -101,7 +96,8 @@ class ObjectReader {
   void draw(geometry::LineSet set) {
     if (set.segment_count() == 0) node_.fail("nothing to draw: it has no segment");
     const bool tube = node_.has("profile") && node_["profile"].one_of({"ribbon", "tube"}) == "tube";
-    LineObject lines{std::move(set), read_radius(node_),
+    Radii radii = read_radii(node_, set);
+    LineObject lines{std::move(set), std::move(radii),
                      tube ? LineObject::Profile::tube : LineObject::Profile::ribbon};
     if (node_.has("halo")) lines.halo = read_halo(node_["halo"]);
     object_.shape = std::move(lines);
@@ -111,7 +107,8 @@ class ObjectReader {
     const bool sphere =
         node_.has("profile") && node_["profile"].one_of({"disc", "sphere"}) == "sphere";
     refuse_halo();
-    object_.shape = PointObject{std::move(set), read_radius(node_),
+    Radii radii = read_radii(node_, set);
+    object_.shape = PointObject{std::move(set), std::move(radii),
                                 sphere ? PointObject::Profile::sphere : PointObject::Profile::disc};
   }
 
@@ -151,9 +148,13 @@ class ObjectReader {
     object_.source = std::move(made.source);
   }
 
-  FlowContext flow_context() const {
-    return {context_.folder, scalars_of(read_appearance(node_, context_.folder)),
-            context_.progress};
+  FlowContext flow_context() const { return {context_.folder, scalars_asked(), context_.progress}; }
+
+  /// What colours, opacities, importance and radii are by.
+  std::vector<std::string> scalars_asked() const {
+    std::vector<std::string> scalars = scalars_of(read_appearance(node_, context_.folder));
+    if (auto of_radius = scalar_of_radius(node_)) scalars.push_back(std::move(*of_radius));
+    return scalars;
   }
 
   geometry::LineSet flow_lines(const JsonNode& node) {
@@ -261,9 +262,9 @@ class ObjectReader {
 
   bool asks_attributes_of_field(const SceneObject& object) const {
     if (!node_.has("surface") && !(node_.has("lines") && node_["lines"].is_object())) return false;
-    const std::vector<std::string> scalars = scalars_of(read_appearance(node_, context_.folder));
-    return !std::ranges::all_of(
-        scalars, [&](const std::string& name) { return object.vertices().scalars.contains(name); });
+    return !std::ranges::all_of(scalars_asked(), [&](const std::string& name) {
+      return object.vertices().scalars.contains(name);
+    });
   }
 
   bool asks_percentiles_of_file() const {

@@ -16,6 +16,13 @@ void keep(std::vector<T>& values, const Share& share) {
                           values.begin() + std::ptrdiff_t(share.end));
 }
 
+Radii kept(const Radii& radii, const Share& share) {
+  if (!radii.vary()) return radii;
+  std::vector<double> some;
+  for (std::uint64_t i = share.begin; i < share.end; ++i) some.push_back(radii.at(i));
+  return Radii(std::move(some));
+}
+
 void keep(geometry::Vertices& vertices, const Share& share) {
   keep(vertices.positions, share);
   keep(vertices.normals, share);
@@ -70,6 +77,7 @@ struct Cutter {
   std::uint32_t operator()(PointObject& points) const {
     const Share share = share_of(points.set.positions.size(), index, part);
     keep(points.set, share);
+    points.radius = kept(points.radius, share);
     return std::uint32_t(share.begin);
   }
 
@@ -80,7 +88,9 @@ struct Cutter {
     before.offsets.assign(set.offsets.begin(),
                           set.offsets.begin() + std::ptrdiff_t(share.begin) + 1);
     const std::uint64_t first = set.offsets[share.begin];
-    keep(set, Share{first, set.offsets[share.end]});
+    const Share points{first, set.offsets[share.end]};
+    keep(set, points);
+    lines.radius = kept(lines.radius, points);
     keep(set.offsets, Share{share.begin, share.end + 1});
     for (std::uint64_t& offset : set.offsets) offset -= first;
     const bool is_ribbon = lines.profile == LineObject::Profile::ribbon;

@@ -45,8 +45,11 @@ void line_directions(std::span<const Vec3> points, std::vector<Vec3>& directions
   }
 }
 
-void ribbon_half_widths(std::span<const Vec3> points, double radius, const CameraFrame& frame,
-                        Projection projection, std::vector<Vec3>& half_widths) {
+namespace {
+
+/// Of points of one radius.
+void even_half_widths(Points points, double radius, const CameraFrame& frame, Projection projection,
+                      std::vector<Vec3>& half_widths) {
   // Below this sine of the angle between line and v, rounding decides where w points.
   constexpr double parallel = 1e-9;
   line_directions(points, half_widths);
@@ -62,6 +65,17 @@ void ribbon_half_widths(std::span<const Vec3> points, double radius, const Camer
     if (i > 0 && glm::dot(w, previous) < 0) w = -w;
     half_widths[i] = previous = w;
   }
+}
+
+}  // namespace
+
+// Sides are found at the line's largest radius: at a radius of 0 none would be told from the other.
+void ribbon_half_widths(std::span<const Vec3> points, RadiusSpan radius, const CameraFrame& frame,
+                        Projection projection, std::vector<Vec3>& half_widths) {
+  const double largest = radius.largest();
+  even_half_widths(points, largest, frame, projection, half_widths);
+  if (!radius.vary() || largest == 0) return;
+  for (std::size_t i = 0; i < points.size(); ++i) half_widths[i] *= radius.at(i) / largest;
 }
 
 }  // namespace pellucid::scene

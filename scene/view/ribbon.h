@@ -8,6 +8,7 @@
 
 #include "core/vec.h"
 #include "scene/view/camera.h"
+#include "scene/view/radii.h"
 
 namespace pellucid::scene {
 
@@ -21,16 +22,17 @@ void line_directions(std::span<const Vec3> points, std::vector<Vec3>& directions
 
 /// Makes a strip of a line, facing the eye: at point i it reaches from x_i - w_i to x_i + w_i with
 ///   w = radius · (t × v) / |t × v|,
-/// t the line_direction() at the point, v the direction from the eye to the point (perspective) or
-/// the viewing axis (orthographic). w_i is turned to the side of w_(i-1), so that the strip does
-/// not cross itself where the line turns away from the eye. Neighbouring segments share their
-/// corners: the strip has no gap at a joint. It has no mitre either: the joint is as wide as the
-/// line halfway between two segments' directions, so that a strip that turns by the angle φ is
-/// cos(φ / 2) of its width across at the corner.
+/// the radius that of the point, t the line_direction() at the point, v the direction from the eye
+/// to the point (perspective) or the viewing axis (orthographic). w_i is turned to the side of
+/// w_(i-1), so that the strip does not cross itself where the line turns away from the eye.
+/// Neighbouring segments share their corners: the strip has no gap at a joint. It has no mitre
+/// either: the joint is as wide as the line halfway between two segments' directions, so that a
+/// strip that turns by the angle φ is cos(φ / 2) of its width across at the corner.
 ///
 /// Ground truth and every method draw this one shape. Overwrites `half_widths`, world units; where
-/// a line stands still or runs along v, w_i is w_(i-1), or points along the camera's right.
-void ribbon_half_widths(std::span<const Vec3> points, double radius, const CameraFrame& frame,
+/// a line stands still or runs along v, w_i points as w_(i-1), or along the camera's right. Where a
+/// radius is 0 the strip ends in a tip.
+void ribbon_half_widths(std::span<const Vec3> points, RadiusSpan radius, const CameraFrame& frame,
                         Projection projection, std::vector<Vec3>& half_widths);
 
 /// Returns the two triangles of the segment from point i to i + 1, as indices of the corners

@@ -181,6 +181,16 @@ TEST_F(UnitInfo, ASceneHasItsObjectsItsCameraAndItsSize) {
   EXPECT_EQ(json["objects"][0]["opacities"], Json({0.25, 0.25}));
 }
 
+TEST_F(UnitInfo, RadiiThatDifferAreARange) {
+  info("p.csv", "x,y,z,r\n0,0,0,0.25\n2,0,0,1\n1,0,0,0.5\n");
+  const Json json = info("scene.json", R"({"format": "pellucid-scene", "version": 1,
+      "objects": [{"points": "p.csv", "radius": {"by": "r"}}, {"points": "p.csv", "radius": 2}]})");
+  EXPECT_EQ(json["objects"][0]["radius"], Json({0.25, 1}));
+  EXPECT_EQ(json["objects"][0]["bounds"],
+            Json::parse(R"({"min": [-0.25, -1, -1], "max": [3, 1, 1]})"));
+  EXPECT_EQ(json["objects"][1]["radius"], 2);
+}
+
 TEST_F(UnitInfo, APictureHasItsSizeAndItsChannels) {
   info("p.csv", "x,y,z\n0,0,0\n");
   info("scene.json", R"({"format": "pellucid-scene", "version": 1, "resolution": [6, 4],

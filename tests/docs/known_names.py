@@ -36,6 +36,7 @@ SCENES = [
     scene_with(lines={**LINES, "seed": UNKNOWN}),
     scene_with(lines=UNKNOWN),
     scene_with(lines=LINES, radius=1, halo=UNKNOWN),
+    scene_with(lines=LINES, radius=UNKNOWN),
     scene_with(isosurface=UNKNOWN),
     scene_with(isosurface={**LEVELS, "hole": UNKNOWN}),
 ]

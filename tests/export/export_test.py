@@ -106,6 +106,22 @@ class Exported(unittest.TestCase):
         self.export(PERSPECTIVE, [{"lines": "lines.ply", "radius": 0.1}, {"points": "points.ply", "radius": 0.2}])
         self.assert_draws_the_same(0.1)
 
+    def test_radii_of_each_point(self):
+        line = numpy.stack([numpy.linspace(-1, 1, 30), numpy.sin(numpy.linspace(0, 9, 30)), numpy.cos(numpy.linspace(0, 7, 30))], 1)
+        names = [*NAMES, "thickness"]
+        write_ply(self.folder / "lines.ply", numpy.concatenate([line, colors(30), numpy.linspace(0, 0.4, 30)[:, None]], 1), names,
+                  edges=[(i, i + 1) for i in range(29)])
+        write_ply(self.folder / "points.ply", numpy.concatenate(
+            [RANDOM.uniform(-1, 1, (20, 3)), colors(20), numpy.maximum(0, RANDOM.uniform(-0.05, 0.3, (20, 1)))], 1), names)
+        for camera in PERSPECTIVE, ORTHOGRAPHIC:
+            scene = self.export(camera, [{"lines": "lines.ply", "radius": {"by": "thickness", "scale": 0.5}},
+                                         {"points": "points.ply", "radius": {"by": "thickness"}},
+                                         {"points": "points.ply", "radius": 0.05}], lighting="headlight")
+            self.assertEqual([thing["radius"] for thing in scene["objects"]], [None, None, 0.05])
+            radii = independent.read_ply(self.folder / "out/object-0.ply")["vertex"]["radius"]
+            numpy.testing.assert_allclose(radii, numpy.linspace(0, 0.2, 30), rtol=1e-6)
+            self.assert_draws_the_same(0.1)
+
     def test_light_that_depends_on_the_fragment_stays_out(self):
         random_mesh(self.folder / "mesh.ply", 40, "smooth")
         scene = self.export(PERSPECTIVE, [{"mesh": "mesh.ply"}], lighting="headlight")
@@ -150,9 +166,10 @@ class Exported(unittest.TestCase):
         random_mesh(self.folder / "mesh.ply", 7)
         write_ply(self.folder / "lines.ply", numpy.concatenate([RANDOM.random((6, 3)), colors(6)], 1), NAMES,
                   edges=[(0, 1), (1, 2), (3, 4), (4, 5)])
-        write_ply(self.folder / "points.ply", numpy.concatenate([RANDOM.random((5, 3)), colors(5)], 1), NAMES)
+        write_ply(self.folder / "points.ply", numpy.concatenate([RANDOM.random((5, 3)), colors(5), RANDOM.random((5, 1))], 1),
+                  [*NAMES, "thickness"])
         scene = self.export(PERSPECTIVE, [{"mesh": "mesh.ply"}, {"lines": "lines.ply", "radius": 0.05},
-                                          {"points": "points.ply", "radius": 0.1, "opaque": True}])
+                                          {"points": "points.ply", "radius": {"by": "thickness"}, "opaque": True}])
         file = (self.folder / "out/scene.glb").read_bytes()
         magic, version, length, size = struct.unpack_from("<4sIII", file)
         self.assertEqual((magic, version, length), (b"glTF", 2, len(file)))
@@ -173,6 +190,9 @@ class Exported(unittest.TestCase):
             numpy.testing.assert_array_equal(accessor(part["attributes"]["POSITION"]), independent.columns(ply["vertex"], "x", "y", "z"))
             numpy.testing.assert_array_equal(accessor(part["attributes"]["COLOR_0"]),
                                              independent.columns(ply["vertex"], "red", "green", "blue", "alpha"))
+            if mode == 0:
+                numpy.testing.assert_array_equal(accessor(part["attributes"]["_RADIUS"])[:, 0], ply["vertex"]["radius"])
+            self.assertEqual(mesh.get("extras", {}).get("radius"), thing["radius"])
             if mode == 4:
                 numpy.testing.assert_array_equal(accessor(part["indices"]).reshape(-1, 3), ply["face"]["corners"])
             if mode == 1:

@@ -123,14 +123,22 @@ def directions_of(points):
 
 
 def ribbon(points, radius, view):
-    """The rims of a strip that faces the eye: x ± radius · (t × v) / |t × v|."""
+    """The rims of a strip that faces the eye: x ± radius · (t × v) / |t × v|, radius one or each point's."""
     t = directions_of(points)
     # The world is right-handed and this view is not, which turns a product round.
     across = -numpy.cross(t, points if view.perspective else numpy.broadcast_to([0.0, 0, 1], t.shape))
-    across *= radius / numpy.linalg.norm(across, axis=1, keepdims=True)
+    across = unit(across)
     for i in range(1, len(across)):
         across[i] *= 1 if across[i] @ across[i - 1] >= 0 else -1
+    across *= numpy.reshape(radius, (-1, 1))
     return points - across, points + across
+
+
+def radii_of(thing, ply):
+    """Of each vertex: its own, or the object's."""
+    if thing["radius"] is None:
+        return ply["vertex"]["radius"].astype(float)
+    return numpy.full(len(ply["vertex"]), thing["radius"])
 
 
 def facing_of_mesh(normals):
@@ -153,7 +161,7 @@ def triangles_of(thing, ply, positions, colors, view):
     elif thing["kind"] == "lines":
         for line in numpy.unique(ply["vertex"]["line"]):
             i = numpy.flatnonzero(ply["vertex"]["line"] == line)
-            low, high = ribbon(positions[i], thing["radius"], view)
+            low, high = ribbon(positions[i], radii_of(thing, ply)[i], view)
             t = unit(directions_of(positions[i]))
             for k, (p, q) in enumerate(zip(i, i[1:])):
                 yield (low[k], high[k], high[k + 1]), colors[[p, p, q]], facing_of_tube(numpy.array([-1, 1, 1]), t[[k, k, k + 1]])
@@ -187,8 +195,9 @@ def render(path, fragments_of=Fragments):
             shade = lambda color, weights, d: light(color, facing(weights, d) if facing else None)
             fragments.add_triangle(corners, corner_colors, order, thing["opaque"], shade)
         if thing["kind"] == "points":
-            for center, color in zip(positions, colors):
-                fragments.add_disc(center, thing["radius"], color, order, thing["opaque"], light)
+            for center, color, radius in zip(positions, colors, radii_of(thing, ply)):
+                if radius > 0:
+                    fragments.add_disc(center, radius, color, order, thing["opaque"], light)
     return fragments.composite(scene["background"])
 
 

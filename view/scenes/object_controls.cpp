@@ -79,7 +79,9 @@ const std::vector<ControlRow>& rows() {
         .unit = "world units",
         .help = "half width"},
        json::json_pointer("/radius"),
-       [](const json& object) { return object.contains("radius"); }},
+       [](const json& object) {
+         return object.contains("radius") && object["radius"].is_number();
+       }},
       {{.name = "halo-width",
         .kind = Kind::real,
         .min = 0,

@@ -31,16 +31,26 @@ void append_line(const geometry::LineSet& from, std::uint64_t k, geometry::LineS
   to.offsets.push_back(to.positions.size());
 }
 
+/// Appends the radii of the points of line k, unless all are one.
+void append_radii(const scene::LineObject& from, std::uint64_t k, std::vector<double>& to) {
+  if (!from.radius.vary()) return;
+  for (std::uint64_t i = from.set.offsets[k]; i < from.set.offsets[k + 1]; ++i)
+    to.push_back(from.radius.at(i));
+}
+
 /// Lines first … first + count - 1 of the order in which they are taken.
 scene::SceneObject some_lines(const scene::SceneObject& object, std::uint64_t first,
                               std::uint64_t count) {
   const auto& all = std::get<scene::LineObject>(object.shape);
   const std::uint64_t n = all.set.line_count(), step = golden_step(n);
   scene::LineObject some;
-  some.radius = all.radius;
   some.profile = all.profile;
-  for (std::uint64_t i = first; i < first + count; ++i)
+  std::vector<double> radii;
+  for (std::uint64_t i = first; i < first + count; ++i) {
     append_line(all.set, i * step % n, some.set);
+    append_radii(all, i * step % n, radii);
+  }
+  some.radius = all.radius.vary() ? scene::Radii(std::move(radii)) : all.radius;
   return {object.name, std::move(some)};
 }
 

@@ -31,6 +31,14 @@ inline scene::SceneObject tube(std::vector<Vec3> line, double radius, std::vecto
   return {"tube", std::move(lines)};
 }
 
+/// A tube of a radius at each point.
+inline scene::SceneObject tube(std::vector<Vec3> line, std::vector<double> radii,
+                               std::vector<Rgba> colors) {
+  scene::SceneObject object = tube(std::move(line), 0.0, std::move(colors));
+  std::get<scene::LineObject>(object.shape).radius = scene::Radii(std::move(radii));
+  return object;
+}
+
 /// Makes objects of any place and colour in [-1, 1]³.
 class RandomSolids {
  public:
@@ -46,6 +54,18 @@ class RandomSolids {
     std::vector<Vec3> line{any()};
     while (int(line.size()) < points) line.push_back(line.back() + 0.3 * any());
     return tube(line, radius, colors(line.size()));
+  }
+  /// Gives each point of an object a radius between 0 and twice that of all, a sixth of them 0.
+  scene::SceneObject tapered(scene::SceneObject object) {
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < object.vertices().positions.size(); ++i)
+      radii.push_back(object.radii().at(i) * std::max(0.0, 0.8 + 1.2 * unit_(random_)));
+    std::visit(
+        [&](auto& shape) {
+          if constexpr (requires { shape.radius; }) shape.radius = scene::Radii(std::move(radii));
+        },
+        object.shape);
+    return object;
   }
   Vec3 any() { return Vec3(unit_(random_), unit_(random_), unit_(random_)); }
 
@@ -121,6 +141,23 @@ inline scene::Scene coincident_solids() {
   return scene;
 }
 
+/// The same, each point of a radius of its own, and what is special about cones: one along the
+/// rays, balls that hold others, an end that is a tip, and one between tips that is nothing. No ray
+/// of a pixel grazes a ball or runs into a tip, which rounding would decide.
+inline scene::Scene tapered_solids() {
+  RandomSolids random(6);
+  scene::Scene scene = some_solids();
+  for (scene::SceneObject& object : scene.objects) object = random.tapered(std::move(object));
+  const Rgba color(0.9, 0.2, 0.4, 0.3);
+  scene.objects.push_back(
+      tube({{0, 0, 1}, {0, 0, 0}, {0, 0, -1}}, {0.05, 0.4, 0}, std::vector<Rgba>(3, color)));
+  scene.objects.push_back(tube({{0.5, 0.2, 0}, {0.6, 0.2, 0}, {0.55, 0.3, 0.1}}, {0.4, 0.1, 0.05},
+                               std::vector<Rgba>(3, color)));
+  scene.objects.push_back(tube({{-0.89, 0.48, 0}, {-0.51, 0.48, 0}, {-0.2, 0.48, 0}, {0, 0.48, 0}},
+                               {0.2, 0, 0, 0.1}, std::vector<Rgba>(4, color)));
+  return scene;
+}
+
 inline std::vector<SolidScene> solid_scenes() {
   return {{"Perspective", true, some_solids},
           {"Parallel", true,
@@ -163,6 +200,25 @@ inline std::vector<SolidScene> solid_scenes() {
              scene.camera.fov = 2e-4 / 95 * 57.3;
              return scene;
            }},
+          {"Tapered", true, tapered_solids},
+          {"TaperedParallel", true,
+           [] {
+             scene::Scene scene = tapered_solids();
+             scene.camera.projection = scene::Projection::orthographic;
+             scene.camera.height = 2;
+             scene.lighting = scene::Lighting::phong;
+             return scene;
+           }},
+          {"TaperedFromWithin", true,
+           [] {
+             scene::Scene scene = tapered_solids();
+             scene.camera.eye = {0.05, 0, 0};
+             scene.camera.target = {1, 0.2, 0.1};
+             scene.camera.fov = 100;
+             scene.objects.push_back(tube({{-1, 0.1, 0}, {0, 0, 0}, {0.5, 0.5, 0}}, {0.1, 0.3, 0},
+                                          std::vector<Rgba>(3, {0, 0, 1, 0.5})));
+             return scene;
+           }},
           {"Opaque", true,
            [] {
              scene::Scene scene = some_solids();
@@ -176,7 +232,14 @@ inline std::vector<SolidScene> solid_scenes() {
              scene.samples.per_axis = 2;
              return scene;
            }},
-          {"Mixed", false, mixed_with_others}};
+          {"Mixed", false, mixed_with_others},
+          {"MixedTapered", false, [] {
+             RandomSolids random(8);
+             scene::Scene scene = mixed_with_others();
+             for (scene::SceneObject& object : scene.objects)
+               object = random.tapered(std::move(object));
+             return scene;
+           }}};
 }
 
 }  // namespace pellucid::compare

@@ -130,5 +130,34 @@ TEST(PropertyEyeOnSurface, ARoundSolidThatTheEyeLiesOnIsLeftOnly) {
     }
 }
 
+/// From radius 1/2 at the origin to 1/8 at z = 5/8: its mantle leans by the angle β of sin β = 3/5.
+scene::SceneObject cone_sphere() {
+  scene::LineObject line;
+  line.radius = scene::Radii(std::vector{0.5, 0.125});
+  line.profile = scene::LineObject::Profile::tube;
+  line.set.positions = {{0, 0, 0}, {0, 0, 0.625}};
+  line.set.offsets = {0, 2};
+  line.set.colors.assign(2, Rgba(0.5));
+  return {"", line};
+}
+
+// The ball of radius 5/16 around z = 5/16 touches the mantle at 5/16 (4/5, 0, 3/5) from there,
+// whose coordinates are doubles.
+TEST(PropertyEyeOnSurface, AConeSphereThatTheEyeLiesOnIsLeftOnly) {
+  const Vec3 on(0.25, 0, 0.5);
+  const Vec3 steps[] = {Vec3(0), Vec3(std::nextafter(0.25, 0) - 0.25, 0, 0),
+                        Vec3(std::nextafter(0.25, 1) - 0.25, 0, 0)};
+  for (const double up : {0.1, 0.7, 1.3, 2.9})
+    for (int step = 0; step < 3; ++step) {
+      const Vec3 eye = on + steps[step];
+      const Vec3 inside(0.01, 0.02, 0.33);
+      scene::Scene scene = scene_of(cone_sphere());
+      scene.camera = {.eye = eye, .target = inside, .up = {0.1, up, 1}, .fov = 10};
+      EXPECT_EQ(count(scene), step == 2 ? 800u : 400u) << step;
+      scene.camera.target = 2.0 * eye - inside;
+      EXPECT_EQ(count(scene), step == 1 ? 400u : 0u) << step;
+    }
+}
+
 }  // namespace
 }  // namespace pellucid::groundtruth

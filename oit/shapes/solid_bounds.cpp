@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oit/shapes/capsule_bounds.h"
+#include "oit/shapes/solid_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,43 +25,44 @@ Vec2 tangents(double low, double high) {
 
 /// From where to where one axis of the picture sees the hull of two circles around a and b, points
 /// of the plane of that axis and the viewing axis; the eye is at 0.
-Vec2 seen_from_eye(const Vec2& a, const Vec2& b, double radius) {
+Vec2 seen_from_eye(const Vec2& a, const Vec2& b, double radius_a, double radius_b) {
   const double far_a = glm::length(a), far_b = glm::length(b);
-  if (!(std::min(far_a, far_b) > radius)) return everything;
+  if (!(far_a > radius_a && far_b > radius_b)) return everything;
   const double at_a = std::atan2(a.x, a.y);
   const double at_b = at_a + std::remainder(std::atan2(b.x, b.y) - at_a, 2 * pi);
-  const double wide_a = std::asin(radius / far_a), wide_b = std::asin(radius / far_b);
+  const double wide_a = std::asin(radius_a / far_a), wide_b = std::asin(radius_b / far_b);
   const double low = std::min(at_a - wide_a, at_b - wide_b);
   const double high = std::max(at_a + wide_a, at_b + wide_b);
   return high - low < pi ? tangents(low, high) : everything;  // else the eye may be within
 }
 
-/// Along which axis a capsule is longest in the picture; any will do.
-Vec2 axis_of(const Capsule& capsule, scene::Projection projection) {
+/// Along which axis a solid is longest in the picture; any will do.
+Vec2 axis_of(const ConeSphere& solid, scene::Projection projection) {
   const bool parallel = projection == scene::Projection::orthographic;
-  if (!parallel && !(std::min(capsule.a.z, capsule.b.z) > 0)) return {1, 0};
+  if (!parallel && !(std::min(solid.a.z, solid.b.z) > 0)) return {1, 0};
   const auto seen = [&](const Vec3& x) { return Vec2(x) / (parallel ? 1 : x.z); };
-  const Vec2 along = seen(capsule.b) - seen(capsule.a);
+  const Vec2 along = seen(solid.b) - seen(solid.a);
   const double length = glm::length(along);
   return length > 0 && length < infinity ? along / length : Vec2(1, 0);
 }
 
 }  // namespace
 
-PictureRectangle bounds_in_picture(const Capsule& capsule, const ViewSpace& view) {
-  const auto& [a, b, radius] = capsule;
+PictureRectangle bounds_in_picture(const ConeSphere& solid, const ViewSpace& view) {
+  const auto& [a, b, radius_a, radius_b] = solid;
   const bool parallel = view.projection() == scene::Projection::orthographic;
-  if (!(std::max(a.z, b.z) + radius > 0)) return {};
+  if (!(std::max(a.z + radius_a, b.z + radius_b) > 0)) return {};
   PictureRectangle rectangle;
-  rectangle.axis = axis_of(capsule, view.projection());
+  rectangle.axis = axis_of(solid, view.projection());
   const double pixel = std::max(2 / (view.clip_scale().x * view.size().x),
                                 2 / (view.clip_scale().y * view.size().y));
   // From the middle to a corner, and a pixel for where samples are.
   const double reach = glm::length(1.0 / view.clip_scale()) + pixel;
   const auto along = [&](const Vec2& axis) {
     const double on_a = glm::dot(axis, Vec2(a)), on_b = glm::dot(axis, Vec2(b));
-    const Vec2 seen = parallel ? Vec2(std::min(on_a, on_b) - radius, std::max(on_a, on_b) + radius)
-                               : seen_from_eye({on_a, a.z}, {on_b, b.z}, radius);
+    const Vec2 seen = parallel ? Vec2(std::min(on_a - radius_a, on_b - radius_b),
+                                      std::max(on_a + radius_a, on_b + radius_b))
+                               : seen_from_eye({on_a, a.z}, {on_b, b.z}, radius_a, radius_b);
     return glm::clamp(seen + pixel / 8 * Vec2(-1, 1), -reach, reach);
   };
   rectangle.first = along(rectangle.axis);

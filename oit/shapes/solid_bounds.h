@@ -7,11 +7,11 @@
 
 namespace pellucid::oit {
 
-/// A Capsule is all within a radius of a segment; view units, see ViewSpace::view_position(). A
-/// sphere is one whose ends are the same.
-struct Capsule {
+/// A ConeSphere is the convex hull of the balls around a and b; view units, see
+/// ViewSpace::view_position(). A sphere is one whose ends are the same.
+struct ConeSphere {
   Vec3 a, b;
-  double radius;
+  double radius_a, radius_b;
 };
 
 /// A PictureRectangle is the part of the picture between bounds along two axes: the unit vector
@@ -25,9 +25,9 @@ struct PictureRectangle {
 };
 
 /// Returns a rectangle that holds every pixel's centre, or other sample, whose ray meets the
-/// capsule in front of the eye, and not much more: its sides touch what is seen of the ends, an
+/// solid in front of the eye, and not much more: its sides touch what is seen of the ends, an
 /// eighth of a pixel farther out for what rasterization rounds. It reaches no farther than the
-/// picture does, and is empty where the capsule lies beside or behind.
-PictureRectangle bounds_in_picture(const Capsule& capsule, const ViewSpace& view);
+/// picture does, and is empty where the solid lies beside or behind.
+PictureRectangle bounds_in_picture(const ConeSphere& solid, const ViewSpace& view);
 
 }  // namespace pellucid::oit
