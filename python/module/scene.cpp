@@ -206,7 +206,7 @@ OpenGL's methods then have compiling in them. gl: as `--gl` of the command line.
 constexpr const char* add_doc =
     R"(Adds a Mesh, Lines, Points, or an object of a scene file as a dict, with further keys of such an
 object: add(mesh, opacity=0.4, color={'by': 'speed', 'map': 'viridis'}). Lines and points need a radius,
-in world units. A camera that was not given is fitted again. Raises InputError.)";
+in world units, or by a scalar: radius={'by': 'thickness'}. A camera that was not given is fitted again. Raises InputError.)";
 
 void define_scene_class(SceneClass& kind) {
   kind.def("render", render, py::arg("method") = "raytrace", py::kw_only(),

@@ -24,15 +24,15 @@ Radii radii_by_scalar(const JsonNode& node, const geometry::Vertices& vertices) 
   const JsonNode by = by_of(node);
   const std::string scalar = by.string();
   const double scale = node.has("scale") ? positive(node["scale"], "a number above 0") : 1;
-  std::vector<double> radii =
-      at_place(by, [&] { return find_scalar(vertices, scalar); });
+  std::vector<double> radii = at_place(by, [&] { return find_scalar(vertices, scalar); });
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const double value = radii[i];
     radii[i] *= scale;
     if (!(radii[i] >= 0 && radii[i] < geometry::coordinate_limit))
-      by.fail(fmt::format("'{}' is {} at vertex {}; accepted: 0 or more, and less than 1e300 times "
-                          "the scale, {}",
-                          scalar, value, i, scale));
+      by.fail(
+          fmt::format("'{}' is {} at vertex {}; accepted: 0 or more, and less than 1e300 times "
+                      "the scale, {}",
+                      scalar, value, i, scale));
   }
   Radii read(std::move(radii));
   if (read.largest() == 0)

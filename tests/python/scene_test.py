@@ -91,6 +91,16 @@ def test_lines_and_points_take_their_width_from_the_scene():
     assert scene.render().image[2, 8].tolist() == pytest.approx([1, 127 / 255, 127 / 255, 128 / 255])
 
 
+def test_a_scalar_gives_the_radius_of_each_point():
+    line = pellucid.Lines([[-1, 0, 0], [1, 0, 0]], scalars={"thickness": np.array([0.5, 0])})
+    scene = pellucid.load_scene({"camera": CAMERA, "resolution": (64, 64),
+                                 "objects": [{"lines": line, "radius": {"by": "thickness"}}]})
+    x, y = np.meshgrid((np.arange(64) + 0.5) / 32 - 1, (np.arange(64) + 0.5) / 32 - 1)
+    assert ((scene.render().layers == 1) == (abs(y) < 0.25 * (1 - x))).all()
+    with pytest.raises(pellucid.InputError, match="unknown scalar 'thick'; known: thickness"):
+        scene.add(line, radius={"by": "thick"})
+
+
 def test_a_camera_that_is_not_given_is_fitted_again():
     scene = pellucid.load_scene({"objects": [{"mesh": sheet(0, (0, 0, 0, 1))}]})
     near = scene.camera["eye"]

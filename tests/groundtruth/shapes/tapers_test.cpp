@@ -238,7 +238,7 @@ TEST(AgreementConeSphere, EndsLieOnTheSurfaceAndNoneIsMissed) {
         for (const Crossing& c : crossings) {
           const double depth = c.depth / finder.frame().units_per_length();
           middle += 0.5 * depth;
-                    // Some ten roundings of numbers up to 6.
+          // Some ten roundings of numbers up to 6.
           ASSERT_NEAR(within(depth), 0, 1e-12);
           tips += std::lerp(hull.ra, hull.rb, c.u) < 0.05;
           mantles += c.u > 1e-3 && c.u < 1 - 1e-3;
@@ -276,8 +276,7 @@ TEST(AgreementConeSphere, RaysAlongTheMantleKeepTheirDigits) {
         finder.find(ray, crossings);
         const double unit = finder.frame().units_per_length();
         const scene::CameraFrame& frame = finder.frame().camera();
-        const Vec3 start =
-            frame.eye + ray.x / unit * frame.right + ray.y / unit * frame.up;
+        const Vec3 start = frame.eye + ray.x / unit * frame.right + ray.y / unit * frame.up;
         for (const Crossing& c : crossings) {
           const Vec3 x = start + c.depth / unit * frame.forward;
           EXPECT_NEAR(depth_within(hull.a, hull.b, hull.ra, hull.rb, x), 0, 1e-12);

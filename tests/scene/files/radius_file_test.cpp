@@ -82,9 +82,8 @@ TEST_F(UnitRadiusFile, AnUnknownScalarIsToldWhichThereAre) {
 
 TEST_F(UnitRadiusFile, ValuesThatAreNoRadiusAreNamedByTheirFirstVertex) {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const auto& [value, text] :
-       {std::pair(-0.5, "-0.5"), std::pair(std::nan(""), "nan"), std::pair(infinity, "inf"),
-        std::pair(1e300, "1e+300")}) {
+  for (const auto& [value, text] : {std::pair(-0.5, "-0.5"), std::pair(std::nan(""), "nan"),
+                                    std::pair(infinity, "inf"), std::pair(1e300, "1e+300")}) {
     write("bad.vtp", {1, value, value});
     EXPECT_THAT(refusal(R"({"lines": "bad.vtp", "radius": {"by": "thickness"}})"),
                 HasSubstr(std::string("objects[0].radius.by: 'thickness' is ") + text +

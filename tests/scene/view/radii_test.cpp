@@ -65,8 +65,8 @@ Scene scene_of(SceneObject object) {
 }
 
 TEST(UnitRadii, DepthsReachAsFarAsTheLargestSolid) {
-  for (const SceneObject& object :
-       {line({0.5, 2, 0}, LineObject::Profile::tube), points({0.5, 2, 0}, PointObject::Profile::sphere)}) {
+  for (const SceneObject& object : {line({0.5, 2, 0}, LineObject::Profile::tube),
+                                    points({0.5, 2, 0}, PointObject::Profile::sphere)}) {
     const DepthRange range = depth_range(scene_of(object));
     EXPECT_NEAR(range.near, 8, 1e-3);
     EXPECT_NEAR(range.far, 12, 1e-3);
