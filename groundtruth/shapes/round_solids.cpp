@@ -31,8 +31,9 @@ std::optional<Chord> endless_cylinder_chord(const Vec3& offset_across, const Vec
   return Chord{nearest - half, nearest + half};
 }
 
-/// Of the cone cos β ρ ≤ h, ρ the distance from its axis, on the side of its apex where h > 0: at
-/// x(t) = p + t q across the axis h is h0 + h1 t, and the ray is within where
+/// Of the cone cos β ρ ≤ h, ρ the distance from its axis, where h > 0 (or at both ends, on the
+/// other side of its apex, which is cut off): at x(t) = p + t q across the axis h is h0 + h1 t, and
+/// the ray is within where
 ///   A t² + 2 B t + C ≤ 0,  A = cos²β |q|² - h1²,  B = cos²β p · q - h0 h1,  C = cos²β |p|² - h0².
 /// With A > 0, less steep than the cone, it is within between the roots, both on one side of the
 /// apex; else from one root on, where h grows, or up to it: at A = 0 the other one is infinitely
@@ -50,7 +51,7 @@ std::optional<Chord> endless_cone_chord(const Vec3& p, const Vec3& q, double h0,
   const double root = cosine * std::sqrt(std::max(0.0, (turn - past) * (turn + past)));
   const double d = -(b + std::copysign(root, b));
   if (a > 0) {
-    if (!(root > 0 && h0 - h1 * (b / a) > 0)) return std::nullopt;
+    if (!(root > 0)) return std::nullopt;
     return Chord{std::min(d / a, c / d), std::max(d / a, c / d)};
   }
   if (d == 0 && a == 0) return std::nullopt;

@@ -123,8 +123,8 @@ dvec2 endless_cylinder_chord(dvec3 offset_across, dvec3 direction_across, double
 }
 
 #ifdef TAPERED
-// Of the cone cos ρ <= h0 + h1 t, on the side of its apex where that is above 0; the ray is at
-// p + t q across its axis.
+// Of the cone cos ρ <= h0 + h1 t, where that is above 0, or on the other side of the apex, which is
+// cut off; the ray is at p + t q across its axis.
 dvec2 endless_cone_chord(dvec3 p, dvec3 q, double h0, double h1, double cosine) {
   precise double at_p = cosine * sqrt(dot(p, p));
   precise double at_q = cosine * sqrt(dot(q, q));
@@ -140,11 +140,7 @@ dvec2 endless_cone_chord(dvec3 p, dvec3 q, double h0, double h1, double cosine) 
   if (d == 0.0lf && a >= 0.0lf) return no_chord;
   precise double one = d == 0.0lf ? 0.0lf : c / d;
   precise double other = a == 0.0lf ? one : d / a;
-  if (a > 0.0lf) {
-    precise double middle = h0 - h1 * (b / a);
-    if (!(root > 0.0lf && middle > 0.0lf)) return no_chord;
-    return dvec2(min(one, other), max(one, other));
-  }
+  if (a > 0.0lf) return root > 0.0lf ? dvec2(min(one, other), max(one, other)) : no_chord;
   return h1 > 0.0lf ? dvec2(max(one, other), ENDLESS) : dvec2(-ENDLESS, min(one, other));
 }
 #endif

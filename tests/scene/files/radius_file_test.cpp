@@ -58,6 +58,24 @@ TEST_F(UnitRadiusFile, WhatIsIntegratedHasScalarsToo) {
     EXPECT_NEAR(scene.objects[0].radii().at(i), 0.1 * lines.positions[i].x, 1e-9);
 }
 
+// An array of the field's file: p is 1 + x.
+TEST_F(UnitRadiusFile, AnArrayOfTheFieldsFileIsCarriedAlong) {
+  std::ofstream(folder_ / "flow.vti") << R"(<VTKFile type="ImageData" byte_order="LittleEndian">
+<ImageData WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="4 1 1"><Piece Extent="0 1 0 1 0 1"><PointData>
+<DataArray type="Float32" Name="v" NumberOfComponents="3" format="ascii">
+1 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 0</DataArray>
+<DataArray type="Float32" Name="p" format="ascii">1 5 1 5 1 5 1 5</DataArray>
+</PointData></Piece></ImageData></VTKFile>)";
+  const Scene scene = with(
+      R"({"lines": {"field": "flow.vti:array=v", "integrator": "stream-lines:particles=2",
+                    "seed": {"from": [1, 0.25, 0.5], "to": [1, 0.75, 0.5]}, "duration": 1},
+          "radius": {"by": "p", "scale": 0.5}})");
+  const geometry::Vertices& lines = scene.objects[0].vertices();
+  ASSERT_GT(lines.positions.size(), 3u);
+  for (std::size_t i = 0; i < lines.positions.size(); ++i)
+    EXPECT_NEAR(scene.objects[0].radii().at(i), 0.5 * (1 + lines.positions[i].x), 1e-6);
+}
+
 // 0 at the middle point: to both sides it is as far as what is drawn of the others.
 TEST_F(UnitRadiusFile, TheSceneIsAsLargeAsWhatIsDrawn) {
   const Scene scene = with(R"({"lines": "lines.vtp", "radius": {"by": "thickness"}})");
