@@ -53,5 +53,18 @@ TEST_F(UnitControls, AnExtractedIsosurfaceIsExtractedAgain) {
   EXPECT_FALSE(viewed.look(state_with({})).objects[0].mesh().positions == seen.mesh().positions);
 }
 
+TEST_F(UnitControls, RadiiByAScalarAreScaled) {
+  write_text(folder_ / "p.csv", "x,y,z,r\n0,0,0,0.25\n2,0,0,1\n");
+  write_text(file(), R"({"format": "pellucid-scene", "version": 1,
+      "objects": [{"points": "p.csv", "radius": {"by": "r"}}]})");
+  ViewedScene viewed(file());
+  const auto controls = viewed.description()["objects"][0]["controls"];
+  ASSERT_EQ(controls[1]["name"], "radius-scale");
+  EXPECT_EQ(controls[1]["default"], "1");
+  const auto seen = viewed.look(state_with({{"radius-scale", "3"}})).objects[0];
+  EXPECT_EQ(seen.radii().at(0), 0.75);
+  EXPECT_EQ(seen.radii().at(1), 3);
+}
+
 }  // namespace
 }  // namespace pellucid::view

@@ -82,6 +82,15 @@ const std::vector<ControlRow>& rows() {
        [](const json& object) {
          return object.contains("radius") && object["radius"].is_number();
        }},
+      {{.name = "radius-scale",
+        .kind = Kind::real,
+        .default_value = "1",
+        .min = tiny,
+        .help = "of the scalar that gives the radius"},
+       json::json_pointer("/radius/scale"),
+       [](const json& object) {
+         return object.contains("radius") && object["radius"].is_object();
+       }},
       {{.name = "halo-width",
         .kind = Kind::real,
         .min = 0,

@@ -9,8 +9,8 @@
 namespace pellucid::view {
 
 /// Returns the controls of how an object is drawn, rows as parameters_json() has them, whose
-/// defaults are what its scene file says: opacity, colour map, isovalue, radius, halo, of these
-/// what `object`, its text in the scene file, has. `made` is what was read of it.
+/// defaults are what its scene file says: opacity, colour map, isovalue, radius or its scale, halo,
+/// of these what `object`, its text in the scene file, has. `made` is what was read of it.
 nlohmann::ordered_json control_rows(const nlohmann::json& object, const scene::SceneObject& made);
 
 /// Returns the object's text with the controls at the values of `settings`. Throws InputError for a
