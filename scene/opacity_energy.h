@@ -20,9 +20,10 @@ struct EnergyWeights {
 };
 
 /// Returns twice what multiplies α² in Eq. 1: `front` and `behind` are the sums of g_j² of what
-/// lies in front of and behind the fragment of importance g.
+/// lies in front of and behind the fragment of importance g. An importance that rounding left above
+/// 1 counts as 1.
 inline double occlusion(const EnergyWeights& w, double g, double front, double behind) {
-  return std::pow(1 - g, 2 * w.lambda) * (w.q * behind + w.r * front);
+  return std::pow(std::max(1 - g, 0.0), 2 * w.lambda) * (w.q * behind + w.r * front);
 }
 
 /// Returns E_i(α) of Eq. 1, except that there q and r stand by the other's sum: Eq. 2 (and 10),

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "groundtruth/methods/raytrace.h"
 #include "tests/support/scenes.h"
 
@@ -62,6 +64,37 @@ TEST(UnitRaySums, OpaqueObjectsAreOfNoImportance) {
   EXPECT_EQ(sums.layers[1].importance, 0);
   EXPECT_EQ(sums.layers[1].importance_sum, 0.25);
   EXPECT_EQ(sums.importance_sum(1), 0.25);
+}
+
+/// Triangles of one opacity and one importance, in a perspective.
+scene::Scene constant_triangles(float opacity, float importance) {
+  scene::Scene scene;
+  scene.width = scene.height = 32;
+  scene.objects = {{"", random_triangles(40, 6)}};
+  geometry::Vertices& vertices = scene.objects[0].vertices();
+  for (Rgba& color : vertices.colors) color.a = opacity;
+  vertices.importance.assign(vertices.colors.size(), importance);
+  return scene;
+}
+
+// Weights sum to 1 but for rounding.
+TEST(PropertyRaySums, AConstantStaysThatConstantWhereverARayCrosses) {
+  for (const float constant : {0.0f, 0.3f, 1.0f}) {
+    const scene::Scene scene = constant_triangles(constant, constant);
+    const RayProbe probe(scene);
+    for (int y = 0; y < 32; ++y)
+      for (int x = 0; x < 32; ++x) {
+        const RaySums sums = probe.at(x + 0.5, y + 0.5);
+        for (const RayLayer& layer : sums.layers) {
+          ASSERT_EQ(layer.opacity, double(constant));
+          ASSERT_EQ(layer.importance, double(constant));
+        }
+        if (constant < 1 || sums.layers.empty()) continue;
+        EXPECT_EQ(sums.layers[0].optical_depth, std::numeric_limits<double>::infinity());
+        EXPECT_EQ(sums.transmittance, 0);
+        EXPECT_EQ(sums.optical_depth(1), std::numeric_limits<double>::infinity());
+      }
+  }
 }
 
 TEST(PropertyRaySums, TransmittanceIsTheExponentialOfOpticalDepth) {
