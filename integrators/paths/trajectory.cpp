@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "fields/finite.h"
+#include "integrators/paths/linear_flow.h"
 #include "integrators/paths/magnitude.h"
 #include "integrators/paths/segment_distance.h"
 
@@ -42,6 +43,11 @@ constexpr double edge_tolerances = 10;
 // The same in durations, for who rests: no tolerance tells how far that is. A tolerance is 1e-9 of
 // an extent unless it is given.
 constexpr double edge_durations = edge_tolerances * 1e-9;
+
+/// A with dw/dt = A w.
+Mat3 companion_rate(Companion companion, const Mat3& jacobian) {
+  return companion == Companion::conormal ? -glm::transpose(jacobian) : jacobian;
+}
 
 /// Of a step's stages, world units per time.
 double fastest(const std::array<ParticleState, 7>& k) {
@@ -123,8 +129,7 @@ fields::SampleStatus Trajectory::slope(double t, const State& y, State& f,
     Mat3 jacobian;
     const auto status = sampler.velocity_and_jacobian(first(y), time, v, jacobian);
     if (status != fields::SampleStatus::ok) return status;
-    const bool is_normal = options_->companion == Companion::conormal;
-    w = is_normal ? -(second(y) * jacobian) : jacobian * second(y);
+    w = companion_rate(options_->companion, jacobian) * second(y);
   } else if (const auto status = sampler.velocity(first(y), time, v);
              status != fields::SampleStatus::ok) {
     return status;
@@ -313,6 +318,17 @@ FlowPoint Trajectory::at(double t) const {
   const Vec3 w = is_ghost(options_->companion) ? second(y) - first(y) : second(y);
   // The seed's step has no length: its slope is dx/dt itself.
   return {first(y), step.way.derivative(theta) / (step.length > 0 ? step.length : 1), w};
+}
+
+FlowPoint Trajectory::at_rest(double t, fields::FieldSampler& sampler) const {
+  FlowPoint point = at(t_);
+  Vec3 v;
+  Mat3 jacobian;
+  const double time = options_->start_time + (options_->path ? t_ : 0);
+  if (is_by_jacobian(options_->companion) &&
+      sampler.velocity_and_jacobian(point.x, time, v, jacobian) == fields::SampleStatus::ok)
+    point.w = carried_linearly(companion_rate(options_->companion, jacobian), t - t_, point.w);
+  return point;
 }
 
 Vec3 Trajectory::position_at(double t) const {

@@ -71,6 +71,10 @@ class Trajectory {
   FlowPoint at(double t) const;
   /// The position alone.
   Vec3 position_at(double t) const;
+  /// The point at t of a particle that came to rest before, in a field that does not change: it is
+  /// where it came to rest, but its companion goes on turning, as dw/dt = J w tells where v is 0,
+  /// too.
+  FlowPoint at_rest(double t, fields::FieldSampler& sampler) const;
   /// Second time derivative of the position.
   Vec3 acceleration(double t) const;
   /// How long the velocity at one point tells at most how the particle goes on: the duration; where

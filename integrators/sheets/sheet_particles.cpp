@@ -28,11 +28,6 @@ double extent_of(const SheetDomain& domain) {
   return extent;
 }
 
-/// It stays where it rests, and is there at the end.
-bool is_there_at_end(const Trajectory& path) {
-  return path.end() == EndReason::duration || path.end() == EndReason::stagnated;
-}
-
 }  // namespace
 
 SheetParticles::SheetParticles(const SheetRequest& request, const SheetDomain& domain,
@@ -66,7 +61,10 @@ std::optional<FlowPoint> SheetParticles::send(const Release& release, const Vec3
   Trajectory path(options, onto_edge(field_box_, release.seed), companion, samplers_.local());
   if (path.exists() && release.age <= 0) return path.at(0);
   if (path.exists()) path.skip_to(options.duration, samplers_.local());
-  if (path.exists() && is_there_at_end(path)) return path.at(path.time());
+  if (path.exists() && path.end() == EndReason::duration) return path.at(path.time());
+  // It stays where it rests, and is there at the end.
+  if (path.exists() && path.end() == EndReason::stagnated)
+    return path.at_rest(options.duration, samplers_.local());
   lost = path.end().value_or(EndReason::outside);
   return std::nullopt;
 }

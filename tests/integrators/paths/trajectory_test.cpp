@@ -197,6 +197,31 @@ TEST(UnitTrajectory, EveryEndHasItsReason) {
   EXPECT_EQ(end_of(uniform, limited), EndReason::steps);
 }
 
+/// At the middle of a turn a particle rests from the beginning; into a sink one comes to rest.
+TEST(UnitTrajectory, TheCompanionOfWhoRestsGoesOn) {
+  const auto at_rest = [](const char* name, Companion companion, const Vec3& seed,
+                          double duration) {
+    const auto field = fields::make_field(name);
+    const auto sampler = field->sampler();
+    TrajectoryOptions options = dopri5(duration);
+    options.companion = companion;
+    options.still = 1e-12;
+    Trajectory path(options, seed, {1, 0, 1}, *sampler);
+    path.skip_to(duration, *sampler);
+    EXPECT_EQ(path.end(), EndReason::stagnated) << name;
+    return path.at_rest(duration, *sampler);
+  };
+  for (const Companion companion : {Companion::variation, Companion::conormal}) {
+    const FlowPoint turned = at_rest("formula:u=-y,v=x,w=0", companion, {0, 0, 3}, 2);
+    EXPECT_EQ(turned.x, Vec3(0, 0, 3));
+    EXPECT_LE(glm::distance(turned.w, Vec3(std::cos(2), std::sin(2), 1)), 1e-14);
+    // What dies away is e^-100 of the rest.
+    const FlowPoint sunk = at_rest("formula:u=-x,v=-y,w=-2*z", companion, {1, 1, 1}, 100);
+    const Vec3 wanted = companion == Companion::conormal ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+    EXPECT_LE(glm::distance(glm::normalize(sunk.w), wanted), 1e-6);
+  }
+}
+
 TEST(UnitTrajectory, StepsOverDiscontinuities) {
   // A shear layer of no thickness: the particle turns where it crosses y = 0.
   const auto field =

@@ -232,6 +232,30 @@ TEST(UnitSheets, ParticlesAtRestStayWhereTheyAre) {
   EXPECT_NEAR(testing::area_of(sheet.mesh), 2, 2e-3);
 }
 
+/// The Jacobian of a linear flow is the same everywhere, so that a plane stays one, and all normals
+/// are that of it: of the particles on the axis, which rest, as of all others.
+TEST(UnitSheets, NormalsOfParticlesAtRestTurnWithTheFlow) {
+  constexpr double time = 2;
+  const struct {
+    const char* field;
+    Vec3 side, normal;  // of the patch, beside the z axis, which rests; of what it becomes
+  } flows[] = {{"formula:u=-y,v=x,w=0", {2, 0, 0}, {-std::sin(time), std::cos(time), 0}},
+               {"formula:u=x,v=-y,w=0", {1, -1, 0}, {std::exp(-time), std::exp(time), 0}}};
+  for (const auto& [name, side, normal] : flows) {
+    const auto field = fields::make_field(name);
+    const IntegratedSheet sheet =
+        integrate_sheet("time-surface:tolerance=1e-2",
+                        time_surface_of(*field, patch_seed(-0.5 * side, side, {0, 0, 1}), time));
+    std::size_t resting = 0;
+    for (std::size_t i = 0; i < sheet.mesh.positions.size(); ++i) {
+      const Vec3& x = sheet.mesh.positions[i];
+      resting += std::hypot(x.x, x.y) == 0;
+      EXPECT_NEAR(std::abs(glm::dot(sheet.mesh.normals[i], glm::normalize(normal))), 1, 1e-6) << i;
+    }
+    EXPECT_GT(resting, 2u) << name;
+  }
+}
+
 TEST(UnitSheets, AnUnfinishedSheetSaysSo) {
   const auto field = fields::make_field("abc");
   const IntegratedSheet sheet =
