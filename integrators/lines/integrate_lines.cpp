@@ -32,6 +32,7 @@ struct Line {
     double t, time, speed;
   };
   std::vector<Point> points;
+  std::vector<std::size_t> breaks;  // points at which a line of its own begins, beyond a gap
   EndCounts ends;
   bool is_cut = false;  // it would have had more points than it may have
 };
@@ -105,7 +106,8 @@ Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& s
 }
 
 /// A streak line at the end of the journey: of the particles let go at the seed one after another,
-/// the youngest first.
+/// the youngest first. Where some of them are gone it has a gap, and goes on beyond it. Only in a
+/// field that does not change are those let go before gone, too.
 Line streak(TrajectoryOptions options, const Vec3& seed, int releases, std::uint64_t most_vertices,
             fields::FieldSampler& sampler) {
   const double duration = options.duration, begin = options.start_time;
@@ -113,6 +115,7 @@ Line streak(TrajectoryOptions options, const Vec3& seed, int releases, std::uint
   Vec3 v;
   if (sampler.velocity(seed, begin + duration, v) == fields::SampleStatus::ok)
     line.points.push_back({seed, 0, begin + duration, magnitude(v)});
+  bool beyond_gap = false;
   for (int i = 1; i <= releases; ++i) {
     if (line.points.size() == most_vertices) return cut(std::move(line));
     options.duration = duration * i / releases;
@@ -120,28 +123,44 @@ Line streak(TrajectoryOptions options, const Vec3& seed, int releases, std::uint
     Trajectory path(options, seed, Vec3(0), sampler);
     const bool arrives = path.exists() && path.reach(options.duration, sampler);
     if (path.end()) ++line.ends[*path.end()];
-    // Whoever is gone ends the line: those let go before are beyond the gap.
-    if (!arrives) break;
+    if (!arrives && !options.changing) break;
+    if (!arrives) {
+      beyond_gap = !line.points.empty();
+      continue;
+    }
+    if (beyond_gap) line.breaks.push_back(line.points.size());
+    beyond_gap = false;
     line.points.push_back(
         line_point(path.at(options.duration), options.duration, begin + duration));
   }
   return line;
 }
 
-geometry::LineSet joined(std::span<const Line> lines, LineStats& stats) {
-  geometry::LineSet set;
-  auto &t = set.scalars["t"], &time = set.scalars["time"], &speed = set.scalars["speed"];
-  for (const Line& line : lines) {
-    for (const Line::Point& point : line.points) {
-      set.positions.push_back(point.x);
-      t.push_back(point.t);
-      time.push_back(point.time);
-      speed.push_back(point.speed);
-    }
+/// The lines of the seed, one more than it has gaps.
+void append(const Line& line, std::uint32_t seed, IntegratedLines& result) {
+  geometry::LineSet& set = result.lines;
+  const auto end_line = [&] {
     set.offsets.push_back(set.positions.size());
-    for (const auto& [reason, count] : line.ends) stats.ends[reason] += count;
+    result.seeds.push_back(seed);
+  };
+  auto next_break = line.breaks.begin();
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    if (next_break != line.breaks.end() && *next_break == i) end_line(), ++next_break;
+    const Line::Point& point = line.points[i];
+    set.positions.push_back(point.x);
+    set.scalars["t"].push_back(point.t);
+    set.scalars["time"].push_back(point.time);
+    set.scalars["speed"].push_back(point.speed);
   }
-  return set;
+  end_line();
+  for (const auto& [reason, count] : line.ends) result.stats.ends[reason] += count;
+}
+
+IntegratedLines joined(std::span<const Line> lines) {
+  IntegratedLines result;
+  for (const char* name : {"t", "time", "speed"}) result.lines.scalars[name];
+  for (std::size_t i = 0; i < lines.size(); ++i) append(lines[i], std::uint32_t(i), result);
+  return result;
 }
 
 void check(const LineRequest& request) {
@@ -193,8 +212,7 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
                            integrated.add(1);
                            return line;
                          });
-  IntegratedLines result;
-  result.lines = joined(lines, result.stats);
+  IntegratedLines result = joined(lines);
   for (const auto& [reason, count] : result.stats.ends) result.stats.particles += count;
   for (const CountingSampler& sampler : samplers) result.stats.evaluations += sampler.evaluations();
   // Position and three scalars, once in the single lines and once in the set.

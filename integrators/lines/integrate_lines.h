@@ -34,11 +34,13 @@ struct LineStats {
   EndCounts ends;
 };
 
-/// One line per seed, in their order; empty where the seed has no velocity. The scalars are "t"
-/// (since the particle was let go; below 0 on the way back), "time" (the field's) and "speed".
+/// One line per seed, in their order; empty where the seed has no velocity. A streak line some of
+/// whose particles are gone is several, which follow each other. The scalars are "t" (since the
+/// particle was let go; below 0 on the way back), "time" (the field's) and "speed".
 struct IntegratedLines {
   geometry::LineSet lines;
   LineStats stats;
+  std::vector<std::uint32_t> seeds;  // of each line: the number of its seed, ascending
 };
 
 /// One row of the table of line integrators.

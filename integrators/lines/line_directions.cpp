@@ -21,35 +21,69 @@ IntegratedLines run_backward(LineRequest request, const Run& run) {
   return result;
 }
 
-/// Copies vertices of `from` to the end of `to`; both have the same scalars.
-class Copier {
+/// Appends the lines of one seed: the way back from its end to the seed, and on; the seed is there
+/// once. What a streak line has beyond gaps are lines before and after. Where one of both ways does
+/// not begin at the seed, since particles just let go are gone, they are two lines.
+class SeedJoiner {
  public:
-  Copier(const geometry::LineSet& from, geometry::LineSet& to) : from_(from), to_(to) {}
+  SeedJoiner(const IntegratedLines& back, const IntegratedLines& ahead, IntegratedLines& joined)
+      : back_(back), ahead_(ahead), joined_(joined) {
+    for (const auto& [name, values] : ahead.lines.scalars) joined.lines.scalars[name];
+  }
 
-  void copy(std::uint64_t vertex) {
-    to_.positions.push_back(from_.positions[vertex]);
-    for (const auto& [name, values] : from_.scalars) to_.scalars[name].push_back(values[vertex]);
+  void append(std::uint32_t seed) {
+    const auto [back_begin, back_end] = lines_of(back_, seed);
+    const auto [ahead_begin, ahead_end] = lines_of(ahead_, seed);
+    for (std::size_t k = back_end; k > back_begin + 1; --k) {
+      copy_back(k - 1, 0);
+      end_line(seed);
+    }
+    const bool meet =
+        begins_at_seed(back_.lines, back_begin) && begins_at_seed(ahead_.lines, ahead_begin);
+    copy_back(back_begin, meet ? 1 : 0);
+    if (!meet && !is_empty(back_.lines, back_begin) && !is_empty(ahead_.lines, ahead_begin))
+      end_line(seed);
+    for (std::size_t k = ahead_begin; k < ahead_end; ++k) {
+      copy_ahead(k);
+      end_line(seed);
+    }
   }
 
  private:
-  const geometry::LineSet& from_;
-  geometry::LineSet& to_;
-};
-
-/// Line by line: the way back from its end to the seed, and on; the seed is there once.
-geometry::LineSet joined(const geometry::LineSet& back, const geometry::LineSet& ahead) {
-  geometry::LineSet lines;
-  for (const auto& [name, values] : ahead.scalars) lines.scalars[name];
-  Copier from_back(back, lines), from_ahead(ahead, lines);
-  for (std::size_t i = 0; i < ahead.line_count(); ++i) {
-    const bool goes_ahead = ahead.offsets[i] < ahead.offsets[i + 1];
-    for (std::uint64_t k = back.offsets[i + 1]; k > back.offsets[i] + goes_ahead; --k)
-      from_back.copy(k - 1);
-    for (std::uint64_t k = ahead.offsets[i]; k < ahead.offsets[i + 1]; ++k) from_ahead.copy(k);
-    lines.offsets.push_back(lines.positions.size());
+  static std::pair<std::size_t, std::size_t> lines_of(const IntegratedLines& all,
+                                                      std::uint32_t seed) {
+    const auto [begin, end] = std::ranges::equal_range(all.seeds, seed);
+    return {std::size_t(begin - all.seeds.begin()), std::size_t(end - all.seeds.begin())};
   }
-  return lines;
-}
+  static bool is_empty(const geometry::LineSet& lines, std::size_t k) {
+    return lines.offsets[k] == lines.offsets[k + 1];
+  }
+  static bool begins_at_seed(const geometry::LineSet& lines, std::size_t k) {
+    return !is_empty(lines, k) && lines.scalars.at("t")[lines.offsets[k]] == 0;
+  }
+
+  /// From the line's end to its beginning, but for the first vertices.
+  void copy_back(std::size_t k, std::uint64_t but_for) {
+    const auto& offsets = back_.lines.offsets;
+    for (std::uint64_t i = offsets[k + 1]; i > offsets[k] + but_for; --i) copy(back_.lines, i - 1);
+  }
+  void copy_ahead(std::size_t k) {
+    const auto& offsets = ahead_.lines.offsets;
+    for (std::uint64_t i = offsets[k]; i < offsets[k + 1]; ++i) copy(ahead_.lines, i);
+  }
+  void copy(const geometry::LineSet& from, std::uint64_t vertex) {
+    joined_.lines.positions.push_back(from.positions[vertex]);
+    for (const auto& [name, values] : from.scalars)
+      joined_.lines.scalars[name].push_back(values[vertex]);
+  }
+  void end_line(std::uint32_t seed) {
+    joined_.lines.offsets.push_back(joined_.lines.positions.size());
+    joined_.seeds.push_back(seed);
+  }
+
+  const IntegratedLines &back_, &ahead_;
+  IntegratedLines& joined_;
+};
 
 void add(const LineStats& stats, LineStats& sum) {
   sum.particles += stats.particles;
@@ -67,9 +101,11 @@ IntegratedLines run_in_directions(const LineRequest& request, const Run& run) {
   backward.progress = part_of(request.progress, 0, 0.5, "lines");
   forward.progress = part_of(request.progress, 0.5, 1, "lines");
   forward.duration = std::abs(request.duration);
-  const IntegratedLines back = run_backward(std::move(backward), run);
-  IntegratedLines result = run(forward);
-  result.lines = joined(back.lines, result.lines);
+  const IntegratedLines back = run_backward(std::move(backward), run), ahead = run(forward);
+  IntegratedLines result;
+  SeedJoiner joiner(back, ahead, result);
+  for (std::uint32_t seed = 0; seed < request.seeds.size(); ++seed) joiner.append(seed);
+  result.stats = ahead.stats;
   add(back.stats, result.stats);
   return result;
 }
