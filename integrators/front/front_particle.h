@@ -31,9 +31,10 @@ struct FrontParticle {
   std::optional<FrontPoint> next;
   int left = -1, right = -1;  // neighbours; -1 where there is none, or where the ribbon was torn
   bool merged = false;
-  bool lacks_neighbour = false;        // one was needed beside it, and none was to be had
-  bool lent = false;                   // merged, and its path is now its ribbon's shadow
-  std::unique_ptr<Trajectory> shadow;  // from halfway to the right neighbour's seed
+  bool lacks_neighbour = false;         // one was needed beside it, and none was to be had
+  std::optional<EndReason> left_alone;  // why the last of its neighbours ended, and all ribbons
+  bool lent = false;                    // merged, and its path is now its ribbon's shadow
+  std::unique_ptr<Trajectory> shadow;   // from halfway to the right neighbour's seed
 
   bool is_linked() const { return left >= 0 || right >= 0; }
   /// Has the mesh reached the end of its way, and with it the surface's border?

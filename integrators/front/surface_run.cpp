@@ -126,8 +126,10 @@ void SurfaceRun::retire(std::span<const FrontParticle> particles) {
       ++stats_.ends[EndReason::particles];
     else if (particle.merged)
       ++stats_.ends[EndReason::merged];
+    else if (particle.next)
+      ++stats_.ends[otherwise];
     else
-      ++stats_.ends[particle.next ? otherwise : particle.path.end().value_or(otherwise)];
+      ++stats_.ends[particle.path.end().value_or(particle.left_alone.value_or(otherwise))];
   }
   stats_.bytes = std::max(stats_.bytes, bytes);
 }

@@ -202,9 +202,15 @@ void SynchronousFront::tile(const Ribbon& ribbon) {
   }
   if (chain_.size() == edges.size() + 1) tile(l0, r0, chain_);
   // A chain with a gap is not tiled: the hole becomes one row longer.
-  // Without refinement nothing can fill the gap between a particle that ended and one that goes on.
-  if (rows_ > 0 && !(moves_on(ribbon.left) && moves_on(ribbon.right)))
-    front_.at(ribbon.left).right = front_.at(ribbon.right).left = -1;
+  if (rows_ > 0 && !(moves_on(ribbon.left) && moves_on(ribbon.right))) end(ribbon);
+}
+
+/// Without refinement nothing can fill the gap between a particle that ended and one that goes on.
+void SynchronousFront::end(const Ribbon& ribbon) {
+  const auto [left, right] = ribbon;
+  front_.at(left).right = front_.at(right).left = -1;
+  if (!moves_on(right)) front_.at(left).left_alone = front_.at(right).path.end();
+  if (!moves_on(left)) front_.at(right).left_alone = front_.at(left).path.end();
 }
 
 using Corners = std::array<const FrontPoint*, 3>;

@@ -36,6 +36,7 @@ class SynchronousFront {
   bool try_merge(const Ribbon& a, const Ribbon& b);
   void tile(const Ribbon& ribbon);
   void tile(const FrontPoint& left, const FrontPoint& right, std::span<const int> chain);
+  void end(const Ribbon& ribbon);
   bool diagonals_stray(const Ribbon& ribbon);
   template <class SurfaceAt>
   double diagonal_sagitta(int left, int right, const SurfaceAt& surface_at) const;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/surfaces/integrate_surface.h"
@@ -39,6 +40,17 @@ TEST(UnitLeaving, UniformFlowMakesOneFlatSheet) {
       EXPECT_NEAR(testing::area_of(surface.mesh), area, 1e-5) << integrator;
       EXPECT_EQ(measure_quality(surface.mesh).sheets, 1u) << integrator;
     }
+}
+
+/// Nothing tears where particles leave, also of two that leave one after the other: the ribbon
+/// between them ends with the first, and with it the way of the other.
+TEST(UnitLeaving, WhoIsLeftAloneEndsForItsNeighboursReason) {
+  const auto field = testing::boxed([](const Vec3&) { return Vec3(1, 0.5, 0); }, 2);
+  for (const int particles : {2, 3, 5, 20}) {
+    const auto surface = leave(field, "fixed-front:particles=" + std::to_string(particles),
+                               segment_seed({-2, -2, 0}, {-2, 1, 0}), 10);
+    EXPECT_EQ(surface.stats.ends, (EndCounts{{EndReason::left_domain, std::uint64_t(particles)}}));
+  }
 }
 
 /// A helicoid that leaves through several faces: 800 particles of 800 rows come to 2.1409, and the
