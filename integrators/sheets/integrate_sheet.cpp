@@ -109,14 +109,24 @@ void add_facets(IntegratedSheet& sheet, const std::vector<Facet>& facets,
   fill_missing_normals(sheet.mesh.positions, sheet.mesh.triangles, sheet.mesh.normals);
 }
 
+/// Ends are those of the mesh's vertices and of the places whose particles are gone. Not of those
+/// that are there beside a border and in no facet, unless nobody is in any.
+EndCounts ends_of(const SheetRefinement& refined, const geometry::TriangleMesh& mesh) {
+  EndCounts ends;
+  for (const SheetVertex& vertex : refined.vertices())
+    if (vertex.particle.lost || mesh.positions.empty())
+      ++ends[vertex.particle.lost.value_or(EndReason::duration)];
+  if (!mesh.positions.empty()) ends[EndReason::duration] = mesh.positions.size();
+  return ends;
+}
+
 SurfaceStats stats_of(const SheetRefinement& refined, std::uint64_t torn,
-                      const SheetParticles& particles) {
+                      const SheetParticles& particles, const geometry::TriangleMesh& mesh) {
   SurfaceStats stats;
   stats.particles = particles.sent();
   stats.evaluations = particles.evaluations();
   stats.bytes = refined.bytes();
-  for (const SheetVertex& vertex : refined.vertices())
-    ++stats.ends[vertex.particle.lost.value_or(EndReason::duration)];
+  stats.ends = ends_of(refined, mesh);
   if (torn > 0) stats.ends[EndReason::torn] = torn;
   if (refined.budget()) stats.ends[*refined.budget()] = refined.unfinished();
   return stats;
@@ -162,7 +172,7 @@ IntegratedSheet integrate_sheet(std::string_view integrator, const SheetRequest&
   const auto [facets, torn] = refined.facets();
   IntegratedSheet sheet;
   add_facets(sheet, facets, refined, request, domain);
-  sheet.stats = stats_of(refined, torn, particles);
+  sheet.stats = stats_of(refined, torn, particles, sheet.mesh);
   sheet.stats.seconds = watch.seconds();
   check_surface(row.name, sheet, *request.field);
   return sheet;

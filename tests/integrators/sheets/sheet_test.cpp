@@ -256,6 +256,18 @@ TEST(UnitSheets, NormalsOfParticlesAtRestTurnWithTheFlow) {
   }
 }
 
+/// Particles of speed 1: those older than 2 have run their length.
+TEST(UnitSheets, EndsAreThoseOfVerticesAndOfPlacesThatAreGone) {
+  const auto field = fields::make_field("drift");
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface:tolerance=1e-2,length=2",
+                      streak_of(*field, segment_seed({0, 0, 0}, {0, 0, 1}), 4, 0.3));
+  const EndCounts& ends = sheet.stats.ends;
+  EXPECT_EQ(ends.at(EndReason::duration), sheet.mesh.positions.size());
+  EXPECT_GT(ends.at(EndReason::length), 0u);
+  EXPECT_EQ(ends.size(), 2u);
+}
+
 TEST(UnitSheets, AnUnfinishedSheetSaysSo) {
   const auto field = fields::make_field("abc");
   const IntegratedSheet sheet =
