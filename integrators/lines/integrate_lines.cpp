@@ -239,6 +239,7 @@ IntegratedLines run_following(const LineRequest& request, const Parameters& para
 
 IntegratedLines run_streaks(const LineRequest& request, const Parameters& parameters) {
   const StreakOptions options = streak_options().read(parameters);
+  check_end(*request.field, {request.duration, request.start_time, true});
   return run_all(request, options.stepping, true, options.max_vertices,
                  [&](const TrajectoryOptions& trajectory, const Vec3& seed,
                      std::uint64_t most_vertices, fields::FieldSampler& sampler) {

@@ -115,6 +115,17 @@ TrajectoryOptions trajectory_options(const fields::VectorField& field, const Jou
   return options;
 }
 
+void check_end(const fields::VectorField& field, const Journey& journey) {
+  const auto times = fields::times_of_series(fields::unreversed(field));
+  const double sign = fields::start_of_reversed(field) ? -1 : 1;
+  const double end = journey.start_time + sign * journey.duration;
+  if (times && !times->contains(end))
+    throw InputError(
+        fmt::format("duration: {}, which ends at the time {} when particles are looked for; "
+                    "accepted: an end between the times {} and {} of {}",
+                    sign * journey.duration, end, times->first, times->last, field.description()));
+}
+
 void check_keeps_tolerance(const SteppingOptions& stepping,
                            const std::optional<double>& tolerance) {
   if (tolerance && !stepping.stepper->adaptive)

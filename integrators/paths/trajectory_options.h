@@ -22,6 +22,10 @@ struct Journey {
 TrajectoryOptions trajectory_options(const fields::VectorField& field, const Journey& journey,
                                      double extent, const SteppingOptions& stepping);
 
+/// Throws InputError where the end of the journey is at a time that a series does not have: of
+/// particles that are asked for where they are then, none would be left.
+void check_end(const fields::VectorField& field, const Journey& journey);
+
 /// Throws InputError where a surface's tolerance, world units, is given together with a stepper
 /// whose steps are fixed: its error is what it is.
 void check_keeps_tolerance(const SteppingOptions& stepping, const std::optional<double>& tolerance);

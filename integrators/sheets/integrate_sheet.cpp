@@ -163,6 +163,7 @@ IntegratedSheet integrate_sheet(std::string_view integrator, const SheetRequest&
   const SheetOptions options = sheet_options().read(parameters);
   if (options.tolerance) positive("tolerance", options.tolerance, 0);
   check_keeps_tolerance(options.stepping, options.tolerance);
+  check_end(*request.field, {request.duration, request.start_time, true});
   check_seeds(row.name, request);
   const SheetDomain domain = sheet_domain(request);
   SheetParticles particles(request, domain, options.stepping, options.tolerance);

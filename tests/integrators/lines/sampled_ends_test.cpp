@@ -173,5 +173,26 @@ TEST_F(UnitSeriesEnds, WhoStartsAtTheLastTimeIsToldOfTimes) {
   }
 }
 
+/// Particles are looked for at the end: beyond the series' times nobody is left, whatever the
+/// place.
+TEST_F(UnitSeriesEnds, StreaksAreToldThatTheyEndBeyondTheTimes) {
+  const auto field = series({0.1, 0.3}, {1, 1});
+  const auto refusal = [&](double duration, double start) -> std::string {
+    try {
+      integrate_lines("streak-lines", {field.get(), {Vec3(0)}, duration, start, {}});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(1, 0.25),
+              ::testing::StartsWith("duration: 1, which ends at the time 1.25 when particles are "
+                                    "looked for; accepted: an end between the times 0.1 and 0.3"));
+  EXPECT_THAT(refusal(-1, 0.25),
+              ::testing::StartsWith("duration: -1, which ends at the time -0.75"));
+  EXPECT_EQ(refusal(0.05, 0.25), "");
+  EXPECT_EQ(refusal(-0.15, 0.25), "");
+}
+
 }  // namespace
 }  // namespace pellucid::integrators
