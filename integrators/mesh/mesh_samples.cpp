@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/indexed_random.h"
+#include "integrators/paths/magnitude.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -15,7 +16,7 @@ constexpr std::array<std::array<double, 3>, 4> places = {
 double twice_area(const geometry::TriangleMesh& mesh, std::size_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   const Vec3& x = mesh.positions[a];
-  return glm::length(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
+  return magnitude(glm::cross(mesh.positions[b] - x, mesh.positions[c] - x));
 }
 
 /// The i-th of a sequence that covers the triangle evenly: R₂ of M. Roberts, "The Unreasonable

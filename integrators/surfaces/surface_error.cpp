@@ -42,9 +42,8 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
     sample.place.t += place.barycentric[k] * corner.t;
   }
   const Vec3& x = mesh.positions[corners[0]];
-  const Vec3 area = glm::cross(mesh.positions[corners[1]] - x, mesh.positions[corners[2]] - x);
-  const double length = glm::length(area);
-  sample.facet = length > 0 ? area / length : Vec3(0);
+  sample.facet =
+      direction_of(glm::cross(mesh.positions[corners[1]] - x, mesh.positions[corners[2]] - x));
   return sample;
 }
 

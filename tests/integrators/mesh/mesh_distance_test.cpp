@@ -38,6 +38,22 @@ TEST(UnitMeshDistance, ParallelSquaresAreAsFarApartAsTheirPlanes) {
   }
 }
 
+/// Powers of two change no digit.
+TEST(UnitMeshDistance, UnitsDoNotMatter) {
+  const auto distances = [](double unit) {
+    const auto [first, second] = mesh_distance(square(unit, 0, 3), square(unit, unit / 4, 5), 100);
+    const Vec3 above(unit / 2, unit / 2, 3 * unit);
+    return std::vector{first.mean,  first.rms,  first.max,
+                       second.mean, second.rms, largest_distance({{above}}, square(unit, 0, 2))};
+  };
+  const std::vector<double> wanted = distances(1);
+  EXPECT_EQ(wanted.back(), 3);
+  for (const double unit : {0x1p-400, 0x1p+400}) {
+    const std::vector<double> found = distances(unit);
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(found[i] / unit, wanted[i]) << i;
+  }
+}
+
 TEST(UnitMeshDistance, WhatOneMeshLacksShowsFromTheOther) {
   constexpr std::uint32_t n = 64;
   const geometry::TriangleMesh part = square(0.5, 0, n), whole = square(1, 0, n);
