@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/elements/elements.h"
 
+#include <algorithm>
+
 namespace pellucid::scene {
 namespace {
 
@@ -8,6 +10,20 @@ float mean_of(std::span<const std::uint32_t> elements, const std::vector<float>&
   float sum = 0;
   for (const std::uint32_t element : elements) sum += opacities[element];
   return sum / float(elements.size());
+}
+
+/// Held to the range of what it mixes: weights add up to 1 but for rounding, and elements that all
+/// stay opaque leave the vertex so.
+float weighted_mean(std::span<const std::uint32_t> elements, const float* weights,
+                    const std::vector<float>& opacities) {
+  float sum = 0, least = opacities[elements.front()], most = least;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    const float opacity = opacities[elements[k]];
+    sum += weights[k] * opacity;
+    least = std::min(least, opacity);
+    most = std::max(most, opacity);
+  }
+  return std::clamp(sum, least, most);
 }
 
 std::uint64_t bytes_of(const Rows& rows) {
@@ -36,12 +52,9 @@ void smooth(const Elements& elements, int iterations, std::vector<float>& opacit
 std::vector<float> vertex_opacities(const Elements& elements, const std::vector<float>& opacities) {
   const Rows& rows = elements.of_vertex;
   std::vector<float> result(rows.count(), 1.0f);
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    if (rows[v].empty()) continue;
-    result[v] = 0;
-    for (std::uint64_t k = rows.offsets[v]; k < rows.offsets[v + 1]; ++k)
-      result[v] += elements.weights[k] * opacities[rows.values[k]];
-  }
+  for (std::size_t v = 0; v < result.size(); ++v)
+    if (!rows[v].empty())
+      result[v] = weighted_mean(rows[v], &elements.weights[rows.offsets[v]], opacities);
   return result;
 }
 
