@@ -182,12 +182,12 @@ TEST_F(UnitInfo, ASceneHasItsObjectsItsCameraAndItsSize) {
 }
 
 TEST_F(UnitInfo, RadiiThatDifferAreARange) {
-  info("p.csv", "x,y,z,r\n0,0,0,0.25\n2,0,0,1\n1,0,0,0.5\n");
+  info("p.csv", "x,y,z,r\n0,0,0,0.5\n2,0,0,1\n1,0,0,0.25\n");
   const Json json = info("scene.json", R"({"format": "pellucid-scene", "version": 1,
       "objects": [{"points": "p.csv", "radius": {"by": "r"}}, {"points": "p.csv", "radius": 2}]})");
   EXPECT_EQ(json["objects"][0]["radius"], Json({0.25, 1}));
   EXPECT_EQ(json["objects"][0]["bounds"],
-            Json::parse(R"({"min": [-0.25, -1, -1], "max": [3, 1, 1]})"));
+            Json::parse(R"({"min": [-0.5, -1, -1], "max": [3, 1, 1]})"));
   EXPECT_EQ(json["objects"][1]["radius"], 2);
 }
 
