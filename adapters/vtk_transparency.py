@@ -24,36 +24,19 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkWindowToImageFilter)
 
-
-def read_ply(path):
-    """The elements of a PLY file of `pellucid export`."""
-    header, _, body = path.read_bytes().partition(b"end_header\n")
-    types, elements = {"float": "<f4", "uint": "<u4"}, []
-    for words in (line.split() for line in header.decode().splitlines()):
-        if words[0] == "element":
-            elements.append((words[1], int(words[2]), []))
-        elif words[0] == "property":
-            elements[-1][2].extend([("n", "u1"), ("corners", "<u4", 3)] if words[1] == "list" else [(words[2], types[words[1]])])
-    read, at = {}, 0
-    for name, count, properties in elements:
-        read[name] = numpy.frombuffer(body, numpy.dtype(properties), count, at)
-        at += read[name].nbytes
-    return read
+from exported_scene import cells, columns, read_ply
 
 
 def poly_data(thing, folder):
     ply = read_ply(folder / thing["file"])
-    columns = lambda *names: numpy.stack([ply["vertex"][name] for name in names], -1)
-    cells = {"triangles": lambda: ply["face"]["corners"],
-             "lines": lambda: numpy.stack([ply["edge"]["vertex1"], ply["edge"]["vertex2"]], -1),
-             "points": lambda: numpy.arange(thing["count"])[:, None]}[thing["kind"]]()
+    joined = cells(ply, thing["kind"])
     data, points, array = vtkPolyData(), vtkPoints(), vtkCellArray()
-    points.SetData(numpy_to_vtk(columns("x", "y", "z"), deep=True))
+    points.SetData(numpy_to_vtk(columns(ply["vertex"], "x", "y", "z"), deep=True))
     data.SetPoints(points)
-    counted = numpy.concatenate([numpy.full((len(cells), 1), cells.shape[1]), cells], 1).astype(numpy.int64)
+    counted = numpy.concatenate([numpy.full((len(joined), 1), joined.shape[1]), joined], 1).astype(numpy.int64)
     array.ImportLegacyFormat(numpy_to_vtkIdTypeArray(counted.ravel(), deep=True))
     {"triangles": data.SetPolys, "lines": data.SetLines, "points": data.SetVerts}[thing["kind"]](array)
-    colors = columns("red", "green", "blue", "alpha")
+    colors = columns(ply["vertex"], "red", "green", "blue", "alpha")
     if thing["opaque"]:
         colors[:, 3] = 1  # whatever its opacity: VTK would blend it
     data.GetPointData().SetScalars(numpy_to_vtk(colors, deep=True))
