@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Building the lists. After fragment.glsl.
 #include "oit/lists/fragment_list.glsl"
+#ifdef IMPORTANCE
+#include "oit/opacity/importance_bits.glsl"
+#endif
 #ifdef LIT_LATER
 #include "oit/lists/normal_bits.glsl"
 #include "oit/shapes/pixel_ray.glsl"
@@ -13,7 +16,7 @@ void append_fragment(Fragment f, vec4 content) {
   int node = int(atomicCounterIncrement(node_count)) + 1;
   uint next = imageAtomicExchange(heads, ivec2(gl_FragCoord.xy), uint(node));
 #if defined(IMPORTANCE)
-  uint more = floatBitsToUint(importance());
+  uint more = pack_importance(importance());
 #elif defined(LIT_LATER)
   uint more = pack_normal(shading_normal(pixel_ray(imageSize(heads))));
 #else

@@ -5,19 +5,21 @@
 #include "oit/lists/list_sort.glsl"
 #if defined(OPTIMIZE_OPACITY) || defined(OPTIMIZE_FRAGMENTS)
 #include "oit/opacity/energy.glsl"
+#include "oit/opacity/importance_bits.glsl"
 
 // Sums of g^2: of the pixel, and of what was passed.
 struct Importance {
   float total, front;
 };
 
-float importance_of(uint node) { return uintBitsToFloat(imageLoad(nodes, int(node)).w); }
+// g and 1 - g.
+vec2 importance_of(uint node) { return unpack_importance(imageLoad(nodes, int(node)).w); }
 
 Importance sum_importance(uint list) {
   Importance sums = Importance(0.0, 0.0);
   while (list != 0u) {
     REPEAT8(if (list != 0u) {
-      float g = importance_of(list);
+      float g = importance_of(list).x;
       sums.total += g * g;
       list = load_node(list).next;
     })
@@ -27,9 +29,10 @@ Importance sum_importance(uint list) {
 
 // Eq. 2 of Baeza Rojo et al. 2019 for the next fragment.
 float optimal_opacity_of(inout Importance sums, uint node) {
-  float g = importance_of(node), behind = sums.total - sums.front - g * g;
-  float opacity = optimal_opacity(energy_weights, g, sums.front, behind);
-  sums.front += g * g;
+  vec2 g = importance_of(node);
+  float own = g.x * g.x, behind = sums.total - sums.front - own;
+  float opacity = optimal_opacity(energy_weights, g.y, sums.front, behind);
+  sums.front += own;
   return opacity;
 }
 #endif

@@ -14,11 +14,12 @@ layout(binding = importance_image, rgba32f) readonly uniform image2DArray import
 ivec2 importance_pixel() { return ivec2(gl_FragCoord.xy) / PIXELS_PER_SERIES; }
 FOURIER_SUM(importance_sum, importance_coefficients, IMPORTANCE_BANDS, importance_pixel())
 
-float opacity_by_series(float g, float depth) {
+// `g`: the importance and 1 minus it.
+float opacity_by_series(vec2 g, float depth) {
   float total = 0.5 * imageLoad(importance_coefficients, ivec3(importance_pixel(), 0)).r;  // Eq. 7
   float sum = importance_sum(place_in_period(depth, importance_margin));
-  float own = g * g;
-  return optimal_opacity(energy_weights, g, sum - own_share * own,
+  float own = g.x * g.x;
+  return optimal_opacity(energy_weights, g.y, sum - own_share * own,
                          total - sum - (1.0 - own_share) * own);
 }
 #endif

@@ -11,7 +11,7 @@ layout(location = 0) out vec4 coefficients[TARGETS];  // two bands each, from FI
 void main() {
   Fragment f = fragment();
 #ifdef PROJECT_IMPORTANCE
-  float impulse = importance() * importance();  // of G, Eq. 11
+  float impulse = importance().x * importance().x;  // of G, Eq. 11
 #else
   float impulse = optical_depth(min(f.alpha, clamp_alpha));  // of tau, Eqs. 16 and 17
 #endif

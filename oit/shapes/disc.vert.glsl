@@ -32,7 +32,7 @@ void main() {
   vertex_color = texelFetch(points, 2 * point + 1);
   vertex_depth = center.z;
 #ifdef IMPORTANCE
-  vertex_importance = texelFetch(importances, point).r;
+  vertex_importance = interpolated_importance(texelFetch(importances, point).r);
 #endif
 #ifdef OPTIMIZED_VERTICES
   vertex_opacity = uintBitsToFloat(texelFetch(element_opacities, int(first_point_element + others) + point).r);

@@ -83,11 +83,15 @@ vec3 shading_normal(vec3 v) {
 #endif
 
 #ifdef IMPORTANCE
-float importance() { return clamp(vertex_importance, 0.0, 1.0); }
+// g and 1 - g, in [0, 1], by the smaller one, which has the digits.
+vec2 importance() {
+  vec2 g = clamp(vertex_importance, 0.0, 1.0);
+  return g.x < g.y ? vec2(g.x, 1.0 - g.x) : vec2(1.0 - g.y, g.y);
+}
 #endif
 #ifdef OPTIMIZED_FRAGMENTS
 // The share of its opacity that a fragment keeps. Defined by the text that a program appends.
-float optimized_opacity(float importance, float depth);
+float optimized_opacity(vec2 importance, float depth);
 #endif
 
 // Also decides whether there is a fragment at all: a pass that needs nothing of it still calls it.

@@ -30,7 +30,7 @@ void hand_on_vertex() {
   vertex_position = vec3(position.xy, view_w(position.z));
 #endif
 #ifdef IMPORTANCE
-  vertex_importance = importance;
+  vertex_importance = interpolated_importance(importance);
 #endif
 #ifdef OPTIMIZED_VERTICES
   vertex_opacity = opacity;

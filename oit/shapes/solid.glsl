@@ -24,7 +24,8 @@ layout(binding = element_opacities_texture) uniform usamplerBuffer element_opaci
 
 // What fragment.glsl interpolates of other shapes.
 vec4 vertex_color;
-float vertex_depth, vertex_importance, vertex_opacity;
+vec2 vertex_importance;
+float vertex_depth, vertex_opacity;
 vec3 vertex_direction;  // the outer normal
 float solid_facing;     // |n . v|
 
@@ -305,7 +306,7 @@ bool set_depth(double depth) {
 #ifdef SPHERE
 void set_vertex(int point, SolidPoint from) {
   vertex_color = load_color(point);
-  vertex_importance = from.importance;
+  vertex_importance = interpolated_importance(from.importance);
 #ifdef OPTIMIZED_VERTICES
   uint element = first_point_element + others + uint(point);
   vertex_opacity = uintBitsToFloat(texelFetch(element_opacities, int(element)).r);
@@ -331,7 +332,8 @@ bool meet_solid() {
 void set_vertices(int first, float along) {
   SolidPoint a = load_point(first), b = load_point(first + 1);
   vertex_color = mix(load_color(first), load_color(first + 1), along);
-  vertex_importance = mix(a.importance, b.importance, along);
+  vertex_importance = mix(interpolated_importance(a.importance),
+                          interpolated_importance(b.importance), along);
   vertex_opacity = mix(a.opacity, b.opacity, along);
 }
 

@@ -4,6 +4,11 @@
 #if defined(SPHERE) || defined(TUBE)
 #define SOLID
 #endif
+
+// What is interpolated of an importance g: g and 1 - g. Rounding takes 6e-8 from a constant 1, but
+// nothing from a constant 0; energies have a power of 1 - g times weights of up to any size.
+vec2 interpolated_importance(float g) { return vec2(g, 1.0 - g); }
+
 #ifdef SOLID
 layout(location = 0) flat VARYING int vertex_solid;  // see solid.glsl, which has all the others
 #else
@@ -24,7 +29,7 @@ layout(location = 4) VARYING float vertex_across;  // -1 … 1 from one rim to t
 #endif
 #endif
 #ifdef IMPORTANCE
-layout(location = 5) OF_SHAPE VARYING float vertex_importance;
+layout(location = 5) OF_SHAPE VARYING vec2 vertex_importance;  // see interpolated_importance()
 #endif
 #ifdef OPTIMIZED_VERTICES
 layout(location = 6) OF_SHAPE VARYING float vertex_opacity;

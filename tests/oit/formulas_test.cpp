@@ -166,10 +166,11 @@ TEST(UnitFormulas, TheOptimalOpacityIsThatInDouble) {
     const float g = i % 5 ? unit(random) : 1.0f;
     const float front = 5 * unit(random) - 1, behind = 5 * unit(random) - 1;
     // A dozen roundings; the power has some 2 lambda of 1 - g more.
-    EXPECT_NEAR(glsl::optimal_opacity(w, g, front, behind),
+    EXPECT_NEAR(glsl::optimal_opacity(w, 1 - g, front, behind),
                 scene::optimal_opacity({w.x, w.y, w.z, w.w}, g, front, behind), 2e-6)
         << g << ' ' << front << ' ' << behind;
   }
+  EXPECT_EQ(glsl::optimal_opacity({1, 1, 1, 0.3f}, -1.2e-7f, 5, 5), 1);
 }
 
 }  // namespace

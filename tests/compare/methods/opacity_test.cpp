@@ -110,6 +110,38 @@ TEST(UnitFourierOpacity, WhereNothingFadesItIsTheFourierMethod) {
   expect_plain({});
 }
 
+/// Lines as ribbons and as tubes, points as discs and as spheres.
+scene::Scene shapes_of_importance(float g) {
+  scene::Scene scene = important_shapes();
+  auto tubes = std::get<scene::LineObject>(scene.objects[1].shape);
+  tubes.profile = scene::LineObject::Profile::tube;
+  auto spheres = std::get<scene::PointObject>(scene.objects[2].shape);
+  spheres.profile = scene::PointObject::Profile::sphere;
+  scene.objects.push_back({"tubes", tubes});
+  scene.objects.push_back({"spheres", spheres});
+  for (scene::SceneObject& object : scene.objects)
+    object.vertices().importance.assign(object.vertices().positions.size(), g);
+  return scene;
+}
+
+/// What a rasterizer interpolates of a constant 1 is off by a rounding of 6e-8. Weights of 1e12
+/// made 6e4 of it.
+TEST(UnitOpacity, ConstantImportanceIsThatConstantInEveryPixel) {
+  const RawOptions weights = {{"q", "1e12"}, {"r", "1e12"}, {"lambda", "0.5"}, {"per", "fragment"}};
+  RawOptions by_lists = weights;
+  by_lists["transmittance"] = "lists";
+  for (const float g : {1.0f, 0.0f}) {
+    const scene::Scene scene = shapes_of_importance(g);
+    const Image plain = draw("linked-list", scene).image;
+    EXPECT_EQ(largest_difference(draw("decoupled-lists", scene, weights).image, plain), 0) << g;
+    EXPECT_EQ(largest_difference(draw("fourier-opacity", scene, by_lists).image, plain), 0) << g;
+    EXPECT_EQ(largest_difference(draw("fourier-opacity", scene, weights).image,
+                                 draw("fourier", scene).image),
+              0)
+        << g;
+  }
+}
+
 // In front of a context sheet that hides the right half, whatever it is called.
 TEST(PropertyOpacity, OpaqueObjectsAreOfNoImportanceToAnyRow) {
   scene::Scene scene = important_sheets(5, 7).scene;
