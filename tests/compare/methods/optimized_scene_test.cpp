@@ -75,6 +75,31 @@ TEST(UnitOptimizedScene, VerticesOfEveryKindHaveTheirs) {
   EXPECT_NEAR(points[1].a, 0.2, 1e-6);
 }
 
+// A scene has the products of both opacities at its vertices, the method itself multiplies what it
+// has interpolated: halfway along a segment they differ by a quarter of the product of both
+// changes.
+TEST(UnitOptimizedScene, WhereBothOpacitiesChangeTheMethodDiffersByTheirCovariance) {
+  scene::Scene scene = shapes_of_every_kind();
+  std::vector<Rgba>& own = scene.objects[2].vertices().colors;
+  for (std::size_t i = 0; i < own.size(); ++i) own[i].a = i % 2 ? 0.2f : 1;
+  const RawOptions options{{"q", "3"}, {"r", "0"}, {"segments", "2"}, {"smooth", "0"}};
+  const Image direct = draw("decoupled-lists", scene, options).image;
+  const scene::Scene after = optimized(scene, "decoupled-lists:q=3,r=0,segments=2,smooth=0");
+  const Image staged = draw("linked-list", after).image;
+  double largest = 0;
+  for (int x = 0; x < 16; ++x) {  // a segment each, which hides what is blue behind it
+    const auto found = [&](int vertex) {
+      const auto i = std::size_t(vertex);
+      return after.objects[2].vertices().colors[i].a / own[i].a;
+    };
+    const float change =
+        0.25f * (own[std::size_t(x + 1)].a - own[std::size_t(x)].a) * (found(x + 1) - found(x));
+    EXPECT_NEAR(direct.at(x, 8).b - staged.at(x, 8).b, change, 1e-6) << x;
+    largest = std::max(largest, double(std::abs(change)));
+  }
+  EXPECT_GT(largest, 0.01);
+}
+
 // What a row composites itself, another one composites after the stage.
 TEST(AgreementOptimizedScene, RowsCompositeWhatTheStageFinds) {
   for (const int samples : {1, 2}) {
