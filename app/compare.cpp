@@ -128,39 +128,38 @@ std::optional<double> alpha_error(const CompareInputs& inputs) {
   return compare::max_alpha_error(inputs.reference, inputs.test);
 }
 
-/// Colours of pictures with opacities are straight, or multiplied by them.
-std::optional<std::string> note_of(const CompareInputs& inputs) {
-  if (!inputs.have_alpha) return std::nullopt;
-  return compare::straight_colors(inputs.reference, inputs.test);
+/// What looks wrong with either as a whole. Who asks for some numbers, or of some pixels, gets
+/// these alone, and whether their colours are of one kind.
+compare::PairFaults faults_of(const CompareInputs& inputs, const std::vector<std::string>& names) {
+  compare::PairFaults faults =
+      compare::pair_faults(inputs.reference, inputs.test, inputs.have_alpha);
+  if (inputs.mask || !names.empty()) {
+    faults.of_reference.clear();
+    faults.of_test.clear();
+  }
+  return faults;
 }
 
-/// The middle colour of what the reference leaves uncovered; black where it covers everything, or
-/// has no opacities.
-Vec3 background_of(const Image& reference) {
-  return compare::color_of_uncovered(reference, reference).value_or(Vec3(0));
-}
-
-/// What looks wrong with the test as a whole, beside a note that says so already. Who asks for some
-/// numbers, or of some pixels, gets these alone.
-std::vector<std::string> faults_of(const CompareInputs& inputs,
-                                   const std::vector<std::string>& names, bool is_noted) {
-  if (is_noted || inputs.mask || !names.empty()) return {};
-  return compare::given_faults(inputs.reference, inputs.test, background_of(inputs.reference));
+void print_faults(const compare::PairFaults& faults) {
+  if (faults.straight) fmt::print("note: {}\n", *faults.straight);
+  for (const std::string& fault : faults.of_reference) fmt::print("note: REFERENCE {}\n", fault);
+  for (const std::string& fault : faults.of_test) fmt::print("note: TEST {}\n", fault);
 }
 
 void print_comparison(const compare::Comparison& comparison, const CompareInputs& inputs,
                       const std::vector<std::string>& names, bool as_json) {
   const std::optional<double> alpha_error = app::alpha_error(inputs);
-  const std::optional<std::string> note = note_of(inputs);
-  const std::vector<std::string> faults = faults_of(inputs, names, note.has_value());
+  const compare::PairFaults faults = faults_of(inputs, names);
   if (as_json) {
     nlohmann::json json = compare::to_json(comparison);
-    if (names.empty()) json["faults"] = faults;
-    if (names.empty())
+    if (names.empty()) {
+      json["faults"] = faults.of_test;
+      json["reference_faults"] = faults.of_reference;
       json["max_alpha_error"] = alpha_error ? nlohmann::json(*alpha_error) : nlohmann::json();
+    }
     keep_asked(json["displayed"], names, true);
     keep_asked(json, names, false);
-    if (note) json["note"] = *note;
+    if (faults.straight) json["note"] = *faults.straight;
     return fmt::print("{}\n", json_text(json, 1));
   }
   print_metrics("float values", comparison.linear, false, names);
@@ -168,8 +167,7 @@ void print_comparison(const compare::Comparison& comparison, const CompareInputs
   if (alpha_error.value_or(0) > 0 && names.empty())
     fmt::print("opacity, which no number above counts\n  {:22} {:.6g}\n", "Max error",
                *alpha_error);
-  if (note) fmt::print("note: {}\n", *note);
-  for (const std::string& fault : faults) fmt::print("note: TEST {}\n", fault);
+  print_faults(faults);
 }
 
 /// Of a signed error the magnitude counts. NaN is within no threshold.

@@ -22,13 +22,17 @@ namespace pellucid::compare {
 std::vector<std::string> given_faults(const Image& reference, const Image& test,
                                       const Vec3& background);
 
-/// Returns the median colour of the test where the reference has no layer; nothing where that is
-/// too little to tell. Both have one size.
-std::optional<Vec3> color_of_uncovered(const Image& reference, const Image& test);
+/// PairFaults are what looks wrong with one of two pictures of which neither is known to be right.
+struct PairFaults {
+  std::vector<std::string> of_reference, of_test;  // one of them is empty
+  std::optional<std::string> straight;  // which has straight colours, where the other's are not
+};
 
-/// Says which of two pictures looks to have straight colours where the other's are multiplied by A,
-/// both without a background and of equal opacities: multiplied by A, they are less than a third as
-/// far apart. Nothing where neither does. Both have one size and finite values.
-std::optional<std::string> straight_colors(const Image& reference, const Image& test);
+/// Says what a study would of TEST, by the background that REFERENCE's uncovered pixels show, and
+/// with REFERENCE's faults in their place where those explain much more. Of two pictures that have
+/// opacities (`have_alpha`), equal ones, and no background, one may have straight colours where the
+/// other's are multiplied by A: multiplied by A, too, they are less than a third as far apart. That
+/// is told alone, where no fault explains more. Both have one size and finite values.
+PairFaults pair_faults(const Image& reference, const Image& test, bool have_alpha);
 
 }  // namespace pellucid::compare

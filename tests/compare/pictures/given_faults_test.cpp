@@ -118,6 +118,16 @@ TEST_P(PropertyGivenFaults, BytesTakenForFloatsAreNamed) {
   EXPECT_THAT(faults(bytes), ElementsAre(HasSubstr("255 times too bright")));
 }
 
+TEST_P(PropertyGivenFaults, HalfBrightnessAndExchangedChannelsAreNamed) {
+  Image half = right_, exchanged = right_;
+  for (Rgba& pixel : half.pixels) pixel = Rgba(0.5f * glm::vec3(pixel), pixel.a);
+  for (Rgba& pixel : exchanged.pixels) std::swap(pixel.r, pixel.b);
+  EXPECT_THAT(faults(half), ElementsAre(HasSubstr("half as bright")));
+  EXPECT_THAT(faults(exchanged), ElementsAre(HasSubstr("red and blue exchanged")));
+  EXPECT_THAT(faults(upside_down(exchanged)),
+              ElementsAre(HasSubstr("upside down"), HasSubstr("red and blue exchanged")));
+}
+
 TEST_P(PropertyGivenFaults, CurvesAreNamed) {
   // sRGB's curve is nearly a power of 2.2.
   EXPECT_THAT(faults(curved(right_, 1 / 2.2)), ElementsAre(HasSubstr("sRGB-encoded")));
@@ -264,6 +274,80 @@ TEST(PropertyGivenFaultsOfBackgrounds, IsNamedBehindWhatCoversAll) {
   for (const Image& image : {other, without_alpha(other)})
     EXPECT_THAT(given_faults(reference, image, scene.background),
                 ElementsAre(HasSubstr("another background: (0.9, 0.1, 0.1)")));
+}
+
+/// Of a field of view that is off a shift explains little: it is none.
+TEST(PropertyPictureShift, AnotherFieldOfViewIsNoShift) {
+  for (const std::uint32_t seed : {1u, 7u, 9u})
+    for (const double factor : {0.9, 0.95, 1.05, 1.1}) {
+      scene::Scene scene = any_scene(seed);
+      scene.camera.target.x = scene.camera.eye.x += 0.4;  // not in the middle: nearly a shift
+      const Image reference = drawn(scene, "raytrace");
+      scene.camera.height *= factor;
+      EXPECT_THAT(given_faults(reference, drawn(scene, "raytrace"), scene.background), IsEmpty())
+          << seed << ", " << factor;
+    }
+}
+
+/// Of two pictures, whichever is at fault: what a study says of one against the other.
+class PropertyPairFaults : public ::testing::Test {
+ protected:
+  Image on(const Vec3& background) const { return over(none_, background); }
+  Image none_ = without_background(drawn(any_scene(7), "raytrace"), any_scene(7).background);
+};
+
+TEST_F(PropertyPairFaults, BackgroundsAreNoStraightColours) {
+  const PairFaults white = pair_faults(on(Vec3(1)), none_, true);
+  EXPECT_FALSE(white.straight);
+  EXPECT_THAT(white.of_test, ElementsAre(HasSubstr("premultiplied")));
+  for (const Vec3 color : {Vec3(1), Vec3(0.7)}) {
+    const PairFaults other = pair_faults(none_, on(color), true);
+    EXPECT_FALSE(other.straight);
+    EXPECT_THAT(other.of_test, ElementsAre(HasSubstr("has another background")));
+    EXPECT_THAT(other.of_reference, IsEmpty());
+  }
+  const PairFaults black = pair_faults(on(Vec3(0.7)), none_, true);
+  EXPECT_FALSE(black.straight);
+  EXPECT_THAT(black.of_test, ElementsAre(HasSubstr("premultiplied")));
+}
+
+TEST_F(PropertyPairFaults, StraightColoursAreToldOnEitherSide) {
+  const Image png = straight(none_, Vec3(0));
+  EXPECT_THAT(pair_faults(none_, png, true).straight, ::testing::Optional(HasSubstr("TEST looks")));
+  EXPECT_THAT(pair_faults(png, none_, true).straight,
+              ::testing::Optional(HasSubstr("REFERENCE looks")));
+}
+
+TEST_F(PropertyPairFaults, BytesAndBrightnessAreToldOnEitherSide) {
+  const Image white = on(Vec3(1));
+  for (const auto& [factor, text] : {std::pair(255.f, "255 times"), std::pair(0.5f, "half as")}) {
+    Image wrong = white;
+    for (Rgba& pixel : wrong.pixels) pixel = Rgba(factor * glm::vec3(pixel), pixel.a);
+    const PairFaults test = pair_faults(white, wrong, true),
+                     reference = pair_faults(wrong, white, true);
+    EXPECT_THAT(test.of_test, ElementsAre(HasSubstr(text)));
+    EXPECT_THAT(reference.of_reference, ElementsAre(HasSubstr(text)));
+    EXPECT_THAT(reference.of_test, IsEmpty());
+  }
+}
+
+TEST_F(PropertyPairFaults, NoMethodLooksWrongOnEitherSide) {
+  for (const Vec3 background : {Vec3(0), Vec3(1), Vec3(0.9, 0.1, 0.1)}) {
+    scene::Scene scene = any_scene(2);
+    scene.background = background;
+    const Image reference = drawn(scene, "raytrace");
+    for (const char* method : {"weighted-sum", "weighted-average", "weighted-blended", "fourier",
+                               "binning", "moment", "stochastic"}) {
+      const Image picture = drawn(scene, method);
+      for (const auto& [a, b] :
+           {std::pair(&reference, &picture), std::pair(&picture, &reference)}) {
+        const PairFaults faults = pair_faults(*a, *b, true);
+        EXPECT_FALSE(faults.straight) << method;
+        EXPECT_THAT(faults.of_test, IsEmpty()) << method;
+        EXPECT_THAT(faults.of_reference, IsEmpty()) << method;
+      }
+    }
+  }
 }
 
 }  // namespace
