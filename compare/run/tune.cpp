@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "compare/methods/optimize_opacities.h"
-#include "compare/pictures/given_faults.h"
+#include "compare/pictures/faults/given_faults.h"
 #include "compare/run/entrants.h"
 #include "compare/run/tune_entrants.h"
 #include "core/error.h"

@@ -4,7 +4,7 @@
 
 #include "compare/conform/diagnosis/diagnose.h"
 #include "compare/conform/diagnosis/explanations.h"
-#include "compare/pictures/given_faults.h"
+#include "compare/pictures/faults/given_faults.h"
 
 namespace pellucid::compare {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/pictures/picture_shift.h"
+#include "compare/pictures/faults/picture_shift.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "compare/pictures/registration.h"
+#include "compare/pictures/faults/registration.h"
 
 namespace pellucid::compare {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/pictures/color_faults.h"
+#include "compare/pictures/faults/color_faults.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each fault that a picture from elsewhere may have is found and said; a method's own error is
 // none.
-#include "compare/pictures/given_faults.h"
+#include "compare/pictures/faults/given_faults.h"
 
 #include <gmock/gmock.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "compare/methods/methods.h"
+#include "compare/pictures/faults/picture_shift.h"
 #include "compare/pictures/image_file.h"
-#include "compare/pictures/picture_shift.h"
 #include "core/options/names.h"
 #include "tests/support/pictures.h"
 #include "tests/support/scenes.h"

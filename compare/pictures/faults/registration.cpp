@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/pictures/registration.h"
+#include "compare/pictures/faults/registration.h"
 
 #include <algorithm>
 #include <cmath>

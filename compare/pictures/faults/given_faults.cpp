@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare/pictures/given_faults.h"
+#include "compare/pictures/faults/given_faults.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/pictures/color_faults.h"
+#include "compare/pictures/faults/color_faults.h"
+#include "compare/pictures/faults/picture_shift.h"
 #include "compare/pictures/metrics.h"
-#include "compare/pictures/picture_shift.h"
 
 namespace pellucid::compare {
 namespace {
