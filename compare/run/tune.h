@@ -73,8 +73,9 @@ struct TuneOutcome {
 ///    By bytes none is timed. When seven tenths of the time are over none is begun any
 ///    more; the reference's own call has been drawn before. Who was not is undecided.
 /// 4. The contenders that are left are timed in turn, at most `repeats` times. Who is slower than
-///    the fastest by intervals that do not overlap is out. It ends when one is left, when the
-///    intervals of all are within a hundredth of their medians, or when the time is over.
+///    the fastest by intervals that do not overlap is out, by these times alone: what came before
+///    was taken at other moments. It ends when one is left, when the intervals of all are within a
+///    hundredth of their medians, or when the time is over: see fastest_of().
 ///
 /// If several are left they are tied, and the cheapest is of them the one with the fewest bytes,
 /// then of the least error, then the first of the candidates: none of this is chance.
