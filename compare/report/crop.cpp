@@ -22,9 +22,20 @@ Raster<double> summed_area(const Raster<double>& values) {
 
 }  // namespace
 
-Crop fit_crop(const Crop& crop, int width, int height) {
-  const int x = std::clamp(crop.x, 0, width - 1), y = std::clamp(crop.y, 0, height - 1);
-  return {x, y, std::clamp(crop.width, 1, width - x), std::clamp(crop.height, 1, height - y)};
+std::optional<Crop> fit_crop(const Crop& crop, int width, int height) {
+  if (crop.x >= width || crop.y >= height) return std::nullopt;
+  return Crop{crop.x, crop.y, std::min(crop.width, width - crop.x),
+              std::min(crop.height, height - crop.y)};
+}
+
+void require_crop(const Study& study, const std::string& scene, int width, int height) {
+  const auto crop = study.crops.find(scene);
+  if (crop == study.crops.end() || fit_crop(crop->second, width, height)) return;
+  throw InputError(
+      fmt::format("crops.{}: {},{},{},{}: outside of the picture; accepted: X,Y,WIDTH,HEIGHT "
+                  "within {}×{} pixels",
+                  scene, crop->second.x, crop->second.y, crop->second.width, crop->second.height,
+                  width, height));
 }
 
 void require_inside(const Crop& to, int width, int height) {

@@ -136,8 +136,8 @@ Crop choose_crop(const Study& study, std::span<const ReportCell> cells,
                  std::span<const std::size_t> scene) {
   const ReportCell& first = cells[scene[0]];
   const Image reference = read_image(first.files.picture());
-  const auto given = study.crops.find(first.cell.scene);
-  if (given != study.crops.end()) return fit_crop(given->second, reference.width, reference.height);
+  if (const auto given = study.crops.find(first.cell.scene); given != study.crops.end())
+    if (const auto crop = fit_crop(given->second, reference.width, reference.height)) return *crop;
   Raster<double> error(reference.width, reference.height);
   for (const std::size_t i : scene)
     if (!cells[i].cell.call.row->promises.exact)
