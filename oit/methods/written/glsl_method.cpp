@@ -56,19 +56,26 @@ std::string numbered(const std::string& text) {
   return result;
 }
 
+/// A Declaration is what a name of the file becomes in a shader.
+struct Declaration {
+  std::string_view key;  // of the file: "parameters"
+  std::string name, text;
+};
+
 /// What of a pass is bound, and how its shader finds it.
 class Interface {
  public:
   Interface(const WrittenMethod& method, const GlslPass& pass,
             const std::vector<Texture>& textures) {
-    if (!pass.screen) text_ = fragment;
-    if (pass.screen && pass.into.empty()) text_ = composite;
+    if (!pass.screen) prelude_ = fragment;
+    if (pass.screen && pass.into.empty()) prelude_ = composite;
     for (const GlslParameter& parameter : method.parameters)
-      text_ += fmt::format("uniform {} {};\n", parameter.whole ? "int" : "float", parameter.name);
+      declare("parameters", parameter.name,
+              fmt::format("uniform {}", parameter.whole ? "int" : "float"));
     for (std::size_t i = 0; i < pass.into.size(); ++i) {
       const GlslTexture& target = method.textures[pass.into[i].first];
-      text_ +=
-          fmt::format("layout(location = {}) out {} {};\n", i, target.format->type, target.name);
+      declare("textures", target.name,
+              fmt::format("layout(location = {}) out {}", i, target.format->type));
     }
     for (std::size_t i = 0; i < pass.reads.size(); ++i)
       read(method.textures[pass.reads[i]], textures[pass.reads[i]], bindings::own_texture + int(i));
@@ -80,26 +87,39 @@ class Interface {
         change(method.textures[index], textures[index], *unit++);
   }
 
-  std::string complete(const GlslPass& pass) const { return text_ + numbered(pass.text); }
+  std::string complete(const GlslPass& pass) const {
+    std::string text(prelude_);
+    for (const Declaration& declaration : declarations_) text += declaration.text;
+    return text + numbered(pass.text);
+  }
+  /// What the program has before the file's names.
+  std::string_view prelude() const { return prelude_; }
+  const std::vector<Declaration>& declarations() const { return declarations_; }
   const Resources& resources() const { return resources_; }
 
  private:
+  void declare(std::string_view key, const std::string& name, const std::string& type) {
+    declarations_.push_back({key, name, fmt::format("{} {};\n", type, name)});
+  }
+
   void read(const GlslTexture& texture, const Texture& data, int unit) {
-    text_ +=
-        fmt::format("layout(binding = {}) uniform {} {};\n", unit, sampler(texture), texture.name);
+    declare("textures", texture.name,
+            fmt::format("layout(binding = {}) uniform {}", unit, sampler(texture)));
     resources_.add(data.as_texture(unit));
   }
 
   void change(const GlslTexture& texture, const Texture& data, int unit) {
-    text_ += fmt::format("layout(binding = {}, {}) coherent uniform {} {};\n", unit,
-                         texture.format->name, image(texture), texture.name);
+    declare("textures", texture.name,
+            fmt::format("layout(binding = {}, {}) coherent uniform {}", unit, texture.format->name,
+                        image(texture)));
     resources_.add(data.as_image(unit));
   }
 
   static constexpr std::string_view fragment = "#include \"oit/shapes/fragment.glsl\"\n";
   static constexpr std::string_view composite = "#include \"oit/stage/composite.glsl\"\n";
 
-  std::string text_;
+  std::string_view prelude_;
+  std::vector<Declaration> declarations_;
   Resources resources_;
 };
 
@@ -117,6 +137,7 @@ class GlslMethod final : public OitMethod {
  public:
   GlslMethod(Stage& stage, const GlslOptions& options)
       : stage_(stage),
+        file_(options.file),
         method_(read_glsl_method(options.file)),
         specs_(method_.specs()),
         parameters_(options.file, specs_, options_of(options.parameters)) {
@@ -151,7 +172,7 @@ class GlslMethod final : public OitMethod {
       made.target.emplace(stage_.gl(), stage_.width(), stage_.height());
     made.blends.fill(Blend::replace);
     for (std::size_t i = 0; i < pass.into.size(); ++i) made.blends[i] = pass.into[i].second;
-    compile(pass, interface.complete(pass), made);
+    compile(pass, interface, made);
     return made;
   }
 
@@ -161,15 +182,43 @@ class GlslMethod final : public OitMethod {
     return {stage_.gl(), attachments};
   }
 
-  void compile(const GlslPass& pass, const std::string& text, ReadyPass& made) const {
+  void compile(const GlslPass& pass, const Interface& interface, ReadyPass& made) const {
+    const std::string text = interface.complete(pass);
     try {
       if (pass.screen)
         set_parameters(made.program.emplace<Program>(stage_.screen_program(text)));
       else
         set_parameters(made.program.emplace<GeometryProgram>(stage_.geometry_program(text)));
     } catch (const WorkError& error) {
+      check_names(pass, interface);
       throw InputError(fmt::format("{}: {}", pass.file.string(), error.what()));
     }
+  }
+
+  /// A name that GLSL or the program has is an error of the method's file, at a line that no shader
+  /// of its own has. Which names these are the driver knows.
+  void check_names(const GlslPass& pass, const Interface& interface) const {
+    const std::string prelude(interface.prelude());
+    if (!compiles(pass, prelude)) return;
+    for (const Declaration& declaration : interface.declarations())
+      if (!compiles(pass, prelude + declaration.text))
+        throw InputError(fmt::format(
+            "{0}: {1}.{2}: the name '{2}' is one that GLSL or the program has; accepted: another "
+            "one",
+            file_, declaration.key, declaration.name));
+  }
+
+  /// What compiles does not link where a shader lacks its functions.
+  bool compiles(const GlslPass& pass, const std::string& text) const {
+    try {
+      if (pass.screen)
+        stage_.screen_program(text);
+      else
+        stage_.geometry_program(text);
+    } catch (const WorkError& error) {
+      return std::string_view(error.what()).find("does not compile") == std::string_view::npos;
+    }
+    return true;
   }
 
   template <class AnyProgram>
@@ -200,6 +249,7 @@ class GlslMethod final : public OitMethod {
   }
 
   Stage& stage_;
+  std::string file_;
   WrittenMethod method_;
   std::vector<ParameterSpec> specs_;
   Parameters parameters_;

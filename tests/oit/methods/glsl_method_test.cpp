@@ -110,6 +110,16 @@ TEST_F(UnitGlslFile, CompilersWordsCarryTheFilesLines) {
   EXPECT_THAT(refusal(whole), AllOf(HasSubstr("draw.glsl"), HasSubstr("oit/nothing.glsl")));
 }
 
+/// Of names that GLSL reserves, and that the program has, no shader of the file's is to blame.
+TEST_F(UnitGlslFile, TakenNamesAreErrorsOfTheFile) {
+  EXPECT_THAT(
+      with("\"k\":", "\"float\":"),
+      AllOf(HasSubstr("m.json: parameters.float: the name 'float'"), Not(HasSubstr("draw.glsl"))));
+  draw_ = "void main() {\n  sum = vec4(fragment().alpha);\n}\n";
+  EXPECT_THAT(with("\"k\":", "\"picture\":"),
+              HasSubstr("m.json: parameters.picture: the name 'picture'"));
+}
+
 TEST_F(UnitGlslFile, WhatCannotBeDrawnIsRefusedWithItsPlace) {
   EXPECT_THAT(with("\"rgba32f\"", "\"rgba32\""), HasSubstr("textures.sum.format: unknown format"));
   EXPECT_THAT(with("\"add\"", "\"addd\""), HasSubstr("passes[0].into.sum: unknown blend"));
