@@ -9,6 +9,7 @@
 
 #include "app/listings.h"
 #include "app/manual/command_tree.h"
+#include "compare/methods/optimize_opacities.h"
 #include "completion_files.h"
 #include "core/error.h"
 #include "core/options/names.h"
@@ -19,14 +20,15 @@ namespace {
 /// A Place is where names of a table stand: after an option, or first after a command.
 struct Place {
   std::string_view after;
-  std::string_view listing;
+  std::string_view listing;  // empty: methods that find opacities
 };
-constexpr Place places[] = {{"--method", "methods"},    {"-m", "methods"},
-                            {"--opacities", "methods"}, {"--integrator", "integrators"},
-                            {"--field", "fields"},      {"--against", "integrators"},
-                            {"--metric", "metrics"},    {"study", "studies"}};
+constexpr Place places[] = {{"--method", "methods"}, {"-m", "methods"},
+                            {"--opacities", ""},     {"--integrator", "integrators"},
+                            {"--field", "fields"},   {"--against", "integrators"},
+                            {"--metric", "metrics"}, {"study", "studies"}};
 
 std::string names_in(std::string_view listing) {
+  if (listing.empty()) return fmt::format("{}", fmt::join(compare::opacity_methods(), " "));
   std::vector<std::string> names;
   for (const auto& row : find_row("listing", listing, listings()).make())
     names.push_back(row["name"]);

@@ -148,8 +148,8 @@ std::vector<std::string> all_faults(const Rows& rows) {
     }
   for (std::string& fault : faults)
     if (const auto& seen = views[fault]; seen.size() < rows.size())
-      fault =
-          fmt::format("view{} {}: {}", seen.size() > 1 ? "s" : "", fmt::join(seen, ", "), fault);
+      fault = fmt::format("from view{} {} {}", seen.size() > 1 ? "s" : "", fmt::join(seen, ", "),
+                          fault);
   return faults;
 }
 

@@ -12,21 +12,18 @@
 #include "scene/elements/frame_memory.h"
 
 namespace pellucid::compare {
-namespace {
 
-std::vector<std::string_view> methods_that_do() {
+std::vector<std::string_view> opacity_methods() {
   std::vector<std::string_view> names;
   for (const scene::MethodRow& row : methods())
     if (row.promises.optimizes_vertices) names.push_back(row.name);
   return names;
 }
 
-}  // namespace
-
 MethodCall checked_opacities(MethodCall call) {
   if (!call.row->promises.optimizes_vertices)
     throw InputError(fmt::format("opacities: '{}' finds no opacities of vertices; accepted: {}",
-                                 call.row->name, fmt::join(methods_that_do(), ", ")));
+                                 call.row->name, fmt::join(opacity_methods(), ", ")));
   return call;
 }
 
@@ -51,9 +48,8 @@ void optimize_opacities(const MethodCall& call, const scene::RenderContext& cont
                         scene::Scene& scene, std::span<const scene::PixelSampling> further) {
   if (!scene::has_importance(scene))
     throw InputError(
-        fmt::format("{}: opacities cannot be optimized: nothing in the scene has "
-                    "importance above 0",
-                    scene.name));
+        fmt::format("{}opacities cannot be optimized: nothing in the scene has importance above 0",
+                    scene.name.empty() ? "" : scene.name + ": "));
   scene::FrameMemory of_this_alone;
   scene::RenderContext gathering = context;
   if (!gathering.memory) gathering.memory = &of_this_alone;

@@ -4,11 +4,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/methods/method_call.h"
 
 namespace pellucid::compare {
+
+/// Returns the names of the methods that optimize the opacities of vertices.
+std::vector<std::string_view> opacity_methods();
 
 /// Returns the call as it is. Throws InputError where its method does not optimize the opacities of
 /// vertices, with the methods that do.

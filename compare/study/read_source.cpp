@@ -120,13 +120,13 @@ std::vector<std::string> read_bounded(const JsonNode& node, const Study& study) 
   return calls;
 }
 
-/// The calls of a group, or of the method that it names.
+/// The calls of a group, or of the method that it names; one call alone has no order.
 std::vector<std::string> read_calls_of(const JsonNode& node, const Study& study) {
   std::vector<std::string> calls;
   if (node.is_string())
     for (const MethodCall& call : study.methods)
       if (call.row->name == node.string()) calls.push_back(call.text());
-  return calls.size() > 1 ? calls : read_group(node, study);
+  return calls.empty() ? read_group(node, study) : calls;
 }
 
 /// The number that a call of the study gives to one of its parameters.
@@ -154,7 +154,11 @@ void read_monotony(const JsonNode& node, std::string_view key, const Study& stud
           fmt::format("'{}': the same in two calls; accepted: a parameter in which all "
                       "calls differ",
                       node[key].string()));
-  if (calls.size() < 2) node["of"].fail("accepted: at least two calls, or a method that has them");
+  if (calls.size() < 2)
+    node["of"].fail(
+        fmt::format("{}: one call has no order; accepted: at least two calls, or a "
+                    "method that has them",
+                    calls.begin()->second));
   claim.monotone = true;
   for (const auto& [value, call] : calls) claim.order.push_back({call});
   if (key == "improves_with") std::ranges::reverse(claim.order);

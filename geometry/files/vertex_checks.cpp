@@ -85,9 +85,8 @@ void check_mesh(const std::string& file, const TriangleMesh& mesh) {
     for (const std::uint32_t index : mesh.triangles[i])
       if (index >= count)
         throw InputError(
-            fmt::format("{}: triangle {}: vertex index {}, but the file has {} vertices", file, i,
-                        index, count));
-  if (mesh.triangles.empty()) throw InputError(file + ": the file holds no triangles");
+            fmt::format("{}: triangle {}: vertex index {} of {} vertices", file, i, index, count));
+  if (mesh.triangles.empty()) throw InputError(file + ": no triangles; accepted: at least one");
 }
 
 }  // namespace pellucid::geometry

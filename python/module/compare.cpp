@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "compare/pictures/image_file.h"
@@ -61,6 +62,9 @@ std::optional<compare::Mask> mask_of(const py::object& given) {
     throw InputError("compare: mask: accepted: truth values or real numbers");
   const auto numbers =
       py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
+  if (std::any_of(numbers.data(), numbers.data() + numbers.size(),
+                  [](double x) { return std::isnan(x); }))
+    throw InputError("compare: mask: not a number; accepted: truth values or real numbers");
   compare::Mask mask(int(numbers.shape(1)), int(numbers.shape(0)));
   std::transform(numbers.data(), numbers.data() + numbers.size(), mask.pixels.begin(),
                  [](double x) { return std::uint8_t(x != 0); });

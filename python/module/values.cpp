@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/error.h"
 
@@ -109,6 +110,16 @@ void check_shape(const py::array& array, py::ssize_t columns, std::string_view w
                                columns == 0 ? "(N,)" : fmt::format("(N, {})", columns)));
 }
 
+/// What is beyond would come out negative.
+void check_signed(const py::array& array, std::string_view what) {
+  constexpr auto most = std::uint64_t(std::numeric_limits<std::int64_t>::max());
+  const auto numbers =
+      py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>::ensure(array);
+  for (py::ssize_t i = 0; i < numbers.size(); ++i)
+    if (numbers.data()[i] > most)
+      throw InputError(fmt::format("{}: {}; accepted: at most {}", what, numbers.data()[i], most));
+}
+
 }  // namespace
 
 bool is_mapping(const py::handle& value) {
@@ -202,6 +213,7 @@ py::array_t<std::int64_t, py::array::c_style> integers_of(const py::handle& valu
   const py::array array = any_array(value, what);
   check_kind(array, "iu", "whole numbers", what);
   check_shape(array, columns, what);
+  if (array.dtype().kind() == 'u' && array.itemsize() == 8) check_signed(array, what);
   return py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
 }
 

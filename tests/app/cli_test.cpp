@@ -246,6 +246,15 @@ TEST_F(UnitCommandLine, RendersFramesOfAPath) {
               HasSubstr("accepted: --opacities"));
 }
 
+TEST_F(UnitCommandLine, CompletionOffersWhatIsAccepted) {
+  const std::string script = run("--completion bash").out;
+  const std::size_t at = script.find("--opacities) candidates='");
+  ASSERT_NE(at, std::string::npos);
+  const std::string line = script.substr(at, script.find('\n', at) - at);
+  EXPECT_THAT(line, HasSubstr("fourier-opacity"));
+  EXPECT_THAT(line, ::testing::Not(HasSubstr("depth-peeling")));
+}
+
 /// What is asked of the camera holds for each key of a path, or is refused: never passed over.
 TEST_F(UnitCommandLine, ThePathsKeysTakeWhatIsAskedOfTheCamera) {
   write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [24, 24],

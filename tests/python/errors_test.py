@@ -180,3 +180,23 @@ def test_masked_values_are_not_dropped_in_silence():
         with pytest.raises(pellucid.InputError, match="masked"):
             call()
     assert len(pellucid.Points(np.ma.masked_array(TRIANGLE)).vertices) == 3  # nothing is masked
+
+
+def test_an_index_is_told_as_it_was_given():
+    with pytest.raises(pellucid.InputError, match=r"triangles: 18446744073709551615; accepted"):
+        pellucid.Mesh(TRIANGLE, np.array([[0, 1, 2**64 - 1]], dtype=np.uint64))
+
+
+def test_a_message_begins_with_a_name_or_with_what_is_wrong():
+    scene = pellucid.load_scene({"objects": [{"mesh": sheet(0, (0, 0, 0, 1))}]})
+    with pytest.raises(pellucid.InputError, match=r"^[a-z]") as refused:
+        scene.render("weighted-sum", opacities="fourier-opacity")
+    assert not str(refused.value).startswith(":")
+    with pytest.raises(pellucid.InputError, match=r"^Mesh: no triangles"):
+        pellucid.Mesh(TRIANGLE, np.zeros((0, 3), dtype=int))
+
+
+def test_a_mask_holds_numbers_alone():
+    picture = np.zeros((16, 16, 3), dtype=np.float32)
+    with pytest.raises(pellucid.InputError, match="mask: not a number"):
+        pellucid.compare(picture, picture, mask=np.full((16, 16), NAN))

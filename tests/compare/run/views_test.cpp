@@ -131,7 +131,7 @@ TEST(UnitViews, AMeanHidesNeitherErrorsNorLosses) {
   const ResultRow mean = rows.row();
   EXPECT_EQ(*mean.metrics.linear.of("psnr"), 20);
   EXPECT_EQ(mean.dropped, 1u);
-  EXPECT_THAT(mean.given_faults, ElementsAre("always", "view 2: upside down"));
+  EXPECT_THAT(mean.given_faults, ElementsAre("always", "from view 2 upside down"));
   EXPECT_TRUE(mean.bytes.empty());  // of three views they are not known
   EXPECT_TRUE(to_json(mean)["bytes"]["total"].is_null());
 }

@@ -73,7 +73,9 @@ TEST(UnitReadClaims, MonotonyNeedsANumberInWhichCallsDiffer) {
   EXPECT_THAT(claims_error(start + R"("shifted:by=0.5", "improves_with": "how"})"),
               HasSubstr("'how': 'shifted:by=0.5' has no such number"));
   EXPECT_THAT(claims_error(start + R"("shifted:by=0.5", "improves_with": "by"})"),
-              HasSubstr("claims[0].of: accepted: at least two calls"));
+              HasSubstr("claims[0].of: shifted:by=0.5: one call has no order; accepted: at least"));
+  EXPECT_THAT(claims_error(start + R"("shifted", "improves_with": "by"})"),
+              HasSubstr("claims[0].of: shifted:by=0.5: one call has no order"));
   EXPECT_THAT(claims_error(start + R"("broken", "improves_with": "by", "worsens_with": "by"})"),
               HasSubstr("accepted: one of the two"));
 }
