@@ -42,9 +42,14 @@ struct Term {
   double larger() const { return std::max(a, b); }
 };
 
+/// Of a sum of nothing there are no parts.
+bool has_terms(const scene::RaySeries& series) {
+  return series.harmonics.size() > 1 && series.harmonics[0].first > 0;
+}
+
 Term term(const scene::RaySeries& series, std::size_t k) {
   const double whole = 2 * std::numbers::pi * double(k) * series.harmonics[0].first / 2;
-  const auto percent = [&](double c) { return whole > 0 ? 100 * std::abs(c) / whole : 0; };
+  const auto percent = [&](double c) { return 100 * std::abs(c) / whole; };
   return {percent(series.harmonics[k].first), percent(series.harmonics[k].second)};
 }
 
@@ -140,7 +145,7 @@ void add_ray_curves(const Cell& cell, const scene::Scene& scene, scene::Renderer
               : renderer.ray_series(quantity.sum, pixel.x, pixel.y, curve_depths());
       if (!series) continue;
       measured.row.curves.push_back(depth_curve(quantity, pixel, series->values));
-      if (series->harmonics.size() < 2) continue;
+      if (!has_terms(*series)) continue;
       add_terms(quantity, pixel, *series, measured.row);
       terms.add(*series);
     }

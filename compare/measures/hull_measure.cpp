@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "compare/measures/hull_distance.h"
 #include "compare/measures/study_measures.h"
@@ -51,12 +54,12 @@ void add_colors_beside(const groundtruth::RayProbe& probe, int x, int y,
         colors.push_back(layer.color);
 }
 
-/// 0 where the method saw another number of layers than there are crossings: at the very edge of a
-/// triangle it may have drawn other colours than the ray's.
+/// Not a number where the method saw another number of layers than there are crossings: at the very
+/// edge of a triangle it may have drawn other colours than the ray's.
 Raster<double> hull_distances(const scene::Scene& scene, const CellMeasurement& cell) {
   const groundtruth::RayProbe probe(scene);
   const bool rounded = !cell.row.given.empty() && is_of_bytes(cell.image);
-  Raster<double> distances(scene.width, scene.height);
+  Raster<double> distances(scene.width, scene.height, std::numeric_limits<double>::quiet_NaN());
   for (int y = 0; y < scene.height; ++y) {
     const std::vector<groundtruth::RaySums> rays = groundtruth::row_sums(scene, probe, y);
     parallel_for(0, scene.width, [&](int x) {
@@ -82,18 +85,20 @@ void measure(const MeasuredScene& of, CellMeasurement& cell) {
   const scene::Scene& scene = of.scene;
   const Raster<double> distances = hull_distances(scene, cell);
   const auto& values = distances.pixels;
+  if (std::ranges::all_of(values, [](double d) { return std::isnan(d); })) return;
   const auto outside =
       std::count_if(values.begin(), values.end(), [](double d) { return d > visible; });
   cell.row.measures.push_back({"outside_hull", "Pixels outside the hull of their colours", "",
                                double(outside), scene::Measure::Better::lower});
   cell.row.measures.push_back({"hull_distance_max", "Largest distance to the hull", "",
-                               *std::max_element(values.begin(), values.end()),
+                               std::accumulate(values.begin(), values.end(), 0.,
+                                               [](double a, double b) { return std::fmax(a, b); }),
                                scene::Measure::Better::lower});
   cell.row.pictures.push_back({"hull", "Distance of the colour to the hull of the pixel's colours",
                                ErrorScale::min, ErrorScale::max});
   Image picture(scene.width, scene.height);
   std::transform(values.begin(), values.end(), picture.pixels.begin(),
-                 [](double d) { return Rgba(glm::vec3(ErrorScale::color(d)), 1); });
+                 [](double d) { return Rgba(glm::vec3(ErrorScale::color(std::fmax(d, 0))), 1); });
   cell.further.push_back(std::move(picture));
 }
 

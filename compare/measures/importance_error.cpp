@@ -22,7 +22,9 @@ class MeanSquare {
   std::size_t pixels_ = 0;
 };
 
+/// Where nothing says what is important, nothing is context either.
 void measure(const MeasuredScene& of, CellMeasurement& cell) {
+  if (!has_importance(of.scene)) return;
   const Raster<double>& importance = of.rays().importance;
   MeanSquare of_important, of_context;
   for (std::size_t i = 0; i < importance.pixels.size(); ++i)

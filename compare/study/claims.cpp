@@ -40,8 +40,11 @@ bool is_better(Better way, double a, double b) { return way == Better::lower ? a
 double better_end(Better way, const Interval& i) { return way == Better::lower ? i.low : i.high; }
 double worse_end(Better way, const Interval& i) { return way == Better::lower ? i.high : i.low; }
 
-/// How many times as good `a` is as `b`.
-double factor_of(Better way, double a, double b) { return way == Better::lower ? b / a : a / b; }
+/// How many times as good `a` is as `b`: once as good where both are 0, or infinite.
+double factor_of(Better way, double a, double b) {
+  if (a == b) return 1;
+  return way == Better::lower ? b / a : a / b;
+}
 
 std::string interval_text(const ClaimedNumber& number, const Interval& interval) {
   return fmt::format("{}–{}", number.text(interval.low), number.text(interval.high));

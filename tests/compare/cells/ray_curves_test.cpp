@@ -108,6 +108,15 @@ TEST(UnitRayCurves, TermsArePartsOfTheWholeSum) {
   EXPECT_NEAR(cell.row.measures.at(1).value, std::max(larger(6), larger(7)), 1e-4);
 }
 
+// Of a sum of nothing no term is a part, and 0 would be the best of all.
+TEST(UnitRayCurves, AnEmptyRayHasNoTerms) {
+  scene::Scene scene = orthographic_scene(3, 3);
+  scene.objects.push_back({"aside", rectangle(0.5, 0.9, 0.5, 0.9, 0, Rgba(1, 0, 0, 0.5))});
+  const auto cell = probed(probing_cell("fourier", {{"bands", "7"}}, false), scene);
+  EXPECT_TRUE(cell.row.measures.empty());
+  EXPECT_EQ(cell.row.curves.size(), 1u);  // the sum itself, which is 0
+}
+
 // G is the scene's: the row of a reference that optimizes opacities has its exact steps.
 TEST(AgreementRayCurves, ImportanceHasItsStepsAndItsSeries) {
   scene::Scene scene = five_steps();

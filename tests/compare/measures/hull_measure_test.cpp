@@ -65,6 +65,10 @@ TEST(UnitHullMeasure, LeavesOutPixelsWhoseLayersDiffer) {
   cell.layers.at(0, 0) = 1;
   hull_measure().measure(seen(scene, {}), cell);
   EXPECT_EQ(cell.row.measures[0].value, 11);
+  CellMeasurement none = picture_of(scene, Rgba(2, 2, 2, 1));
+  none.layers = CountImage(4, 3, 1);
+  hull_measure().measure(seen(scene, {}), none);  // nothing is known, which is not 0
+  EXPECT_TRUE(none.row.measures.empty());
 }
 
 /// A red sheet that ends, and a green one that begins, so many pixels to the right of the centres

@@ -57,6 +57,14 @@ TEST(UnitImportanceError, IsApartOfImportantPixelsAndOfContext) {
   EXPECT_DOUBLE_EQ(cell.row.measures[1].value, 0.5 / std::sqrt(2.0));
 }
 
+TEST(UnitImportanceError, IsNotKnownWhereNothingIsImportant) {
+  scene::Scene scene = orthographic_scene(4, 2);
+  scene.objects.push_back({"layer", full_layer(0, Rgba(1, 0, 0, 0.5))});
+  CellMeasurement cell = picture_of(scene, Rgba(0.5));
+  importance_error_measure().measure(seen(scene, Image(4, 2, Rgba(0.25))), cell);
+  EXPECT_TRUE(cell.row.measures.empty());
+}
+
 /// What rays tell, made up.
 MeasuredScene told(const scene::Scene& scene, const Image& reference, const RayFacts& facts) {
   return {scene, reference, [&facts]() -> const RayFacts& { return facts; }};

@@ -153,6 +153,20 @@ TEST(UnitClaims, NumbersBelowZeroHaveNoFactorButMayBeTheSame) {
               HasSubstr("undecided: a and b are not both above 0"));
 }
 
+TEST(UnitClaims, EqualNumbersAreOnceAsGoodAlsoOfZeroAndInfinity) {
+  Claim errors = claim("rmse", {{"a"}, {"b"}});
+  errors.factor = 1.5;
+  EXPECT_EQ(verdict_of(errors, {row("one", "a", 0), row("one", "b", 0)}),
+            "otherwise here: a before b by a factor of 1, not 1.5");
+  EXPECT_EQ(verdict_of(errors, {row("one", "a", 0), row("one", "b", 0.1)}), "the same here");
+  std::vector<ResultRow> exact{row("one", "a", 0), row("one", "b", 0)};
+  for (ResultRow& row : exact)
+    row.metrics.linear.of("psnr") = std::numeric_limits<double>::infinity();
+  Claim psnr = claim("psnr", {{"a"}, {"b"}});
+  psnr.factor = 1.5;
+  EXPECT_EQ(verdict_of(psnr, exact), "otherwise here: a before b by a factor of 1, not 1.5");
+}
+
 TEST(UnitClaims, AnInfiniteNumberDoesNotHideTheOthersInTheMean) {
   std::vector<ResultRow> psnr{row("one", "a", 0), row("two", "a", 0.1)};
   psnr[0].metrics.linear.of("psnr") = std::numeric_limits<double>::infinity();
