@@ -158,8 +158,13 @@ PairFaults pair_faults(const Image& reference, const Image& test, bool have_alph
   if (have_alpha)
     faults.straight = straight_colors(reference, test, std::min(of_test.left, of_reference.left));
   if (faults.straight) return faults;
-  const bool is_of_reference =
-      std::max(float_rounding, of_reference.left) < left_of_error * of_test.left;
+  const double apart = rmse(reference, test);
+  const auto explains = [&](const FoundFaults& found) {
+    return found.left < left_of_error * apart;
+  };
+  const auto explains_all = [](const FoundFaults& found) { return found.left < least_error; };
+  const bool is_of_reference = (!explains(of_test) && explains(of_reference)) ||
+                               (!explains_all(of_test) && explains_all(of_reference));
   (is_of_reference ? faults.of_reference : faults.of_test) =
       std::move(is_of_reference ? of_reference : of_test).texts;
   return faults;

@@ -29,10 +29,11 @@ struct PairFaults {
 };
 
 /// Says what a study would of TEST, by the background that REFERENCE's uncovered pixels show, and
-/// with REFERENCE's faults in their place where those explain much more. Of two pictures that have
-/// opacities (`have_alpha`), equal ones, and no background, one may have straight colours where the
-/// other's are multiplied by A: multiplied by A, too, they are less than a third as far apart. That
-/// is told alone, where no fault explains more. Both have one size and finite values.
+/// with REFERENCE's faults in their place where those alone explain most of the error, or all of
+/// it. Of two pictures that have opacities (`have_alpha`), equal ones, and no background, one may
+/// have straight colours where the other's are multiplied by A: multiplied by A, too, they are less
+/// than a third as far apart. That is told alone, where no fault explains more. Both have one size
+/// and finite values.
 PairFaults pair_faults(const Image& reference, const Image& test, bool have_alpha);
 
 }  // namespace pellucid::compare

@@ -331,6 +331,16 @@ TEST_F(PropertyPairFaults, BytesAndBrightnessAreToldOnEitherSide) {
   }
 }
 
+/// A curve is undone either way; REFERENCE is right as long as that explains it.
+TEST_F(PropertyPairFaults, WhatEitherMayHaveIsOfTest) {
+  const Image blue = on({0.125, 0.25, 0.375});
+  for (const double exponent : {2.2, 1 / 2.2}) {
+    const PairFaults faults = pair_faults(blue, curved(blue, exponent), true);
+    EXPECT_THAT(faults.of_test, ElementsAre(HasSubstr("sRGB")));
+    EXPECT_THAT(faults.of_reference, IsEmpty());
+  }
+}
+
 TEST_F(PropertyPairFaults, NoMethodLooksWrongOnEitherSide) {
   for (const Vec3 background : {Vec3(0), Vec3(1), Vec3(0.9, 0.1, 0.1)}) {
     scene::Scene scene = any_scene(2);
