@@ -82,7 +82,7 @@ CellMeasurement CellMeter::finish(const TimingRule& timing) {
   row.repeats = int(runs_.size());
   row.seconds = spread_of(seconds_, timing);
   if (cell_.call.given) {  // others are the same picture again
-    row.repeats = 1;
+    row.repeats = runs_.back().steps.empty() ? 0 : 1;
     row.seconds.interval.reset();
   }
   row.steps = step_spreads(runs_, timing);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "compare/report/tables.h"
-#include "core/error.h"
 
 namespace pellucid::compare {
 namespace {
@@ -44,13 +43,13 @@ std::string latex_figure(const FigureSheet& sheet, const std::string& pictures,
                          const FigureWidth& width, const FigureCaption& caption) {
   const std::string_view environment = width.is_page ? "figure*" : "figure";
   std::string text = fmt::format(
-      "% {0}\n% Needs \\usepackage{{graphicx}}; {1} lies beside this file.\n"
+      "{0}% Needs \\usepackage{{graphicx}}; {1} lies beside this file.\n"
       "\\begin{{{2}}}[t]\n  \\centering\n"
       "  \\setlength{{\\unitlength}}{{\\dimexpr\\linewidth*100/{3:.0f}\\relax}}%\n"
       "  \\begin{{picture}}({4:.2f},{5:.2f})%\n"
       "    \\put(0,0){{\\includegraphics[width={4:.2f}\\unitlength]{{{1}}}}}%\n",
-      one_line(caption.command), pictures, environment, 100 * sheet.width, sheet.width,
-      sheet.height);
+      latex_comment(caption.command) + caption.warnings, pictures, environment, 100 * sheet.width,
+      sheet.width, sheet.height);
   for (const SheetText& line : sheet.texts) text += latex_text(line, sheet.height);
   return text +
          fmt::format("  \\end{{picture}}\n  \\caption{{{}}}\n  \\label{{fig:{}}}\n\\end{{{}}}\n",

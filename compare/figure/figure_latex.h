@@ -13,9 +13,10 @@ std::string latex_runs(const std::vector<TextRun>& runs);
 
 /// FigureCaption is what LaTeX sets around a figure.
 struct FigureCaption {
-  std::string text;     // as it stands: it is escaped
-  std::string label;    // of \label
-  std::string command;  // that made the figure, for a comment
+  std::string text;           // as it stands: it is escaped
+  std::string label;          // of \label
+  std::string command;        // that made the figure, for a comment
+  std::string warnings = {};  // lines of comment: see latex_warnings()
 };
 
 /// Returns a figure environment (figure* across columns) that includes `pictures`, a PDF without

@@ -13,10 +13,14 @@
 namespace pellucid::compare {
 namespace {
 
-/// 0.0213, 1.23·10⁻⁴: papers print few errors below a thousandth.
+/// 0.0213, 2604, 1.23·10⁻⁴: papers print few errors below a thousandth, and few numbers above a
+/// million.
 std::vector<TextRun> scientific_runs(double value) {
-  if (value == 0) return {{"0"}};
-  if (std::abs(value) >= 1e-3) return {{fmt::format("{:#.3g}", value)}};
+  const double size = std::abs(value);
+  if (size == 0) return {{"0"}};
+  if (!std::isfinite(value)) return {{fmt::format("{}", value)}};
+  if (size >= 999.5 && size < 1e6) return {{fmt::format("{:.0f}", value)}};
+  if (size >= 1e-3 && size < 1e6) return {{fmt::format("{:#.3g}", value)}};
   const std::string text = fmt::format("{:.2e}", value);
   const std::size_t e = text.find('e');
   return {{text.substr(0, e) + "·10"},

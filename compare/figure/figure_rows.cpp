@@ -119,4 +119,11 @@ std::vector<FigureRows> find_figure_rows(const PastRun& run, const FigureRequest
   return found;
 }
 
+std::vector<ResultRow> rows_in(const std::vector<FigureRows>& scenes) {
+  std::vector<ResultRow> rows;
+  for (const FigureRows& scene : scenes)
+    rows.insert(rows.end(), scene.rows.begin(), scene.rows.end());
+  return rows;
+}
+
 }  // namespace pellucid::compare

@@ -27,4 +27,7 @@ std::vector<std::string> methods_of_text(std::string_view text);
 /// have (the nearest names first), and for a cell that is missing or failed.
 std::vector<FigureRows> find_figure_rows(const PastRun& run, const FigureRequest& request);
 
+/// Returns the rows of all scenes, one after another.
+std::vector<ResultRow> rows_in(const std::vector<FigureRows>& scenes);
+
 }  // namespace pellucid::compare

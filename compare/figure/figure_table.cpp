@@ -17,9 +17,7 @@ namespace {
 /// What one scene's rows lack another's may have.
 std::vector<Column> columns_of(const FigureRequest& request,
                                const std::vector<FigureRows>& scenes) {
-  std::vector<ResultRow> rows;
-  for (const FigureRows& scene : scenes)
-    rows.insert(rows.end(), scene.rows.begin(), scene.rows.end());
+  const std::vector<ResultRow> rows = rows_in(scenes);
   std::vector<Column> chosen;
   for (const std::string& name : request.numbers) chosen.push_back(column_named(name, rows));
   return chosen;
@@ -33,7 +31,7 @@ std::string interval_text(const Column& column, const ResultRow& row) {
 }
 
 std::string cell(const Column& column, const ResultRow& row, std::span<const ResultRow> rows) {
-  if (row.reference && is_error(column)) return "--";
+  if (!column.value(row) || (row.reference && is_error(column))) return "--";
   const std::string number = latex_runs(plain_number(column, row));
   const std::string interval = interval_text(column, row);
   if (!is_best_of_several(column, row, rows)) return number + interval;
@@ -71,11 +69,11 @@ std::string latex_figure_table(const std::vector<FigureRows>& scenes, const Figu
   const std::vector<std::string> labels = scene_labels(scenes, request);
   const std::string_view environment = width.is_page ? "table*" : "table";
   std::string text = fmt::format(
-      "% {}\n% Needs \\usepackage{{booktabs}}.\n\\begin{{{}}}[t]\n  \\centering\n"
+      "{}% Needs \\usepackage{{booktabs}}.\n\\begin{{{}}}[t]\n  \\centering\n"
       "  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\begin{{tabular}}{{l{}}}\n    \\toprule\n    "
       "Method",
-      one_line(caption.command), environment, latex_escaped(caption.text), caption.label,
-      std::string(columns.size(), 'r'));
+      latex_comment(caption.command) + caption.warnings, environment, latex_escaped(caption.text),
+      caption.label, std::string(columns.size(), 'r'));
   for (const Column& column : columns) text += " & " + latex_escaped(heading(column));
   text += " \\\\\n";
   for (std::size_t i = 0; i < scenes.size(); ++i)

@@ -13,6 +13,7 @@
 #include "compare/figure/figure_table.h"
 #include "compare/figure/sheet_drawing.h"
 #include "compare/figure/sheet_files.h"
+#include "compare/report/tables.h"
 #include "compare/results/measure_columns.h"
 #include "core/error.h"
 #include "core/files/ending.h"
@@ -96,8 +97,9 @@ WrittenFigure write_figure(const fs::path& path, const PastRun& run, const Figur
   const FigureContent content = read_figure(run, request);
   const FigureSheet sheet = lay_out(content, style.width.millimetres / 25.4 * 72, style.font_size,
                                     text_ruler(style.font));
-  const FigureCaption caption{caption_of(run, content, request), path.stem().string(), command};
   WrittenFigure written{{path}, sheet.width, sheet.height, find_figure_rows(run, request), {}};
+  const FigureCaption caption{caption_of(run, content, request), path.stem().string(), command,
+                              latex_warnings(rows_in(written.rows))};
   if (is_latex)
     written.files = write_latex(path, sheet, style, caption);
   else
@@ -114,12 +116,15 @@ WrittenFigure write_figure_table(const fs::path& path, const PastRun& run,
                                  path.extension().string(), latex_ending));
   if (request.numbers.empty()) throw InputError("--numbers: none; accepted for a table: some");
   WrittenFigure written{{path}, 0, 0, find_figure_rows(run, request), {}};
-  const std::string text = fmt::format(
+  const std::vector<ResultRow> rows = rows_in(written.rows);
+  std::string text = fmt::format(
       "{}. Errors are against {}. Bold is the best; a star marks what 95 % intervals do "
       "not tell from it.",
       title_of(run), reference_name(run));
+  if (const int views = views_of(rows); views > 1)
+    text += fmt::format(" Numbers are means over {} views.", views);
   write_text(path, latex_figure_table(written.rows, request, style.width,
-                                      {text, path.stem().string(), command}));
+                                      {text, path.stem().string(), command, latex_warnings(rows)}));
   return written;
 }
 

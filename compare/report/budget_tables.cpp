@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "compare/budget/budget_stages.h"
+#include "compare/report/markdown_text.h"
 #include "compare/report/tables.h"
 
 namespace pellucid::compare {
@@ -19,8 +20,8 @@ bool is_decided(const BudgetLine& line) { return !std::isnan(line.seconds); }
 
 /// Nothing where the finer picture takes no longer: there the gain costs nothing; nor where times
 /// are not told apart.
-std::string slope_text(const BudgetLine& line) {
-  return line.seconds > 0 ? fmt::format("{:.3g}", line.gain / line.seconds) : "";
+std::optional<double> slope(const BudgetLine& line) {
+  return line.seconds > 0 ? std::optional(line.gain / line.seconds) : std::nullopt;
 }
 
 std::string csv_line(const BudgetLine& line) {
@@ -28,7 +29,8 @@ std::string csv_line(const BudgetLine& line) {
     return fmt::format("{},,,,,,,,,{}\n", line.stage, csv_field(line.why_not));
   return fmt::format("{},{},{},{},{},{},{},{},{},\n", line.stage, csv_field(line.refinement),
                      line.share, line.first, line.last, line.rmse, line.gain,
-                     is_decided(line) ? fmt::format("{}", line.seconds) : "", slope_text(line));
+                     csv_digits(is_decided(line) ? std::optional(line.seconds) : std::nullopt),
+                     csv_digits(slope(line)));
 }
 
 std::string csv_budget(const ResultRow& row) {
@@ -43,36 +45,40 @@ std::string csv_budget(const ResultRow& row) {
 /// What a gain costs, for people.
 std::string price_text(const BudgetLine& line) {
   if (!is_decided(line)) return "undecided";
-  return line.seconds > 0 ? slope_text(line) : "free";
+  const std::optional<double> price = slope(line);
+  return price ? fmt::format("{:.3g}", *price) : "free";
 }
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string markdown_line(const BudgetLine& line) {
-  return fmt::format("| {} | {} | {} … {} | {:.2e} | {:.2e} | {} | {} | {} |\n",
-                     title_of_stage(line.stage), percent(line.share),
-                     percent(std::min(line.first, line.last)),
-                     percent(std::max(line.first, line.last)), line.rmse, line.gain,
-                     is_decided(line) ? fmt::format("{:+.3g}", line.seconds) : "undecided",
-                     price_text(line), line.refinement);
+  return markdown_cells(std::vector<std::string>{
+      std::string(title_of_stage(line.stage)), percent(line.share),
+      fmt::format("{} … {}", percent(std::min(line.first, line.last)),
+                  percent(std::max(line.first, line.last))),
+      fmt::format("{:.2e}", line.rmse), fmt::format("{:.2e}", line.gain),
+      is_decided(line) ? fmt::format("{:+.3g}", line.seconds) : "undecided", price_text(line),
+      line.refinement});
 }
 
 std::string markdown_budget(const ResultRow& row) {
   const ErrorBudget& budget = *row.budget;
   std::string text = fmt::format(
-      "\n### Where the error of {}/{} comes from\n\n"
+      "{}\n"
       "RMSE {:.3e} against all stages refined; {:.3g} s as drawn. A gain's price is undecided "
       "where "
       "the intervals of the two times overlap, or one has none.\n\n"
       "| Stage | Share | alone … last | RMSE | Gain | More [s] | Gain per s | Refined to |\n"
       "|---|---:|---:|---:|---:|---:|---:|---|\n",
-      row.scene, row.call(), budget.rmse, budget.seconds);
+      markdown_heading("###",
+                       fmt::format("Where the error of {}/{} comes from", row.scene, row.call())),
+      budget.rmse, budget.seconds);
   std::string others;
   for (const BudgetLine& line : budget.lines)
     (line.why_not.empty() ? text : others) +=
-        line.why_not.empty()
-            ? markdown_line(line)
-            : fmt::format("- {}: not here: {}\n", title_of_stage(line.stage), line.why_not);
+        line.why_not.empty() ? markdown_line(line)
+                             : fmt::format("- {}: not here: {}\n", title_of_stage(line.stage),
+                                           markdown_escaped(line.why_not));
   text += fmt::format("| Interaction of three or more | {} | | | | | | |\n",
                       percent(budget.interaction));
   return text + (others.empty() ? "" : "\n" + others);

@@ -15,14 +15,11 @@
 namespace pellucid::compare {
 namespace {
 
-/// Shortest text that reads back as the same double; "inf" for the PSNR of equal pictures.
-std::string digits(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
-
 /// Counts are whole: no exponent, whatever their size.
 std::string csv_number(const Column& column, const ResultRow& row) {
   const std::optional<double> value = column.value(row);
   const bool whole = column.style == NumberStyle::count || column.style == NumberStyle::megabytes;
-  return value && whole ? fmt::format("{:.0f}", *value) : digits(value);
+  return value && whole ? fmt::format("{:.0f}", *value) : csv_digits(value);
 }
 
 struct TextColumn {
@@ -49,7 +46,7 @@ std::string csv_line(const ResultRow& row, std::span<const scene::Measure> measu
   for (const Column& column : columns())
     line += (row.error.empty() ? csv_number(column, row) : "") + ',';
   for (const scene::Measure& measure : measures)
-    line += digits(measure_of(row, measure.name)) + ',';
+    line += csv_digits(measure_of(row, measure.name)) + ',';
   return line + csv_field(row.error) + '\n';
 }
 
@@ -62,6 +59,10 @@ std::string csv_field(std::string text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+std::string csv_digits(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "";
 }
 
 std::string csv_table(std::span<const ResultRow> rows) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compare/report/budget_tables.h"
+#include "compare/report/markdown_text.h"
 #include "compare/report/tables.h"
 #include "compare/results/best_row.h"
 #include "compare/results/columns.h"
@@ -39,14 +40,6 @@ std::vector<ResultRow> rows_of(std::string_view scene, std::span<const ResultRow
   return chosen;
 }
 
-/// Text of a file in a table or a heading: one line, no cell of its own, no HTML.
-std::string markdown_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : one_line(text, text.size() + 1))
-    escaped += c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c);
-  return escaped;
-}
-
 /// What sets a row apart from the program's own methods.
 std::string_view mark_of(const ResultRow& row) {
   if (row.reference) return " (reference)";
@@ -54,10 +47,12 @@ std::string_view mark_of(const ResultRow& row) {
 }
 
 std::string markdown_line(const ResultRow& row) {
-  std::string line = fmt::format("| {}{} |", markdown_escaped(row.call()), mark_of(row));
-  if (!row.error.empty()) return line + fmt::format(" failed: {} |\n", markdown_escaped(row.error));
-  for (const Column& column : table_columns()) line += fmt::format(" {} |", cell_text(column, row));
-  return line + '\n';
+  std::vector<std::string> cells{fmt::format("{}{}", row.call(), mark_of(row))};
+  if (!row.error.empty())
+    cells.push_back("failed: " + row.error);
+  else
+    for (const Column& column : table_columns()) cells.push_back(cell_text(column, row));
+  return markdown_cells(cells);
 }
 
 /// "Time: a and b are tied", a line for each column whose best is not told from others.
@@ -81,12 +76,9 @@ std::string markdown_ties(std::span<const ResultRow> rows) {
 }
 
 std::string markdown_block(std::string_view scene, std::span<const ResultRow> rows) {
-  std::string header = "| Method |", rule = "|---|";
-  for (const Column& column : table_columns()) {
-    header += fmt::format(" {} |", heading(column));
-    rule += "---:|";
-  }
-  std::string text = fmt::format("\n## {}\n\n{}\n{}\n", markdown_escaped(scene), header, rule);
+  std::vector<std::string> titles{"Method"};
+  for (const Column& column : table_columns()) titles.push_back(heading(column));
+  std::string text = markdown_heading("##", scene) + '\n' + markdown_head(titles, 1);
   for (const ResultRow& row : rows) text += markdown_line(row);
   if (const int views = views_of(rows); views > 1)
     text += fmt::format(
@@ -114,17 +106,14 @@ std::string measure_text(std::optional<double> value) {
 std::string markdown_measures(std::span<const ResultRow> rows) {
   const std::vector<ResultRow> measured = measured_rows(rows);
   if (measured.empty()) return "";
-  std::string text = "\n| |", rule = "|---|";
-  for (const ResultRow& row : measured) {
-    text += fmt::format(" {} |", row.call());
-    rule += "---:|";
-  }
-  text += '\n' + rule + '\n';
+  std::vector<std::string> titles{""};
+  for (const ResultRow& row : measured) titles.push_back(row.call());
+  std::string text = '\n' + markdown_head(titles, 1);
   for (const scene::Measure& measure : measure_columns(measured)) {
-    text += fmt::format("| {} |", heading(measure));
+    std::vector<std::string> cells{heading(measure)};
     for (const ResultRow& row : measured)
-      text += fmt::format(" {} |", measure_text(measure_of(row, measure.name)));
-    text += '\n';
+      cells.push_back(measure_text(measure_of(row, measure.name)));
+    text += markdown_cells(cells);
   }
   return text;
 }
@@ -136,11 +125,11 @@ std::string markdown_claim(const Claim& claim, const Study& study,
       fmt::format("\n{} ({}):\n\n", markdown_escaped(claim.text), claim.by.heading());
   const std::vector<ClaimCheck> checks = check_claim(claim, scene_names(study), rows);
   for (const ClaimCheck& check : checks) {
-    text += fmt::format("- {}:", check.of);
+    std::string line = check.of + ':';
     for (const ClaimedValue& value : check.values)
-      text += fmt::format(" {} {},", value.of, claim.by.text(value.value));
-    text.back() = ';';
-    text += fmt::format(" {}\n", verdict(check));
+      line += fmt::format(" {} {},", value.of, claim.by.text(value.value));
+    line.back() = ';';
+    text += fmt::format("- {} {}\n", markdown_escaped(line), markdown_escaped(verdict(check)));
   }
   return checks.empty() ? text + "- no scene has all of its numbers\n" : text;
 }
@@ -149,14 +138,15 @@ std::string markdown_claim(const Claim& claim, const Study& study,
 std::string markdown_ladders(const Study& study, std::span<const ResultRow> rows) {
   const LadderTable table = ladder_table(study.ladders, rows);
   if (table.lines.empty()) return "";
-  std::string text = "\n## Where each method breaks\n\n| Method |", rule = "|---|";
-  for (const std::string& head : table.heads) {
-    text += fmt::format(" {} |", markdown_escaped(head));
-    rule += "---|";
+  std::vector<std::string> titles{"Method"};
+  titles.insert(titles.end(), table.heads.begin(), table.heads.end());
+  std::string text = markdown_heading("##", "Where each method breaks") + '\n' +
+                     markdown_head(titles, titles.size());
+  for (const auto& [call, cells] : table.lines) {
+    std::vector<std::string> line{call};
+    line.insert(line.end(), cells.begin(), cells.end());
+    text += markdown_cells(line);
   }
-  text += '\n' + rule + '\n';
-  for (const auto& [call, cells] : table.lines)
-    text += fmt::format("| {} | {} |\n", call, fmt::join(cells, " | "));
   return text;
 }
 
@@ -222,6 +212,19 @@ std::string latex_escaped(std::string_view text) {
   return escaped;
 }
 
+std::string latex_comment(std::string_view text) {
+  return "% " + one_line(text, text.size() + 1) + '\n';
+}
+
+std::string latex_warnings(std::span<const ResultRow> rows) {
+  std::string text;
+  for (const std::string& warning : provenance_warnings(rows))
+    text += latex_comment("Warning: " + warning);
+  if (const int views = views_of(rows); views > 1)
+    text += latex_comment(fmt::format("Numbers are means over {} views.", views));
+  return text;
+}
+
 std::string markdown_table(const Study& study, std::span<const ResultRow> rows) {
   std::string text = fmt::format("# {}\n", markdown_escaped(study.title));
   if (!study.source.empty()) text += fmt::format("\n{}\n", markdown_escaped(study.source));
@@ -230,7 +233,7 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
                         study.opacities->text());
   for (const std::string& note : study.notes) text += fmt::format("\n{}\n", markdown_escaped(note));
   for (const std::string& warning : provenance_warnings(rows))
-    text += fmt::format("\n**{}**\n", warning);
+    text += fmt::format("\n**{}**\n", markdown_escaped(warning));
   for (const auto& scene : study.scenes) {
     const std::vector<ResultRow> here = rows_of(scene_name(scene), rows);
     text += markdown_block(scene_name(scene), here) + markdown_measures(here);
@@ -242,8 +245,8 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {
-  std::string text = fmt::format("% {}; needs \\usepackage{{booktabs}}\n",
-                                 one_line(study.title, study.title.size() + 1));
+  std::string text = latex_comment(study.title + "; needs \\usepackage{booktabs}");
+  text += latex_warnings(rows);
   text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\nMethod",
                       std::string(table_columns().size(), 'r'));
   for (const Column& column : table_columns()) text += fmt::format(" & {}", heading(column));

@@ -26,7 +26,7 @@ json cost_line_json(const CostLine& line) {
   for (const std::optional<double>& step : line.steps) steps.push_back(step ? json(*step) : json());
   return {{"scene", line.scene},
           {"call", line.call},
-          {"milliseconds", line.milliseconds},
+          {"milliseconds", line.milliseconds ? json(*line.milliseconds) : json()},
           {"bytes", line.bytes ? json(*line.bytes) : json()},
           {"steps", steps},
           {"bottleneck", line.bottleneck ? json(*line.bottleneck) : json()}};
@@ -85,7 +85,7 @@ json costs_json(const Study& study, std::span<const ResultRow> rows) {
   for (const CostRatio& ratio : cost_ratios(study, rows))
     ratios.push_back({{"scene", ratio.scene},
                       {"call", ratio.call},
-                      {"here", ratio.here},
+                      {"here", ratio.here ? json(*ratio.here) : json()},
                       {"published", ratio.published ? json(*ratio.published) : json()}});
   return {{"tables", tables}, {"ratios", ratios}, {"reference", study.reference.text()}};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,8 +42,19 @@ std::string csv_costs(const Study& study, std::span<const ResultRow> rows);
 /// formula gets an apostrophe, which it takes for the mark of a text.
 std::string csv_field(std::string text);
 
+/// Returns the shortest text that reads back as the same double, "inf" for the PSNR of equal
+/// pictures; empty where there is no value.
+std::string csv_digits(const std::optional<double>& value);
+
 /// Escapes a text so that LaTeX prints it as it stands.
 std::string latex_escaped(std::string_view text);
+
+/// Returns a line of comment of LaTeX.
+std::string latex_comment(std::string_view text);
+
+/// Returns lines of comment that say over how many views numbers are means, and what
+/// provenance_warnings() has to say of them: the author of a paper reads them, not its readers.
+std::string latex_warnings(std::span<const ResultRow> rows);
 
 /// {"format": "pellucid-results", "version": 1, "study": …, "rows": […]}.
 std::string results_json(const Study& study, std::span<const ResultRow> rows);

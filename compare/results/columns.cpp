@@ -68,15 +68,14 @@ constexpr Shown as_cost(bool sweeps) {
 }
 
 std::vector<Column> cost_columns() {
-  return {
-      {"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true),
-       unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; }), time_interval},
-      {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
-       unless_given(is_weighed, [](const ResultRow& r) { return r.total_bytes(); })},
-      {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
-       unless_given(is_counted, [](const ResultRow& r) { return r.fragments; })},
-      {"max_layers", "Layers", "1", Better::neither, Style::count, in_tables,
-       unless_given(never, [](const ResultRow& r) { return r.max_layers; })}};
+  return {{"seconds", "Time", "s", Better::lower, Style::milliseconds, as_cost(true), known_seconds,
+           time_interval},
+          {"bytes", "Memory", "bytes", Better::lower, Style::megabytes, as_cost(false),
+           unless_given(is_weighed, [](const ResultRow& r) { return r.total_bytes(); })},
+          {"fragments", "Fragments", "1", Better::neither, Style::count, in_tables,
+           unless_given(is_counted, [](const ResultRow& r) { return r.fragments; })},
+          {"max_layers", "Layers", "1", Better::neither, Style::count, in_tables,
+           unless_given(never, [](const ResultRow& r) { return r.max_layers; })}};
 }
 
 std::vector<Column> further_columns() {
@@ -122,7 +121,7 @@ std::vector<Column> timing_columns() {
       {"first_frame_ms", "First picture", "ms", Better::lower, style, in_csv,
        unless_given(never, [](const ResultRow& r) { return 1e3 * r.first_frame_seconds(); })},
       {"repeats", "Timed pictures", "1", Better::neither, Style::count, in_csv,
-       [](const ResultRow& r) { return number(r.repeats); }}};
+       unless_given(is_timed, [](const ResultRow& r) { return r.repeats; })}};
 }
 
 std::vector<Column> make_columns() {
@@ -146,6 +145,10 @@ std::vector<Column> make_columns() {
 std::span<const Column> columns() {
   static const std::vector<Column> table = make_columns();
   return table;
+}
+
+std::optional<double> known_seconds(const ResultRow& row) {
+  return unless_given(is_timed, [](const ResultRow& r) { return r.seconds.median; })(row);
 }
 
 bool is_better(const Column& column, double a, double b) {

@@ -30,6 +30,10 @@ struct Column {
 /// All columns in the order of results.csv.
 std::span<const Column> columns();
 
+/// Returns the median time of a row in seconds; nothing where nobody told it, as of a picture from
+/// elsewhere.
+std::optional<double> known_seconds(const ResultRow& row);
+
 /// Says whether `a` is the better number; false where no way is better.
 bool is_better(const Column& column, double a, double b);
 

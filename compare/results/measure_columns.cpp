@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/options/names.h"
@@ -21,7 +22,15 @@ const Column* find_column(std::string_view name) {
   return found == columns().end() ? nullptr : &*found;
 }
 
-Column column_of(const scene::Measure& measure) {
+/// What is whole in every row is a count, whatever its size.
+bool is_count(std::string_view name, std::span<const ResultRow> rows) {
+  return std::ranges::all_of(rows, [&](const ResultRow& row) {
+    const std::optional<double> value = measure_of(row, name);
+    return !value || (std::isfinite(*value) && *value == std::floor(*value));
+  });
+}
+
+Column column_of(const scene::Measure& measure, std::span<const ResultRow> rows) {
   std::string_view of = measure.name;
   if (of.ends_with("_worst")) of.remove_suffix(std::string_view("_worst").size());
   const Column* metric = find_column(of);
@@ -29,7 +38,9 @@ Column column_of(const scene::Measure& measure) {
           .title = measure.title,
           .unit = measure.unit,
           .better = measure.better,
-          .style = metric ? metric->style : NumberStyle::scientific,
+          .style = metric                         ? metric->style
+                   : is_count(measure.name, rows) ? NumberStyle::count
+                                                  : NumberStyle::scientific,
           .shown = {},
           .value = [name = measure.name](const ResultRow& row) { return measure_of(row, name); }};
 }
@@ -40,7 +51,7 @@ Column column_named(std::string_view name, std::span<const ResultRow> rows) {
   if (const Column* column = find_column(name)) return *column;
   const std::vector<scene::Measure> measures = measure_columns(rows);
   const auto measure = find(measures, name);
-  if (measure != std::span(measures).end()) return column_of(*measure);
+  if (measure != std::span(measures).end()) return column_of(*measure, rows);
   std::vector<std::string_view> known;
   for (const Column& column : columns()) known.push_back(column.name);
   for (const scene::Measure& one : measures) known.push_back(one.name);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compare/results/columns.h"
 #include "compare/study/study.h"
 
 namespace pellucid::compare {
@@ -26,7 +27,8 @@ void find_bottleneck(CostLine& line) {
 }
 
 CostLine measured_line(const ResultRow& row, CostTable& table) {
-  CostLine line{row.scene, row.call(), 1e3 * row.seconds.median, {}, {}, {}};
+  CostLine line{row.scene, row.call(), {}, {}, {}, {}};
+  if (const auto seconds = known_seconds(row)) line.milliseconds = 1e3 * *seconds;
   if (row.given.empty() || !row.bytes.empty()) line.bytes = double(row.total_bytes());
   for (const auto& [name, spread] : row.steps) {
     const std::size_t place = place_of(name, table);
@@ -93,7 +95,9 @@ std::vector<CostRatio> cost_ratios(const Study& study, std::span<const ResultRow
       return other.reference && other.error.empty() && other.scene == row.scene;
     });
     if (reference == rows.end()) continue;
-    CostRatio ratio{row.scene, row.call(), reference->seconds.median / row.seconds.median, {}};
+    CostRatio ratio{row.scene, row.call(), {}, {}};
+    const auto seconds = known_seconds(row), longer = known_seconds(*reference);
+    if (seconds && longer && *seconds > 0) ratio.here = *longer / *seconds;
     const auto ours = published_milliseconds(*study.published, row.scene, row.call());
     const auto theirs = published_milliseconds(*study.published, row.scene, reference->call());
     if (ours && theirs) ratio.published = *theirs / *ours;

@@ -33,7 +33,7 @@ struct PublishedCosts {
 /// A CostLine is one line of a table of costs.
 struct CostLine {
   std::string scene, call;
-  double milliseconds = 0;
+  std::optional<double> milliseconds;  // nothing where nobody told them
   std::optional<double> bytes;
   std::vector<std::optional<double>> steps;  // milliseconds, as CostTable::steps
   std::optional<std::size_t> bottleneck;     // the longest of several steps
@@ -48,11 +48,10 @@ struct CostTable {
 };
 
 /// A CostRatio tells how many times as long as `call` the reference takes on a scene, and the
-/// source's own ratio.
+/// source's own ratio; nothing where a time is not known.
 struct CostRatio {
   std::string scene, call;
-  double here = 0;
-  std::optional<double> published;
+  std::optional<double> here, published;
 };
 
 /// A table for each method of a study that gives published costs, then the source's; empty for any

@@ -44,6 +44,8 @@ TEST(UnitBudgetTables, AGainHasAPriceWhereTimesAreToldApart) {
   mesh.seconds = 2;
   EXPECT_THAT(markdown_budgets(rows), HasSubstr("| +2 | 0.25 | a, b |"));
   EXPECT_THAT(csv_budgets(rows), HasSubstr(",0.5,2,0.25,\n"));
+  mesh.seconds = 3;  // all digits, as of the numbers beside it
+  EXPECT_THAT(csv_budgets(rows), HasSubstr(",0.5,3,0.16666666666666666,\n"));
   mesh.seconds = -2;
   EXPECT_THAT(markdown_budgets(rows), HasSubstr("| -2 | free | a, b |"));
 }

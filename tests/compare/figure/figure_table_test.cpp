@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include "compare/figure/write_figure.h"
 #include "core/error.h"
+#include "core/files/output_file.h"
 #include "tests/compare/figure/figure_runs.h"
 
 namespace pellucid::compare {
@@ -30,7 +32,7 @@ TEST(UnitFigureTable, HasMeasuresOfRowsToo) {
   const std::string text = table_of(run, request);
   EXPECT_THAT(text, HasSubstr("Method & RMSE, worst view"));
   EXPECT_THAT(text, AllOf(HasSubstr("near & {\\boldmath\\textbf{0.0200}}"),
-                          HasSubstr("far & 0.500"), HasSubstr("near & –")));
+                          HasSubstr("far & 0.500"), HasSubstr("near & --")));
   request.numbers = {"rmse_wrost"};
   EXPECT_THROW(table_of(run, request), InputError);
 }
@@ -60,6 +62,31 @@ TEST(UnitFigureTable, ExponentsAreMathematics) {
   FigureRequest request;
   request.numbers = {"rmse"};
   EXPECT_THAT(table_of(run, request), HasSubstr("1.26$\\cdot$10$^{-4}$"));
+}
+
+TEST(UnitFigureTable, SaysWhatTheTablesOfTheRunSay) {
+  FigureRun run;
+  for (ResultRow& row : run.run().rows) row.measures = {{"views", "Views", "", 4}};
+  run.run().rows[1].given_faults = {"looks upside down"};
+  FigureRequest request;
+  request.numbers = {"rmse"};
+  write_figure_table(run.file("t.tex"), run.run(), request, {}, "command");
+  EXPECT_THAT(read_text(run.file("t.tex")),
+              AllOf(HasSubstr("% command\n% Warning: a/near: the picture looks upside down.\n"),
+                    HasSubstr("Numbers are means over 4 views.}")));
+}
+
+/// 2603 is no real of three digits.
+TEST(UnitFigureTable, CountsHaveAllTheirDigits) {
+  FigureRun run;
+  double count = 2602;
+  for (ResultRow& row : run.run().rows)
+    if (!row.reference) row.measures = {{"kept", "Kept lines", "", ++count, Better::lower}};
+  FigureRequest request;
+  request.numbers = {"kept"};
+  EXPECT_THAT(table_of(run, request), HasSubstr("near & {\\boldmath\\textbf{2603}}"));
+  run.run().rows[1].measures[0].value = 2603.5;  // a mean over views is none
+  EXPECT_THAT(table_of(run, request), HasSubstr("near & {\\boldmath\\textbf{2604}}"));
 }
 
 TEST(UnitFigureTable, ScenesAreBlocksAndLabelsAreEscaped) {

@@ -57,7 +57,7 @@ TEST(UnitCosts, StepsOfOneNameAddUpAndTheLongestIsTheBottleneck) {
   EXPECT_THAT(series.steps, ElementsAre("project", "weight"));
   EXPECT_THAT(series.lines[0].steps, ElementsAre(Optional(375.0), Optional(250.0)));
   EXPECT_EQ(series.lines[0].bottleneck, 0u);
-  EXPECT_EQ(series.lines[0].milliseconds, 625);
+  EXPECT_THAT(series.lines[0].milliseconds, Optional(625.0));
   // One step alone is no bottleneck; a step that a line lacks is not 0.
   EXPECT_THAT(series.lines[1].steps, ElementsAre(std::nullopt, Optional(500.0)));
   EXPECT_EQ(series.lines[1].bottleneck, std::nullopt);
@@ -68,7 +68,7 @@ TEST(UnitCosts, StepsOfOneNameAddUpAndTheLongestIsTheBottleneck) {
 TEST(UnitCosts, RatiosAreTheReferencesTimeOverTheMethods) {
   const auto ratios = cost_ratios(study_with(published), cost_rows);
   ASSERT_EQ(ratios.size(), 1u);  // two has no reference
-  EXPECT_EQ(ratios[0].here, 3.2);
+  EXPECT_THAT(ratios[0].here, Optional(3.2));
   EXPECT_THAT(ratios[0].published, Optional(3.0));
 }
 
@@ -79,11 +79,26 @@ TEST(UnitCosts, TablesMarkTheBottleneck) {
   EXPECT_THAT(latex_table(study, cost_rows),
               HasSubstr("one & series & 2.0 & 625 & \\textbf{375} & 250 \\\\"));
   EXPECT_THAT(csv_costs(study, cost_rows),
-              HasSubstr("\"As published, on a GPU\",one,\"series\",1,15\n"));
+              HasSubstr("\"As published, on a GPU\",one,series,1,15\n"));
   Study without = study;
   without.published.reset();
   EXPECT_THAT(markdown_costs(without, cost_rows), IsEmpty());
   EXPECT_THAT(latex_costs(without, cost_rows), IsEmpty());
+}
+
+/// Nobody told how long it took: that is neither 0 nor infinitely fast.
+TEST(UnitCosts, ATimeThatIsNotKnownIsEmpty) {
+  ResultRow theirs = cost_row("one", "theirs", false, {});
+  theirs.given = "picture";
+  std::vector<ResultRow> rows = cost_rows;
+  rows.push_back(theirs);
+  const Study study = study_with(published);
+  EXPECT_EQ(cost_tables(study, rows)[2].lines[0].milliseconds, std::nullopt);
+  EXPECT_EQ(cost_ratios(study, rows)[1].here, std::nullopt);
+  EXPECT_THAT(csv_costs(study, rows), HasSubstr("\"theirs, here\",one,theirs,total,\n"));
+  EXPECT_THAT(markdown_costs(study, rows), HasSubstr("| one | theirs | 2.0 | – |\n"));
+  EXPECT_THAT(markdown_costs(study, rows), HasSubstr("| one | theirs | – | – |\n"));
+  EXPECT_THAT(latex_costs(study, rows), HasSubstr("one & theirs & 2.0 & – \\\\"));
 }
 
 std::string costs_error(const std::string& costs) {
