@@ -16,7 +16,8 @@ std::string markdown_escaped(std::string_view text) {
 
 std::string markdown_cells(std::span<const std::string> cells) {
   std::string line = "|";
-  for (const std::string& cell : cells) line += fmt::format(" {} |", markdown_escaped(cell));
+  for (const std::string& cell : cells)
+    line += cell.empty() ? " |" : fmt::format(" {} |", markdown_escaped(cell));
   return line + '\n';
 }
 
