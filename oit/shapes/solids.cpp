@@ -15,7 +15,7 @@
 namespace pellucid::oit {
 namespace {
 
-// A solid's and a point's record: see solid_record.glsl and solid.glsl.
+// A solid's and a point's record: see solid_record.glsl, solid.glsl and tube.glsl.
 struct Solid {
   glm::vec4 bounds;
   glm::vec2 axis;

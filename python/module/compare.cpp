@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compare/pictures/faults/given_faults.h"
 #include "compare/pictures/image_file.h"
 #include "compare/pictures/mask.h"
 #include "compare/results/result_row.h"
@@ -93,6 +94,14 @@ py::dict compare_pictures(const py::object& reference, const py::object& test,
   if (a_read.has_alpha && b_read.has_alpha)
     dict["max_alpha_error"] = compare::max_alpha_error(a, b);
   dict["displayed"] = metrics_dict(json.at("displayed"), comparison.displayed);
+  const compare::PairFaults faults = result_unlocked([&](const Progress&) {
+    return compare::pair_faults(a, b, a_read.has_alpha && b_read.has_alpha);
+  });
+  // Who asks for some pixels gets these alone.
+  const std::vector<std::string> none;
+  dict["faults"] = python_of(mask ? none : faults.of_test);
+  dict["reference_faults"] = python_of(mask ? none : faults.of_reference);
+  if (faults.straight) dict["note"] = *faults.straight;
   return dict;
 }
 
@@ -103,7 +112,8 @@ mask: the pixels that count: an array (H, W), where it is not 0, or a picture, w
 white; all without one. Of a Rendering the layers tell covered pixels ('rmse_covered') and those with
 equal layers ('rmse_equal').
 Returns a dict of the numbers of `pellucid list metrics`, of the float values, and under 'displayed' of
-the 8-bit values. None: the pictures are too small for it. Raises InputError for other sizes and for
+the 8-bit values. None: the pictures are too small for it. 'faults' and 'reference_faults' say in words
+what looks wrong with b, or with a, as a whole: turned, shifted, another background, a curve. Raises InputError for other sizes and for
 values that are not finite.)";
 
 }  // namespace

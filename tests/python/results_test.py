@@ -124,8 +124,18 @@ def test_the_program_measures_the_same(tmp_path):
     printed = subprocess.run([PROGRAM, "compare", tmp_path / "a.exr", tmp_path / "b.exr", "--json"], check=True,
                              capture_output=True, text=True).stdout
     numbers = json.loads(printed)
-    del numbers["faults"]  # what looks wrong as a whole, in words
     assert pellucid.compare(tmp_path / "a.exr", picture) == numbers
+
+
+def test_compare_says_what_looks_wrong_with_a_picture():
+    scene = pellucid.load_scene({"resolution": (64, 48), "objects": [{"mesh": sheet(0, (0.5, 0.2, 0.1, 0.5))}],
+                                 "camera": {"eye": [1.2, 0.7, 3], "target": [0.4, 0.6, 0], "fov": 50}})
+    image = scene.render().image
+    assert pellucid.compare(image, image)["faults"] == []
+    turned = pellucid.compare(image, image[::-1].copy())
+    assert len(turned["faults"]) == 1 and turned["reference_faults"] == []
+    assert "upside down" in turned["faults"][0]
+    assert pellucid.compare(image, image[::-1].copy(), mask=np.ones((48, 64)))["faults"] == []
 
 
 def test_every_metric_of_the_table_is_there():
