@@ -180,7 +180,7 @@ vtkSmartPointer<vtkImageData> image_of(const Path& path) {
   const Axes axes = axes_of(*nrrd, path);
   const Placement placement =
       nrrd->spaceDim > 0 ? in_space(*nrrd, axes, path) : by_axes(*nrrd, axes);
-  const auto image = vtkSmartPointer<vtkImageData>::New();
+  auto image = vtkSmartPointer<vtkImageData>::New();
   int size[3] = {1, 1, 1};
   for (std::size_t i = 0; i < axes.space.size(); ++i) size[i] = int(nrrd->axis[axes.space[i]].size);
   image->SetDimensions(size);
