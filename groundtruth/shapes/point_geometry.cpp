@@ -10,7 +10,8 @@ namespace pellucid::groundtruth {
 PointGeometry::PointGeometry(const scene::PointObject& points, std::uint32_t index,
                              const GeometryContext& context)
     : set_(points.set),
-      radius_(points.radius),
+      radius_(points.radius.of(0, points.set.positions.size())),
+      units_per_length_(context.frame.units_per_length()),
       index_(index),
       frame_(context.frame),
       lighting_(context.lighting) {

@@ -23,12 +23,13 @@ class PointGeometry : public RayByRayGeometry {
   const Vec3& world_center(std::uint32_t point) const { return set_.positions[point]; }
   const ViewFrame& frame() const { return frame_; }
   /// Returns how wide a point is drawn, in view units.
-  double radius(std::uint32_t point) const { return radius_.at(point) * frame_.units_per_length(); }
+  double radius(std::uint32_t point) const { return radius_.at(point) * units_per_length_; }
   std::uint32_t object_index() const { return index_; }  // in Scene::objects
 
  private:
   const geometry::PointSet& set_;
-  const scene::Radii& radius_;
+  scene::RadiusSpan radius_;  // world
+  double units_per_length_;
   std::uint32_t index_;
   const ViewFrame& frame_;
   scene::Lighting lighting_;

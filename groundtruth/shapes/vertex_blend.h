@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -10,38 +11,38 @@
 namespace pellucid::groundtruth {
 
 /// A VertexBlend is a point between N vertices: their indices, and weights in [0, 1] that sum to 1
-/// but for rounding. Its values lie within the range of the vertices' values, whatever the
-/// rounding, so that a constant stays that constant to the last bit: an opacity of 1 leaves a
-/// transmittance of 0, and 1 - g is never below 0.
+/// but for rounding. Its opacity and its importance lie within the range of the vertices' own,
+/// whatever the rounding, so that a constant stays that constant to the last bit: an opacity of 1
+/// leaves a transmittance of 0, and 1 - g is never below 0.
 template <std::size_t N>
 struct VertexBlend {
   std::array<std::uint32_t, N> vertex;
   std::array<double, N> weight;
 
   Fragment fragment(const geometry::Vertices& vertices) const {
-    const auto rgba = blend([&](std::uint32_t v) { return glm::dvec4(vertices.colors[v]); });
-    return {Vec3(rgba), rgba.a};
+    glm::dvec4 rgba(0);
+    for (std::size_t i = 0; i < N; ++i) rgba += weight[i] * glm::dvec4(vertices.colors[vertex[i]]);
+    return {Vec3(rgba), held(rgba.a, [&](std::uint32_t v) { return vertices.colors[v].a; })};
   }
 
   double importance(const geometry::Vertices& vertices) const {
     if (vertices.importance.empty()) return 0;
-    return blend([&](std::uint32_t v) { return double(vertices.importance[v]); });
+    double g = 0;
+    for (std::size_t i = 0; i < N; ++i) g += weight[i] * vertices.importance[vertex[i]];
+    return held(g, [&](std::uint32_t v) { return vertices.importance[v]; });
   }
 
  private:
-  /// Returns the weighted sum, held to the range. To start at one vertex and add differences would
-  /// keep constants, too, but not the range, and would single a vertex out.
+  /// Holds a weighted sum to the range of its values. To start at one vertex and add differences
+  /// would keep constants, too, but not the range, and would single a vertex out.
   template <class ValueOf>
-  auto blend(const ValueOf& value_of) const {
-    auto sum = weight[0] * value_of(vertex[0]);
-    auto least = value_of(vertex[0]), most = least;
+  double held(double sum, const ValueOf& value_of) const {
+    float least = value_of(vertex[0]), most = least;
     for (std::size_t i = 1; i < N; ++i) {
-      const auto value = value_of(vertex[i]);
-      sum += weight[i] * value;
-      least = glm::min(least, value);
-      most = glm::max(most, value);
+      least = std::min(least, value_of(vertex[i]));
+      most = std::max(most, value_of(vertex[i]));
     }
-    return glm::clamp(sum, least, most);
+    return std::clamp(sum, double(least), double(most));
   }
 };
 
