@@ -5,8 +5,8 @@ channel (.exr: half floats).
 
     pellucid conform --output png --command '/usr/bin/python3 adapters/povray_transparency.py {scene} {output}'
 
-Ribbons are the triangles that docs/exported-scene.md makes of them, tubes merged cylinders and spheres, discs and spheres
-POV-Ray's own, each segment and point of one colour. Over a triangle POV-Ray interpolates what its corners give, colours times
+Ribbons are the triangles that docs/exported-scene.md makes of them, the tube of a line merged cones and spheres, discs and
+spheres POV-Ray's own, each segment and point of one colour. Over a triangle POV-Ray interpolates what its corners give, colours times
 opacity, where the exported scene interpolates both by themselves: the same where a triangle has one of each.
 """
 
@@ -66,12 +66,29 @@ def ribbons(vertices, segments, radius, eye, forward, opaque):
     return mesh(sides, triangles, numpy.concatenate([colors, colors]), opaque)
 
 
+def frustum(a, b, radius_a, radius_b):
+    """What lies between two balls, around their common tangents; nothing where one holds the other."""
+    axis = b - a
+    length = numpy.linalg.norm(axis)
+    if length <= abs(radius_a - radius_b):
+        return None
+    axis, sine = axis / length, (radius_a - radius_b) / length
+    cosine = numpy.sqrt(1 - sine * sine)
+    return (f"cone{{{vector(a + radius_a * sine * axis)},{radius_a * cosine:.17g},"
+            f"{vector(b + radius_b * sine * axis)},{radius_b * cosine:.17g}")
+
+
 def tubes(vertices, segments, radius, opaque):
-    x, colors = columns(vertices, "x", "y", "z"), columns(vertices, "red", "green", "blue", "alpha")
-    parts = [f"cone{{{vector(x[a])},{radius[a]:.17g},{vector(x[b])},{radius[b]:.17g} {texture((colors[a] + colors[b]) / 2, opaque)}}}"
-             for a, b in segments if (x[a] != x[b]).any()]
-    parts += [f"sphere{{{vector(p)},{r:.17g} {texture(c, opaque)}}}" for p, r, c in zip(x, radius, colors)]
-    return f"merge{{{' '.join(parts)}}}"
+    """A solid for each line."""
+    x, colors = columns(vertices, "x", "y", "z").astype(float), columns(vertices, "red", "green", "blue", "alpha")
+    parts = {}
+    for a, b in segments:
+        if shape := frustum(x[a], x[b], radius[a], radius[b]):
+            parts.setdefault(vertices["line"][a], []).append(f"{shape} {texture((colors[a] + colors[b]) / 2, opaque)}}}")
+    for p, r, color, line in zip(x, radius, colors, vertices["line"]):
+        if r > 0:
+            parts.setdefault(line, []).append(f"sphere{{{vector(p)},{r:.17g} {texture(color, opaque)}}}")
+    return " ".join(f"merge{{{' '.join(of_line)}}}" for of_line in parts.values())
 
 
 def points(vertices, radius, forward, profile, opaque):
