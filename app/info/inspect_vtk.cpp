@@ -107,21 +107,26 @@ std::string title_of(const std::filesystem::path& path) {
   return "VTK";
 }
 
-/// The first time of a file or, with the reason as a remark, the last: the first one is often
-/// written by hand.
+/// Returns the first time of a file. Where that cannot be read, as of cases whose first one is
+/// written by hand, it is the last, and `remark` says why.
 readers::VtkTime first_readable(const std::filesystem::path& path, std::string& remark) {
+  const auto read = [&](const char* time) {
+    return readers::read_vtk_file(path, {}, time).front();
+  };
+  std::string why;
   try {
-    return readers::read_vtk_file(path, {}, "first").front();
+    return read("first");
   } catch (const InputError& error) {
-    try {
-      const readers::VtkTime last = readers::read_vtk_file(path, {}, "last").front();
-      if (last.of.size() < 2) throw;
-      remark = fmt::format("told of the last time; the first is not read: {}", error.what());
-      return last;
-    } catch (const InputError&) {
-    }
-    throw;
+    why = error.what();
   }
+  try {
+    if (readers::VtkTime last = read("last"); last.of.size() > 1) {
+      remark = fmt::format("told of the last time; the first is not read: {}", why);
+      return last;
+    }
+  } catch (const InputError&) {  // the first complaint is the one that counts
+  }
+  throw InputError(why);
 }
 
 FileContents inspect_data_set(vtkDataSet& data, const std::filesystem::path& path) {

@@ -38,8 +38,8 @@ using OwnNrrd = std::unique_ptr<Nrrd, Nuke>;
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
-/// Of Teem's complaint, a line per function that passed it on, the last line: the first to
-/// complain.
+/// Teem complains in a line for each function that passed the complaint on. The last line is of the
+/// one that found the fault: it is told.
 [[noreturn]] void fail_as_teem(const Path& path) {
   const std::unique_ptr<char, decltype(&std::free)> text(biffGetDone(NRRD), std::free);
   std::string why = text ? text.get() : "";
@@ -60,7 +60,8 @@ struct Axes {
   std::optional<unsigned> row;
 };
 
-/// Of four axes of unknown kinds the first is that of the numbers, as in files of vectors.
+/// Finds them by their kinds. Where these are not known, the first of four axes holds the numbers,
+/// as in files of vectors.
 Axes axes_of(const Nrrd& nrrd, const Path& path) {
   Axes axes;
   for (unsigned a = 0; a < nrrd.dim; ++a) {

@@ -8,77 +8,16 @@
 #include <cmath>
 #include <random>
 
-#include "compare/methods/methods.h"
 #include "compare/pictures/faults/picture_shift.h"
 #include "compare/pictures/image_file.h"
-#include "core/options/names.h"
-#include "tests/support/pictures.h"
-#include "tests/support/scenes.h"
+#include "tests/compare/pictures/faults/faulty_pictures.h"
 
 namespace pellucid::compare {
 namespace {
 
-using namespace pellucid::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-constexpr int width = 120, height = 90;
-
-/// Not symmetric, a third of it uncovered, edges in all directions.
-scene::Scene any_scene(std::uint32_t seed) {
-  scene::Scene scene = empty_scene(width, height);
-  scene.objects.push_back({"triangles", random_triangles(40, seed, 0.9)});
-  scene.objects.push_back({"quarter", rectangle(-0.9, 0.1, 0.2, 0.8, 0.3, {0.9, 0.2, 0.1, 0.7})});
-  return scene;
-}
-
-Image drawn(const scene::Scene& scene, std::string_view method) {
-  return render(find_row("method", method, methods()), scene).image;
-}
-
-/// The colours as they were before the background, premultiplied.
-Image without_background(Image image, const Vec3& background) {
-  for (Rgba& p : image.pixels) p -= Rgba(background, 0) * (1 - p.a);
-  return image;
-}
-
-Image over(Image image, const Vec3& background) {
-  for (Rgba& p : image.pixels) p += Rgba(background, 0) * (1 - p.a);
-  return image;
-}
-
-Image straight(Image image, const Vec3& background) {
-  image = without_background(image, background);
-  for (Rgba& p : image.pixels)
-    if (p.a > 0) p = Rgba(p.r / p.a, p.g / p.a, p.b / p.a, p.a);
-  return image;
-}
-
-Image upside_down(const Image& image) {
-  Image result = image;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) result.at(x, y) = image.at(x, image.height - 1 - y);
-  return result;
-}
-
-Image mirrored(const Image& image) {
-  Image result = image;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) result.at(x, y) = image.at(image.width - 1 - x, y);
-  return result;
-}
-
-Image curved(Image image, double exponent) {
-  for (Rgba& p : image.pixels)
-    for (int c = 0; c < 3; ++c) p[c] = float(std::pow(double(p[c]), exponent));
-  return image;
-}
-
-Image without_alpha(Image image) {
-  for (Rgba& p : image.pixels) p.a = 1;
-  return image;
-}
 
 class PropertyGivenFaults : public ::testing::TestWithParam<const char*> {
  protected:
@@ -200,62 +139,6 @@ TEST(PropertyGivenFaultsOfMethods, NoMethodLooksWrongWhereLayersFade) {
   }
 }
 
-TEST(PropertyPictureShift, AnEmptyPictureIsNotShifted) {
-  const scene::Scene scene = any_scene(7);
-  const Image nothing(width, height, Rgba(scene.background, 0));
-  EXPECT_THAT(given_faults(drawn(scene, "raytrace"), nothing, scene.background), IsEmpty());
-}
-
-/// The same scene, moved by so many pixels to the right and down.
-Image moved(scene::Scene scene, double right, double down) {
-  const double pixel = scene.camera.height / height;
-  scene.camera.eye += Vec3(-right * pixel, down * pixel, 0);
-  scene.camera.target += Vec3(-right * pixel, down * pixel, 0);
-  return drawn(scene, "raytrace");
-}
-
-void expect_shift(const scene::Scene& scene, double right, double down, double tolerance) {
-  const auto shift =
-      picture_shift(drawn(scene, "raytrace"), moved(scene, right, down), scene.background);
-  ASSERT_TRUE(shift) << right << ", " << down;
-  EXPECT_NEAR(shift->x, right, tolerance);
-  EXPECT_NEAR(shift->y, down, tolerance);
-}
-
-/// Whole pixels are known as such, up to their border.
-TEST(PropertyPictureShift, SeveralWholePixelsAreToldExactly) {
-  for (const auto& [x, y] : {std::pair(3, 2), std::pair(-1, 0), std::pair(0, 4)})
-    expect_shift(any_scene(7), x, y, 0.02);
-}
-
-scene::Scene with_opacities(scene::Scene scene, double least, double most) {
-  for (scene::SceneObject& object : scene.objects)
-    for (Rgba& color : object.vertices().colors)
-      color.a = float(least + (most - least) * double(color.a));
-  return scene;
-}
-
-/// Of opacities of 0.003 to 0.02, far below what an 8-bit step of colours is wont to tell.
-TEST(PropertyPictureShift, HalfPixelsOfFaintLayersAreTold) {
-  const scene::Scene faint = with_opacities(any_scene(7), 0.003, 0.02);
-  for (const auto& [x, y] : {std::pair(0.5, 0.0), std::pair(0.0, 0.5), std::pair(-0.5, 0.5)})
-    expect_shift(faint, x, y, 0.1);
-  EXPECT_THAT(given_faults(drawn(faint, "raytrace"), moved(faint, -0.5, 0.5), faint.background),
-              ElementsAre(::testing::AllOf(HasSubstr("to the left and"), HasSubstr("down:"))));
-}
-
-/// A ground that covers everything leaves no edges of coverage: the colours have some.
-TEST(PropertyPictureShift, ShiftsBeforeAGroundAreTold) {
-  scene::Scene scene = any_scene(7);
-  scene.objects.back() = sheet(-0.95, {0.9, 0.9, 0.9, 0.5});
-  for (const auto& [x, y] : {std::pair(0.5, 0.0), std::pair(-0.5, -0.5), std::pair(2.0, 1.0)})
-    expect_shift(scene, x, y, 0.1);
-  const Image reference = drawn(scene, "raytrace");
-  for (const char* method : {"weighted-average", "weighted-blended", "fourier"})
-    EXPECT_THAT(given_faults(reference, drawn(scene, method), scene.background), IsEmpty())
-        << method;
-}
-
 /// Where all is opaque nothing tells that colours are straight, but what is beside them is seen.
 TEST(PropertyGivenFaultsOfBackgrounds, IsNamedBesideOpaqueThings) {
   const scene::Scene scene = with_opacities(any_scene(7), 1, 1);
@@ -274,90 +157,6 @@ TEST(PropertyGivenFaultsOfBackgrounds, IsNamedBehindWhatCoversAll) {
   for (const Image& image : {other, without_alpha(other)})
     EXPECT_THAT(given_faults(reference, image, scene.background),
                 ElementsAre(HasSubstr("another background: (0.9, 0.1, 0.1)")));
-}
-
-/// Of a field of view that is off a shift explains little: it is none.
-TEST(PropertyPictureShift, AnotherFieldOfViewIsNoShift) {
-  for (const std::uint32_t seed : {1u, 7u, 9u})
-    for (const double factor : {0.9, 0.95, 1.05, 1.1}) {
-      scene::Scene scene = any_scene(seed);
-      scene.camera.target.x = scene.camera.eye.x += 0.4;  // not in the middle: nearly a shift
-      const Image reference = drawn(scene, "raytrace");
-      scene.camera.height *= factor;
-      EXPECT_THAT(given_faults(reference, drawn(scene, "raytrace"), scene.background), IsEmpty())
-          << seed << ", " << factor;
-    }
-}
-
-/// Of two pictures, whichever is at fault: what a study says of one against the other.
-class PropertyPairFaults : public ::testing::Test {
- protected:
-  Image on(const Vec3& background) const { return over(none_, background); }
-  Image none_ = without_background(drawn(any_scene(7), "raytrace"), any_scene(7).background);
-};
-
-TEST_F(PropertyPairFaults, BackgroundsAreNoStraightColours) {
-  const PairFaults white = pair_faults(on(Vec3(1)), none_, true);
-  EXPECT_FALSE(white.straight);
-  EXPECT_THAT(white.of_test, ElementsAre(HasSubstr("premultiplied")));
-  for (const Vec3 color : {Vec3(1), Vec3(0.7)}) {
-    const PairFaults other = pair_faults(none_, on(color), true);
-    EXPECT_FALSE(other.straight);
-    EXPECT_THAT(other.of_test, ElementsAre(HasSubstr("has another background")));
-    EXPECT_THAT(other.of_reference, IsEmpty());
-  }
-  const PairFaults black = pair_faults(on(Vec3(0.7)), none_, true);
-  EXPECT_FALSE(black.straight);
-  EXPECT_THAT(black.of_test, ElementsAre(HasSubstr("premultiplied")));
-}
-
-TEST_F(PropertyPairFaults, StraightColoursAreToldOnEitherSide) {
-  const Image png = straight(none_, Vec3(0));
-  EXPECT_THAT(pair_faults(none_, png, true).straight, ::testing::Optional(HasSubstr("TEST looks")));
-  EXPECT_THAT(pair_faults(png, none_, true).straight,
-              ::testing::Optional(HasSubstr("REFERENCE looks")));
-}
-
-TEST_F(PropertyPairFaults, BytesAndBrightnessAreToldOnEitherSide) {
-  const Image white = on(Vec3(1));
-  for (const auto& [factor, text] : {std::pair(255.f, "255 times"), std::pair(0.5f, "half as")}) {
-    Image wrong = white;
-    for (Rgba& pixel : wrong.pixels) pixel = Rgba(factor * glm::vec3(pixel), pixel.a);
-    const PairFaults test = pair_faults(white, wrong, true),
-                     reference = pair_faults(wrong, white, true);
-    EXPECT_THAT(test.of_test, ElementsAre(HasSubstr(text)));
-    EXPECT_THAT(reference.of_reference, ElementsAre(HasSubstr(text)));
-    EXPECT_THAT(reference.of_test, IsEmpty());
-  }
-}
-
-/// A curve is undone either way; REFERENCE is right as long as that explains it.
-TEST_F(PropertyPairFaults, WhatEitherMayHaveIsOfTest) {
-  const Image blue = on({0.125, 0.25, 0.375});
-  for (const double exponent : {2.2, 1 / 2.2}) {
-    const PairFaults faults = pair_faults(blue, curved(blue, exponent), true);
-    EXPECT_THAT(faults.of_test, ElementsAre(HasSubstr("sRGB")));
-    EXPECT_THAT(faults.of_reference, IsEmpty());
-  }
-}
-
-TEST_F(PropertyPairFaults, NoMethodLooksWrongOnEitherSide) {
-  for (const Vec3 background : {Vec3(0), Vec3(1), Vec3(0.9, 0.1, 0.1)}) {
-    scene::Scene scene = any_scene(2);
-    scene.background = background;
-    const Image reference = drawn(scene, "raytrace");
-    for (const char* method : {"weighted-sum", "weighted-average", "weighted-blended", "fourier",
-                               "binning", "moment", "stochastic"}) {
-      const Image picture = drawn(scene, method);
-      for (const auto& [a, b] :
-           {std::pair(&reference, &picture), std::pair(&picture, &reference)}) {
-        const PairFaults faults = pair_faults(*a, *b, true);
-        EXPECT_FALSE(faults.straight) << method;
-        EXPECT_THAT(faults.of_test, IsEmpty()) << method;
-        EXPECT_THAT(faults.of_reference, IsEmpty()) << method;
-      }
-    }
-  }
 }
 
 }  // namespace
