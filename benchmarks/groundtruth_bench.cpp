@@ -186,15 +186,15 @@ void crossings_against_bare(benchmark::State& state, const scene::Scene& scene) 
   using Buffers = std::array<std::vector<groundtruth::Crossing>, groundtruth::RayPacket::width>;
   const auto find_all = [&] {
     tbb::enumerable_thread_specific<Buffers> buffers;
-    // A packet is 4 x 2 pixels; a task 16 x 16.
+    // A packet is 4 x 4 pixels; a task 16 x 16.
     tbb::parallel_for(
-        tbb::blocked_range2d<int>(0, (scene.height + 1) / 2, 8, 0, (scene.width + 3) / 4, 4),
+        tbb::blocked_range2d<int>(0, (scene.height + 3) / 4, 4, 0, (scene.width + 3) / 4, 4),
         [&](const auto& r) {
           std::vector<groundtruth::PictureRay> rays;
           for (int py = r.rows().begin(); py < r.rows().end(); ++py)
             for (int px = r.cols().begin(); px < r.cols().end(); ++px) {
               rays.clear();
-              for (int y = 2 * py; y < std::min(2 * py + 2, scene.height); ++y)
+              for (int y = 4 * py; y < std::min(4 * py + 4, scene.height); ++y)
                 for (int x = 4 * px; x < std::min(4 * px + 4, scene.width); ++x)
                   rays.push_back(finder.frame().ray(x + 0.5, y + 0.5));
               finder.find(rays, std::span(buffers.local()).first(rays.size()));

@@ -25,7 +25,7 @@
 namespace pellucid::groundtruth {
 namespace {
 
-constexpr int packet_columns = 4, packet_rows = 2;  // pixels whose rays are traced together
+constexpr int packet_columns = 4, packet_rows = 4;  // pixels whose rays are traced together
 constexpr int tile = 16;  // pixels; neighbours share the path through the hierarchy
 
 void check_adaptive(const scene::Scene& scene, const RaytraceOptions& options) {

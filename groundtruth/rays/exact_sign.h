@@ -46,6 +46,8 @@ class RayPredicate {
   void sharpen(const Vec3& a, const Vec3& b, const Vec3& c, EdgeFunctions& edges) const {
     if (std::abs(edges.e[0] + edges.e[1] + edges.e[2]) < sharp_from_) recompute(a, b, c, edges);
   }
+  /// Returns from which size of Σe on sharpen() leaves edge functions as they are.
+  double sharp_from() const { return sharp_from_; }
 
   /// Returns true when the ray's line crosses the disc around `center` that is parallel to the
   /// picture; then `squared_distance` is from ray to centre in the disc's plane. A ray that meets

@@ -3,19 +3,28 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
+
+#include "groundtruth/rays/triangle_point.h"
 
 namespace pellucid::groundtruth {
 namespace {
 
 constexpr std::size_t width = PacketPredicate::width;
 
-/// Edge functions of eight rays, and which rays they decide by themselves (bit i: ray i).
+/// Edge functions of the rays that are asked about, and which of them they decide by themselves
+/// (bit i: ray i).
 struct PacketEdges {
   alignas(64) double e[3][width];
-  std::uint32_t inside, outside;
+  std::uint32_t inside = 0, outside = 0;
+
+  EdgeFunctions of(int ray) const { return {{e[0][ray], e[1][ray], e[2][ray]}}; }
+  void set(int ray, const EdgeFunctions& edges) {
+    for (int k = 0; k < 3; ++k) e[k][ray] = edges.e[k];
+  }
 };
 
 /// A vertex as EdgeFunctions shears it, (x - ray.x · z, y - ray.y · z). Orthographic rays are
@@ -24,16 +33,28 @@ struct ShearedVertex {
   double x, y, z;
 };
 
-/// Rays as the test needs them, lane by lane.
+/// Rays as the test needs them, lane by lane, and those of them that are asked about.
 struct Lanes {
   const double *x, *y, *bound;
+  std::uint32_t asked;
 };
 
 using Triangle = std::array<ShearedVertex, 3>;
 
-/// The sums and products of RayPredicate, in the same order, so that no bit differs.
-[[gnu::always_inline]] inline void compute(const Lanes& rays, const Triangle& triangle,
-                                           PacketEdges& out) {
+// Both compute the sums and products of RayPredicate and of triangle_point(), in the same order, so
+// that no bit differs. Locate returns those of the rays which have to be sharpened.
+using Decide = void(const Lanes&, const Triangle&, PacketEdges&);
+using Locate = std::uint32_t(const PacketEdges&, std::uint32_t crossed, const double* sharp_from,
+                             const Vec3& depths, PacketPredicate::Points&);
+
+void store(PacketPredicate::Points& points, int ray, const TrianglePoint& point) {
+  const auto i = std::size_t(ray);
+  points.depth[i] = point.depth;
+  points.u[i] = point.u;
+  points.v[i] = point.v;
+}
+
+void decide_anywhere(const Lanes& rays, const Triangle& triangle, PacketEdges& out) {
   const auto& [a, b, c] = triangle;
   for (std::size_t i = 0; i < width; ++i) {
     const double ax = a.x - rays.x[i] * a.z, ay = a.y - rays.y[i] * a.z;
@@ -42,15 +63,6 @@ using Triangle = std::array<ShearedVertex, 3>;
     out.e[0][i] = bx * cy - by * cx;
     out.e[1][i] = cx * ay - cy * ax;
     out.e[2][i] = ax * by - ay * bx;
-  }
-}
-
-using Decide = void(const Lanes&, const Triangle&, PacketEdges&);
-
-void decide_anywhere(const Lanes& rays, const Triangle& triangle, PacketEdges& out) {
-  compute(rays, triangle, out);
-  out.inside = out.outside = 0;
-  for (std::size_t i = 0; i < width; ++i) {
     const double low = std::min({out.e[0][i], out.e[1][i], out.e[2][i]});
     const double high = std::max({out.e[0][i], out.e[1][i], out.e[2][i]});
     const double bound = rays.bound[i];
@@ -59,15 +71,39 @@ void decide_anywhere(const Lanes& rays, const Triangle& triangle, PacketEdges& o
   }
 }
 
+std::uint32_t locate_anywhere(const PacketEdges& edges, std::uint32_t crossed,
+                              const double* sharp_from, const Vec3& depths,
+                              PacketPredicate::Points& out) {
+  const Vec3 a(0, 0, depths.x), b(0, 0, depths.y), c(0, 0, depths.z);
+  std::uint32_t narrow = 0;
+  for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    const EdgeFunctions at = edges.of(i);
+    if (std::abs(at.e[0] + at.e[1] + at.e[2]) < sharp_from[i]) narrow |= 1u << i;
+    store(out, i, triangle_point(at, a, b, c));
+  }
+  return narrow;
+}
+
 #if defined(__x86_64__)
-/// Four lanes an instruction. Not FMA: it would round differently.
+// Four lanes an instruction; fours of which none is asked about are passed over. Not FMA: it would
+// round differently.
+
 [[gnu::target("avx2")]] void decide_avx2(const Lanes& rays, const Triangle& triangle,
                                          PacketEdges& out) {
-  compute(rays, triangle, out);
-  out.inside = out.outside = 0;
+  __m256d vertex[3][3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    vertex[k][0] = _mm256_set1_pd(triangle[k].x);
+    vertex[k][1] = _mm256_set1_pd(triangle[k].y);
+    vertex[k][2] = _mm256_set1_pd(triangle[k].z);
+  }
   for (std::size_t i = 0; i < width; i += 4) {
-    const __m256d e0 = _mm256_load_pd(out.e[0] + i), e1 = _mm256_load_pd(out.e[1] + i),
-                  e2 = _mm256_load_pd(out.e[2] + i);
+    if ((rays.asked >> i & 15) == 0) continue;
+    const __m256d x = _mm256_load_pd(rays.x + i), y = _mm256_load_pd(rays.y + i);
+    const __m256d ax = vertex[0][0] - x * vertex[0][2], ay = vertex[0][1] - y * vertex[0][2];
+    const __m256d bx = vertex[1][0] - x * vertex[1][2], by = vertex[1][1] - y * vertex[1][2];
+    const __m256d cx = vertex[2][0] - x * vertex[2][2], cy = vertex[2][1] - y * vertex[2][2];
+    const __m256d e0 = bx * cy - by * cx, e1 = cx * ay - cy * ax, e2 = ax * by - ay * bx;
     const __m256d low = _mm256_min_pd(_mm256_min_pd(e0, e1), e2);
     const __m256d high = _mm256_max_pd(_mm256_max_pd(e0, e1), e2);
     const __m256d bound = _mm256_load_pd(rays.bound + i), below = _mm256_set1_pd(0) - bound;
@@ -77,12 +113,48 @@ void decide_anywhere(const Lanes& rays, const Triangle& triangle, PacketEdges& o
     const __m256d reaches_above = _mm256_cmp_pd(high, bound, _CMP_GT_OQ);
     out.inside |= unsigned(_mm256_movemask_pd(_mm256_or_pd(above_all, below_all))) << i;
     out.outside |= unsigned(_mm256_movemask_pd(_mm256_and_pd(reaches_below, reaches_above))) << i;
+    _mm256_store_pd(out.e[0] + i, e0);
+    _mm256_store_pd(out.e[1] + i, e1);
+    _mm256_store_pd(out.e[2] + i, e2);
   }
 }
 
-Decide* fastest() { return __builtin_cpu_supports("avx2") ? decide_avx2 : decide_anywhere; }
+[[gnu::target("avx2")]] std::uint32_t locate_avx2(const PacketEdges& edges, std::uint32_t crossed,
+                                                  const double* sharp_from, const Vec3& depths,
+                                                  PacketPredicate::Points& out) {
+  const __m256d no_sign = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff));
+  const __m256d zero = _mm256_setzero_pd(), middle = _mm256_set1_pd(TrianglePoint::middle);
+  const __m256d at_a = _mm256_set1_pd(depths.x), to_b = _mm256_set1_pd(depths.y - depths.x),
+                to_c = _mm256_set1_pd(depths.z - depths.x);
+  std::uint32_t narrow = 0;
+  for (std::size_t i = 0; i < width; i += 4) {
+    if ((crossed >> i & 15) == 0) continue;
+    const __m256d e0 = _mm256_load_pd(edges.e[0] + i), e1 = _mm256_load_pd(edges.e[1] + i),
+                  e2 = _mm256_load_pd(edges.e[2] + i);
+    const __m256d sum = e0 + e1 + e2;
+    const __m256d none = _mm256_cmp_pd(sum, zero, _CMP_EQ_OQ);
+    const __m256d u = _mm256_blendv_pd(e1 / sum, middle, none);
+    const __m256d v = _mm256_blendv_pd(e2 / sum, middle, none);
+    _mm256_store_pd(out.u.data() + i, u);
+    _mm256_store_pd(out.v.data() + i, v);
+    _mm256_store_pd(out.depth.data() + i, at_a + u * to_b + v * to_c);
+    const __m256d size = _mm256_and_pd(sum, no_sign), least = _mm256_load_pd(sharp_from + i);
+    narrow |= unsigned(_mm256_movemask_pd(_mm256_cmp_pd(size, least, _CMP_LT_OQ))) << i;
+  }
+  return narrow & crossed;
+}
+
+struct Kernels {
+  Decide* decide;
+  Locate* locate;
+};
+
+Kernels fastest() {
+  if (__builtin_cpu_supports("avx2")) return {decide_avx2, locate_avx2};
+  return {decide_anywhere, locate_anywhere};
+}
 #else
-Decide* fastest() { return decide_anywhere; }
+Kernels fastest() { return {decide_anywhere, locate_anywhere}; }
 #endif
 
 ShearedVertex sheared(const Vec3& a, scene::Projection projection) {
@@ -96,28 +168,32 @@ void PacketPredicate::set(std::size_t lane, const RayPredicate& predicate) {
   x_[lane] = predicate.ray().x;
   y_[lane] = predicate.ray().y;
   bound_[lane] = predicate.bound();
+  sharp_from_[lane] = predicate.sharp_from();
 }
 
 std::uint32_t PacketPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
-                                       std::uint32_t lanes,
-                                       std::array<EdgeFunctions, width>& edges) const {
-  static Decide* const decide = fastest();
+                                       std::uint32_t lanes, Points& points) const {
+  static const Kernels kernels = fastest();
   const scene::Projection projection = predicates_.front()->ray().projection;
-  PacketEdges all;
-  decide({x_.data(), y_.data(), bound_.data()},
-         {sheared(a, projection), sheared(b, projection), sheared(c, projection)}, all);
-  const auto edges_of = [&](int i) {
-    return EdgeFunctions{{all.e[0][i], all.e[1][i], all.e[2][i]}};
-  };
-  std::uint32_t crossed = lanes & all.inside;
-  for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
+  PacketEdges edges;
+  kernels.decide({x_.data(), y_.data(), bound_.data(), lanes},
+                 {sheared(a, projection), sheared(b, projection), sheared(c, projection)}, edges);
+  std::uint32_t crossed = lanes & edges.inside;
+  for (std::uint32_t rest = lanes & ~(edges.inside | edges.outside); rest != 0; rest &= rest - 1) {
     const int i = std::countr_zero(rest);
-    edges[i] = edges_of(i);
+    EdgeFunctions decided = edges.of(i);
+    if (!predicates_[i]->crosses_uncertain(a, b, c, decided)) continue;
+    edges.set(i, decided);
+    crossed |= 1u << i;
   }
-  for (std::uint32_t rest = lanes & ~(all.inside | all.outside); rest != 0; rest &= rest - 1) {
-    const int i = std::countr_zero(rest);
-    edges[i] = edges_of(i);
-    if (predicates_[i]->crosses_uncertain(a, b, c, edges[i])) crossed |= 1u << i;
+  if (crossed == 0) return 0;
+  for (std::uint32_t narrow =
+           kernels.locate(edges, crossed, sharp_from_.data(), {a.z, b.z, c.z}, points);
+       narrow != 0; narrow &= narrow - 1) {
+    const int i = std::countr_zero(narrow);
+    EdgeFunctions sharp = edges.of(i);
+    predicates_[i]->sharpen(a, b, c, sharp);
+    store(points, i, triangle_point(sharp, a, b, c));
   }
   return crossed;
 }

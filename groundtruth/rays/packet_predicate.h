@@ -9,24 +9,29 @@
 
 namespace pellucid::groundtruth {
 
-/// A PacketPredicate decides which of up to eight rays cross a triangle: to the last bit what their
-/// RayPredicates say one by one, with the edge functions of all rays computed side by side. All
-/// rays are of one camera.
+/// A PacketPredicate decides which of up to sixteen rays cross a triangle, and where: to the last
+/// bit what their RayPredicates and triangle_point() say one by one, computed for all rays side by
+/// side. All rays are of one camera.
 class PacketPredicate {
  public:
-  static constexpr std::size_t width = 8;
+  static constexpr std::size_t width = 16;
+
+  /// Points are TrianglePoints of all rays, lane by lane.
+  struct alignas(64) Points {
+    std::array<double, width> depth, u, v;
+  };
 
   /// Takes a ray's predicate for the lane, lane 0 always; it has to stay where it is.
   void set(std::size_t lane, const RayPredicate& predicate);
 
-  /// Returns the subset of `lanes` (bit i: lane i) whose rays cross the triangle; `edges` then
-  /// holds their edge functions.
+  /// Returns the subset of `lanes` (bit i: lane i) whose rays cross the triangle; `points` then
+  /// holds where, by edge functions that are sharpened (see RayPredicate::sharpen).
   std::uint32_t crosses(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t lanes,
-                        std::array<EdgeFunctions, width>& edges) const;
+                        Points& points) const;
 
  private:
   std::array<const RayPredicate*, width> predicates_{};
-  alignas(64) std::array<double, width> x_{}, y_{}, bound_{};
+  alignas(64) std::array<double, width> x_{}, y_{}, bound_{}, sharp_from_{};
 };
 
 }  // namespace pellucid::groundtruth

@@ -70,13 +70,13 @@ Box3 RibbonGeometry::box(std::uint32_t segment) const {
   return box;
 }
 
-void RibbonGeometry::cross(std::uint32_t segment, const SceneRay& ray,
-                           std::vector<Crossing>& crossings) const {
+void RibbonGeometry::cross(std::uint32_t segment, const RayPacket& packet,
+                           std::uint32_t lanes) const {
   const std::array<Vec3, 4> corner = corners(segment);
   const auto triangles = scene::ribbon_triangles(0);
   for (std::uint32_t j = 0; j < 2; ++j) {
     const auto& [a, b, c] = triangles[j];
-    cross_triangle(corner[a], corner[b], corner[c], index_, 2 * segment + j, ray, crossings);
+    cross_triangle(corner[a], corner[b], corner[c], index_, 2 * segment + j, packet, lanes);
   }
 }
 

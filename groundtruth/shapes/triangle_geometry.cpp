@@ -53,24 +53,16 @@ double facing(const geometry::TriangleMesh& mesh, const VertexBlend<3>& at,
   return length > 0 ? std::abs(glm::dot(n, world_direction)) / length : 0;
 }
 
-/// Where the ray with the edge functions `edges`, which crosses the triangle, does so.
-Crossing to_crossing(const EdgeFunctions& edges, const Vec3& a, const Vec3& b, const Vec3& c,
-                     std::uint32_t object, std::uint32_t primitive) {
-  const double sum = edges.e[0] + edges.e[1] + edges.e[2];
-  // All zero: the unperturbed ray runs along the triangle; its centre stands for the crossing.
-  const double u = sum != 0 ? edges.e[1] / sum : 1.0 / 3, v = sum != 0 ? edges.e[2] / sum : 1.0 / 3;
-  return {a.z + u * (b.z - a.z) + v * (c.z - a.z), u, v, object, primitive};
-}
-
 }  // namespace
 
 void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t object,
-                    std::uint32_t primitive, const SceneRay& ray,
-                    std::vector<Crossing>& crossings) {
-  EdgeFunctions edges;
-  if (!ray.predicate.crosses(a, b, c, edges)) return;
-  ray.predicate.sharpen(a, b, c, edges);
-  crossings.push_back(to_crossing(edges, a, b, c, object, primitive));
+                    std::uint32_t primitive, const RayPacket& packet, std::uint32_t lanes) {
+  PacketPredicate::Points at;
+  for (std::uint32_t crossed = packet.predicate.crosses(a, b, c, lanes, at); crossed != 0;
+       crossed &= crossed - 1) {
+    const auto i = std::size_t(std::countr_zero(crossed));
+    packet.crossings[i]->push_back({at.depth[i], at.u[i], at.v[i], object, primitive});
+  }
 }
 
 double size_of(const Vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
@@ -167,17 +159,10 @@ std::uint32_t TriangleGeometry::box_count() const {
 Box3 TriangleGeometry::box(std::uint32_t k) const { return box(pieces_[k]); }
 
 void TriangleGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint32_t lanes) const {
-  std::array<EdgeFunctions, RayPacket::width> edges;
   const Piece& piece = pieces_[k];
   for (std::uint32_t t = piece.first; t < piece.first + piece.count; ++t) {
-    const auto& [ia, ib, ic] = mesh_.triangles[t];
-    const Vec3 &a = positions_[ia], &b = positions_[ib], &c = positions_[ic];
-    for (std::uint32_t crossed = packet.predicate.crosses(a, b, c, lanes, edges); crossed != 0;
-         crossed &= crossed - 1) {
-      const int i = std::countr_zero(crossed);
-      packet.rays[i].predicate.sharpen(a, b, c, edges[i]);
-      packet.crossings[i]->push_back(to_crossing(edges[i], a, b, c, index_, t));
-    }
+    const auto& [a, b, c] = mesh_.triangles[t];
+    cross_triangle(positions_[a], positions_[b], positions_[c], index_, t, packet, lanes);
   }
 }
 

@@ -7,10 +7,10 @@
 
 namespace pellucid::groundtruth {
 
-/// Appends the crossing of the ray with the flat triangle (a, b, c), if there is one; u and v are
-/// the weights of b and c.
+/// Appends to their lists the crossings of the packet's rays whose bit in `lanes` is set with the
+/// flat triangle (a, b, c); u and v are the weights of b and c.
 void cross_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t object,
-                    std::uint32_t primitive, const SceneRay& ray, std::vector<Crossing>& crossings);
+                    std::uint32_t primitive, const RayPacket& packet, std::uint32_t lanes);
 
 /// Returns the size of the largest coordinate.
 double size_of(const Vec3& x);

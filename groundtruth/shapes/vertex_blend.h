@@ -20,9 +20,15 @@ struct VertexBlend {
   std::array<double, N> weight;
 
   Fragment fragment(const geometry::Vertices& vertices) const {
-    glm::dvec4 rgba(0);
-    for (std::size_t i = 0; i < N; ++i) rgba += weight[i] * glm::dvec4(vertices.colors[vertex[i]]);
-    return {Vec3(rgba), held(rgba.a, [&](std::uint32_t v) { return vertices.colors[v].a; })};
+    using Pair = double __attribute__((vector_size(16)));  // the compiler pairs glm's no more
+    Pair rg{0, 0}, ba{0, 0};
+    for (std::size_t i = 0; i < N; ++i) {
+      const glm::vec4& color = vertices.colors[vertex[i]];
+      rg += weight[i] * Pair{color.r, color.g};
+      ba += weight[i] * Pair{color.b, color.a};
+    }
+    return {{rg[0], rg[1], ba[0]},
+            held(ba[1], [&](std::uint32_t v) { return vertices.colors[v].a; })};
   }
 
   double importance(const geometry::Vertices& vertices) const {

@@ -38,6 +38,12 @@ void throw_embree_error(void*, RTCError code, const char* text) {
   throw WorkError(fmt::format("Embree error {}: {}", static_cast<int>(code), text));
 }
 
+RTCDevice new_device() {
+  const RTCDevice device = rtcNewDevice(nullptr);
+  if (!device) throw WorkError("Embree cannot start on this machine");
+  return device;
+}
+
 bool count_memory(void* counter, ssize_t bytes, bool) {
   embree_tasks.enter();
   *static_cast<std::atomic<std::int64_t>*>(counter) += bytes;
@@ -51,8 +57,8 @@ BoxHierarchy::BoxHierarchy(std::vector<Object> objects, const Vec3& center,
     : motion_(callbacks.built_in ? Motion::still : motion),
       center_(center),
       objects_(std::move(objects)),
-      device_(rtcNewDevice(nullptr)) {
-  if (!device_) throw WorkError("Embree cannot start on this machine");
+      device_(new_device()),
+      traversal_(device_.get()) {
   rtcSetDeviceErrorFunction(device_.get(), throw_embree_error, nullptr);
   rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &embree_bytes_);
   scene_.reset(rtcNewScene(device_.get()));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "groundtruth/shapes/triangle_geometry.h"
-#include "groundtruth/traversal/embree.h"
+#include "groundtruth/traversal/packet_traversal.h"
 
 namespace pellucid::groundtruth {
 
@@ -50,7 +50,17 @@ class BoxHierarchy {
   /// Embree fails.
   bool move(std::vector<Object>& objects, const Vec3& center);
 
-  RTCScene scene() const { return scene_.get(); }
+  /// Lets the packet's valid rays meet the boxes: the callbacks are called, `decide` or
+  /// `decide_and_close`. See PacketTraversal.
+  ///@{
+  void decide(const int* valid, EmbreeContext& context, RTCRay16& rays) const {
+    traversal_.occluded(valid, scene_.get(), context, rays);
+  }
+  void decide_and_close(const int* valid, EmbreeContext& context, RTCRayHit16& rays) const {
+    traversal_.intersect(valid, scene_.get(), context, rays);
+  }
+  ///@}
+
   const Vec3& center() const { return center_; }                   // view coordinates
   const std::vector<Object>& objects() const { return objects_; }  // as Scene::objects
   std::uint64_t bytes() const;                                     // with what the geometries keep
@@ -76,6 +86,7 @@ class BoxHierarchy {
   std::atomic<std::int64_t> embree_bytes_ = 0;
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
+  PacketTraversal traversal_;
 };
 
 }  // namespace pellucid::groundtruth

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 
 #include "groundtruth/traversal/box_hierarchy.h"
 #include "groundtruth/traversal/crossing_order.h"
@@ -26,15 +27,16 @@ struct PacketContext {
   EmbreeContext embree;
   RayPacket rays;
   std::array<double, width> begins;  // of the traversals, from the rays' starts
+  std::uint32_t walking;             // bit i: ray i; Embree may ask about others (PacketTraversal)
 };
 
 /// The packet's rays that a callback is about.
 template <class Arguments>
-std::uint32_t valid_lanes(const Arguments& args, RTCRayN* rays) {
+std::uint32_t valid_lanes(const Arguments& args, RTCRayN* rays, const PacketContext& context) {
   std::uint32_t lanes = 0;
   for (unsigned i = 0; i < args.N; ++i)
     if (args.valid[i]) lanes |= 1u << RTCRayN_id(rays, args.N, i);
-  return lanes;
+  return lanes & context.walking;
 }
 
 /// Decides the candidates of a box, and never reports a hit to Embree, so that the traversal goes
@@ -42,7 +44,7 @@ std::uint32_t valid_lanes(const Arguments& args, RTCRayN* rays) {
 void decide(const RTCOccludedFunctionNArguments* args) {
   const auto& object = *static_cast<const BoxHierarchy::Object*>(args->geometryUserPtr);
   const PacketContext& context = *reinterpret_cast<const PacketContext*>(args->context);
-  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, args->ray));
+  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, args->ray, context));
 }
 
 /// Closes a traversal behind the nearest of these crossings, all with an opaque object: nothing
@@ -63,12 +65,13 @@ void decide_and_close(const RTCIntersectFunctionNArguments* args) {
   std::array<std::size_t, width> known;
   const std::size_t count = context.rays.rays.size();
   for (std::size_t k = 0; k < count; ++k) known[k] = context.rays.crossings[k]->size();
-  object.geometry->cross(args->primID, context.rays, valid_lanes(*args, rays));
+  const std::uint32_t lanes = valid_lanes(*args, rays, context);
+  object.geometry->cross(args->primID, context.rays, lanes);
   // A crossing with a part of a solid may lie within another part.
   if (!object.opaque || object.geometry->is_union()) return;
   for (unsigned i = 0; i < args->N; ++i) {
-    if (!args->valid[i]) continue;
     const unsigned k = RTCRayN_id(rays, args->N, i);
+    if (!args->valid[i] || (lanes >> k & 1) == 0) continue;
     close(RTCRayN_tfar(rays, args->N, i), context.rays.rays[k], context.begins[k],
           std::span(*context.rays.crossings[k]).subspan(known[k]));
   }
@@ -84,6 +87,7 @@ void take(const RTCFilterFunctionNArguments* args) {
     if (!args->valid[i]) continue;
     args->valid[i] = 0;
     const unsigned lane = RTCRayN_id(args->ray, args->N, i);
+    if ((context.walking >> lane & 1) == 0) continue;
     const double t = context.begins[lane] + RTCRayN_tfar(args->ray, args->N, i);
     context.rays.crossings[lane]->push_back(
         {t * context.rays.rays[lane].direction.z, RTCHitN_u(args->hit, args->N, i),
@@ -198,7 +202,7 @@ struct CrossingFinder::State {
   }
 
   void prepare(const PictureRay& ray, std::vector<Crossing>& crossings, std::size_t lane,
-               PacketContext& context, RTCRayHit8& traversal) const;
+               PacketContext& context, RTCRayHit16& traversal) const;
   double exact_depth(const Crossing& crossing, const PictureRay& ray) const {
     return hierarchy().objects()[crossing.object].geometry->exact_depth(crossing, ray);
   }
@@ -244,7 +248,7 @@ const ViewFrame& CrossingFinder::frame() const { return state_->frame; }
 
 void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>& crossings,
                                     std::size_t lane, PacketContext& context,
-                                    RTCRayHit8& embree) const {
+                                    RTCRayHit16& embree) const {
   crossings.clear();
   const bool perspective = ray.projection == scene::Projection::perspective;
   const Vec3 direction = perspective ? glm::normalize(Vec3(ray.x, ray.y, 1)) : Vec3(0, 0, 1);
@@ -258,7 +262,7 @@ void CrossingFinder::State::prepare(const PictureRay& ray, std::vector<Crossing>
   context.rays.predicate.set(lane, context.rays.rays.back().predicate);
   context.rays.crossings[lane] = &crossings;
   context.begins[lane] = begin;
-  RTCRay8& traversal = embree.ray;
+  RTCRay16& traversal = embree.ray;
   traversal.org_x[lane] = float(origin.x);
   traversal.org_y[lane] = float(origin.y);
   traversal.org_z[lane] = float(origin.z);
@@ -314,17 +318,18 @@ void CrossingFinder::find(std::span<const PictureRay> rays,
   // Not as coherent rays: Embree 3.13.5 then brings a candidate twice to rays of which a component
   // of the direction is 0.
   context.rays.rays.reserve(width);  // the packet's test points into it
-  RTCRayHit8 traversal{};
-  alignas(32) int valid[width] = {};
+  RTCRayHit16 traversal{};
+  alignas(64) int valid[width] = {};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     state_->prepare(rays[i], crossings[i], i, context, traversal);
-    valid[i] = traversal.ray.tfar[i] >= 0 ? -1 : 0;
+    if (!(traversal.ray.tfar[i] >= 0)) continue;
+    valid[i] = -1;
+    context.walking |= 1u << i;
   }
-  const RTCScene scene = state_->hierarchy().scene();
   if (state_->may_close)
-    traverse_intersect(valid, scene, context.embree, traversal);
+    state_->hierarchy().decide_and_close(valid, context.embree, traversal);
   else
-    traverse_occluded(valid, scene, context.embree, traversal.ray);
+    state_->hierarchy().decide(valid, context.embree, traversal.ray);
   for (std::size_t i = 0; i < rays.size(); ++i) state_->finish(context.rays.rays[i], crossings[i]);
 }
 
@@ -334,10 +339,20 @@ void CrossingFinder::round_depths(const PictureRay& ray, std::span<Crossing> cro
 }
 
 Fragment CrossingFinder::shade(const Crossing& crossing, const Vec3& world_direction) const {
-  const BoxHierarchy::Object& object = state_->hierarchy().objects()[crossing.object];
-  Fragment fragment = object.geometry->shade(crossing, world_direction);
-  if (object.opaque) fragment.opacity = 1;
+  Fragment fragment;
+  shade({&crossing, 1}, world_direction, {&fragment, 1});
   return fragment;
+}
+
+void CrossingFinder::shade(std::span<const Crossing> crossings, const Vec3& world_direction,
+                           std::span<Fragment> fragments) const {
+  const std::span<const BoxHierarchy::Object> objects = state_->hierarchy().objects();
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    const BoxHierarchy::Object& object = objects[crossings[i].object];
+    // In place: a copy would read in one piece what was just written in two, and wait for it.
+    new (&fragments[i]) Fragment(object.geometry->shade(crossings[i], world_direction));
+    if (object.opaque) fragments[i].opacity = 1;
+  }
 }
 
 double CrossingFinder::importance(const Crossing& crossing) const {

@@ -58,6 +58,10 @@ class CrossingFinder {
   /// Returns the colour and opacity of a crossing that find() returned; `world_direction` is its
   /// ray's, of any length.
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const;
+  /// Writes those of several crossings of a ray to `fragments`, which has at least as many
+  /// elements.
+  void shade(std::span<const Crossing> crossings, const Vec3& world_direction,
+             std::span<Fragment> fragments) const;
   /// Returns g at a crossing; 0 where the object has none, and where it is opaque: context.
   double importance(const Crossing& crossing) const;
 

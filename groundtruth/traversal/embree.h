@@ -40,6 +40,7 @@ inline void traverse_occluded(RTCScene scene, EmbreeContext& context, RTCRay& ra
 }
 
 /// Calls the occluded functions and filters of all that each valid ray meets.
+///@{
 inline void traverse_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
                               RTCRay8& rays) {
 #if RTC_VERSION_MAJOR >= 4
@@ -51,8 +52,21 @@ inline void traverse_occluded(const int* valid, RTCScene scene, EmbreeContext& c
   rtcOccluded8(valid, scene, &context, &rays);
 #endif
 }
+inline void traverse_occluded(const int* valid, RTCScene scene, EmbreeContext& context,
+                              RTCRay16& rays) {
+#if RTC_VERSION_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context;
+  rtcOccluded16(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded16(valid, scene, &context, &rays);
+#endif
+}
+///@}
 
 /// Calls the intersect functions, which may shorten their rays, of all that each valid ray meets.
+///@{
 inline void traverse_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
                                RTCRayHit8& rays) {
 #if RTC_VERSION_MAJOR >= 4
@@ -64,5 +78,17 @@ inline void traverse_intersect(const int* valid, RTCScene scene, EmbreeContext& 
   rtcIntersect8(valid, scene, &context, &rays);
 #endif
 }
+inline void traverse_intersect(const int* valid, RTCScene scene, EmbreeContext& context,
+                               RTCRayHit16& rays) {
+#if RTC_VERSION_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  rtcIntersect16(valid, scene, &rays, &arguments);
+#else
+  rtcIntersect16(valid, scene, &context, &rays);
+#endif
+}
+///@}
 
 }  // namespace pellucid::groundtruth

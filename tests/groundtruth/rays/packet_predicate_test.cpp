@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "groundtruth/rays/triangle_point.h"
+
 namespace pellucid::groundtruth {
 namespace {
 
@@ -34,8 +36,8 @@ TEST_P(PropertyPacketPredicate, SaysWhatTheTestOfEachRaySays) {
                          2, precision);
     PacketPredicate packet;
     for (std::size_t i = 0; i < tests.size(); ++i) packet.set(i, tests[i]);
-    const std::uint32_t lanes = random() % 256;
-    std::array<EdgeFunctions, PacketPredicate::width> together;
+    const std::uint32_t lanes = random() % (1u << PacketPredicate::width);
+    PacketPredicate::Points together;
     const std::uint32_t found = packet.crosses(a, b, c, lanes, together);
     EXPECT_EQ(found & ~lanes, 0u);
     for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -44,10 +46,12 @@ TEST_P(PropertyPacketPredicate, SaysWhatTheTestOfEachRaySays) {
       ASSERT_EQ(found >> i & 1, crosses);
       if (!crosses) continue;
       ++crossed;
-      for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(together[i].e[k], alone.e[k]);
-        on_edges += alone.e[k] == 0;
-      }
+      for (int k = 0; k < 3; ++k) on_edges += alone.e[k] == 0;
+      tests[i].sharpen(a, b, c, alone);
+      const TrianglePoint point = triangle_point(alone, a, b, c);
+      EXPECT_EQ(together.depth[i], point.depth);
+      EXPECT_EQ(together.u[i], point.u);
+      EXPECT_EQ(together.v[i], point.v);
     }
   }
   EXPECT_GT(crossed, 500);

@@ -66,10 +66,12 @@ TEST(SlowCrossings, GridAlignedSheetsAreCoveredAsByARasterizer) {
   const CrossingFinder finder(scene, Precision::exact);
   std::atomic<std::uint64_t> total = 0;
   parallel_for(0, 1000, [&](int y) {
-    std::array<std::vector<Crossing>, RayPacket::width> crossings;
-    std::array<PictureRay, RayPacket::width> rays;
-    for (int x = 0; x < 1000; x += 8) {
-      for (int k = 0; k < 8; ++k) rays[k] = finder.frame().ray(x + k + 0.5, y + 0.5);
+    constexpr int together = 8;  // rays
+    std::array<std::vector<Crossing>, together> crossings;
+    std::array<PictureRay, together> rays;
+    for (int x = 0; x < 1000; x += together) {
+      for (int k = 0; k < together; ++k)
+        rays[std::size_t(k)] = finder.frame().ray(x + k + 0.5, y + 0.5);
       finder.find(rays, crossings);
       for (const std::vector<Crossing>& of_ray : crossings) total += of_ray.size();
     }
@@ -204,12 +206,13 @@ TEST(PropertyPacket, RaysFindTogetherWhatEachFindsAlone) {
   std::array<std::vector<Crossing>, RayPacket::width> together;
   std::vector<Crossing> alone;
   std::size_t total = 0;
-  for (int y = 0; y < 96; y += 2)
+  for (int y = 0; y < 96; y += 4)
     for (int x = 0; x < 96; x += 4) {
       std::array<PictureRay, RayPacket::width> rays;
-      for (int k = 0; k < 8; ++k) rays[k] = finder.frame().ray(x + k % 4 + 0.5, y + k / 4 + 0.5);
+      for (std::size_t k = 0; k < rays.size(); ++k)
+        rays[k] = finder.frame().ray(x + k % 4 + 0.5, y + k / 4 + 0.5);
       finder.find(rays, together);
-      for (int k = 0; k < 8; ++k) {
+      for (std::size_t k = 0; k < rays.size(); ++k) {
         finder.find(rays[k], alone);
         ASSERT_EQ(together[k], alone) << x << " " << y << " " << k;
         total += alone.size();
