@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <poll.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -31,14 +33,21 @@ int complain(const std::exception& error, ExitCode code) {
   return code;
 }
 
+/// std::cout does not keep why it failed.
+bool reader_has_gone() {
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
+}
+
 /// What a full disk or a closed descriptor has kept from being printed is a failure; that a reader
 /// of a pipe has seen enough is none.
 int flushed(int code) {
   errno = 0;
   const bool printed = std::fflush(stdout) == 0 && std::cout.flush().good() && !std::ferror(stdout);
-  if (printed || errno == EPIPE || code != done) return code;
+  const int why = errno;
+  if (printed || why == EPIPE || code != done || reader_has_gone()) return code;
   std::cerr << "pellucid: cannot write to the standard output: "
-            << (errno ? std::strerror(errno) : "it takes no more") << '\n';
+            << (why ? std::strerror(why) : "it takes no more") << '\n';
   return work_failed;
 }
 

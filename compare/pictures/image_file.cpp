@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "compare/pictures/exr_file.h"
 #include "compare/pictures/png_file.h"
@@ -44,16 +46,33 @@ struct ChannelPlan {
 /// "R" and "beauty.R" are R.
 std::string last_name(const std::string& channel) { return channel.substr(channel.rfind('.') + 1); }
 
-/// The channel of one of these names, before one of a layer; -1 where there is none.
-int find_channel(const PictureFile& file, std::initializer_list<std::string_view> names) {
-  const auto is_one = [&](const std::string& name) {
-    return std::ranges::find(names, name) != names.end();
-  };
-  for (std::size_t i = 0; i < file.channels.size(); ++i)
-    if (is_one(file.channels[i].name)) return int(i);
-  for (std::size_t i = 0; i < file.channels.size(); ++i)
-    if (is_one(last_name(file.channels[i].name))) return int(i);
+/// "beauty." of "beauty.R"; empty of "R", which is of no layer.
+std::string layer_of(const std::string& channel) {
+  return channel.substr(0, channel.rfind('.') + 1);
+}
+
+/// The layer's channel of one of these names; -1 where there is none.
+int find_channel(const PictureFile& file, const std::string& layer,
+                 std::initializer_list<std::string_view> names) {
+  for (std::size_t i = 0; i < file.channels.size(); ++i) {
+    const std::string& name = file.channels[i].name;
+    if (layer_of(name) == layer && std::ranges::find(names, last_name(name)) != names.end())
+      return int(i);
+  }
   return -1;
+}
+
+int find_alpha(const PictureFile& file, const std::string& layer) {
+  return find_channel(file, layer, {"A", "a", "alpha"});
+}
+
+/// The layer's red, green and blue, if it has all three. None is another layer's.
+std::optional<ChannelPlan> colors_of(const PictureFile& file, const std::string& layer) {
+  const int red = find_channel(file, layer, {"R", "r", "red"}),
+            green = find_channel(file, layer, {"G", "g", "green"}),
+            blue = find_channel(file, layer, {"B", "b", "blue"});
+  if (red < 0 || green < 0 || blue < 0) return std::nullopt;
+  return ChannelPlan{{red, green, blue}, find_alpha(file, layer)};
 }
 
 [[noreturn]] void refuse_channels(const PictureFile& file, const fs::path& path) {
@@ -61,16 +80,20 @@ int find_channel(const PictureFile& file, std::initializer_list<std::string_view
   for (const Block& channel : file.channels) names.push_back(channel.name);
   throw InputError(
       fmt::format("{}: cannot read the picture: its channels are {}; accepted: R G B, "
-                  "Y, each with or without A, or one of any name",
+                  "Y, each with or without A and of one layer, or one of any name",
                   path.string(), fmt::join(names, ", ")));
 }
 
+/// Colours of no layer come before those of the only layer that has some.
 ChannelPlan plan_channels(const PictureFile& file, const fs::path& path) {
-  const int red = find_channel(file, {"R", "r", "red"}),
-            green = find_channel(file, {"G", "g", "green"}),
-            blue = find_channel(file, {"B", "b", "blue"}), grey = find_channel(file, {"Y", "y"}),
-            alpha = find_channel(file, {"A", "a", "alpha"});
-  if (red >= 0 && green >= 0 && blue >= 0) return {{red, green, blue}, alpha};
+  if (const auto plan = colors_of(file, "")) return *plan;
+  std::set<std::string> layers;
+  for (const Block& channel : file.channels)
+    if (colors_of(file, layer_of(channel.name))) layers.insert(layer_of(channel.name));
+  if (layers.size() > 1) refuse_channels(file, path);
+  if (layers.size() == 1) return *colors_of(file, *layers.begin());
+  const std::string layer = file.channels.empty() ? "" : layer_of(file.channels[0].name);
+  const int grey = find_channel(file, layer, {"Y", "y"}), alpha = find_alpha(file, layer);
   const bool is_grey = grey >= 0 && file.channels.size() == 1u + (alpha >= 0);
   if (is_grey) return {{grey, grey, grey}, alpha};
   if (file.channels.size() == 1) return {{0, 0, 0}, -1};

@@ -84,9 +84,25 @@ json intervals_json(const ResultRow& row) {
   return intervals;
 }
 
+/// As a page asks for it: bytes that mean something else in a URL, as '?', '#' and '%' do, are
+/// written by their numbers (RFC 3986, section 2.1).
+std::string url_of(const fs::path& path) {
+  constexpr std::string_view plain = "-._~/=,+";
+  std::string url;
+  for (const char c : path.generic_string()) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || plain.find(c) != std::string_view::npos;
+    if (is_plain)
+      url += c;
+    else
+      url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return url;
+}
+
 /// A picture of a page of one file stands in it; that of a folder's page beside it.
 std::string source_of(const fs::path& png, const fs::path& folder, bool in_folder) {
-  return in_folder ? png.lexically_relative(folder).generic_string() : data_uri(png);
+  return in_folder ? url_of(png.lexically_relative(folder)) : data_uri(png);
 }
 
 void add_pictures(const ReportCell& cell, const fs::path& folder, bool in_folder, json& j) {

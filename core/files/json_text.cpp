@@ -17,6 +17,18 @@ using nlohmann::json;
 
 constexpr int deepest = 100;  // levels
 
+constexpr char nul = '\0';
+
+bool holds_nul(std::string_view text) { return text.find(nul) != text.npos; }
+
+/// The parser takes a NUL for the end of its input and would not look at what follows. Zeros alone
+/// fill some files up, as chunks of .glb.
+void refuse_text_behind_nul(const std::string& file, std::string_view text) {
+  const std::size_t end = text.find(nul);
+  if (end != text.npos && text.find_first_not_of(nul, end) != text.npos)
+    throw InputError(fmt::format("{}: byte {} is 0, and more follows; accepted: JSON", file, end));
+}
+
 /// Watches what the parser meets, for what its result can't tell.
 class Watch {
  public:
@@ -26,6 +38,10 @@ class Watch {
     using Event = json::parse_event_t;
     if (depth > deepest)
       throw InputError(fmt::format("{}: nested more than {} levels deep", file_, deepest));
+    if ((event == json::parse_event_t::value || event == json::parse_event_t::key) &&
+        parsed.is_string() && holds_nul(parsed.get_ref<const std::string&>()))
+      throw InputError(fmt::format("{}: a text has the character \\u0000, at which systems cut it",
+                                   file_));
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
@@ -42,6 +58,7 @@ class Watch {
 }  // namespace
 
 json parse_json(const std::string& file, std::string_view text) {
+  refuse_text_behind_nul(file, text);
   try {
     Watch watch(file);
     return json::parse(text, [&](int depth, json::parse_event_t event, json& parsed) {

@@ -167,7 +167,9 @@ class Maker {
 
   bool is_longitude() const {
     const auto &x = source_.axes[0], &y = source_.axes[1];
-    if (source_.frame || !x.axis || !y.axis || !is_even(*x.axis, degree_rounding)) return false;
+    if (source_.frame || !x.axis || !is_even(*x.axis, degree_rounding)) return false;
+    // A section along one latitude; at y = 0 it may as well be a picture 360 samples wide.
+    if (!y.axis && y.front() == 0) return false;
     if (y.front() < -90 || y.back() > 90) return false;
     const double length = x.back() - x.front(), spacing = length / double(x.axis->size() - 1);
     const auto is_a_turn = [&](double angle) {

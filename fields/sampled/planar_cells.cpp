@@ -9,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -89,8 +90,8 @@ Plane plane_of(vtkDataSet& data, const Box3& bounds, const std::filesystem::path
 /// The triangles and quadrilaterals of a cell become prisms.
 class Prisms {
  public:
-  Prisms(vtkDataSet& data, const Plane& plane, double half)
-      : data_(data), count_(data.GetNumberOfPoints()) {
+  Prisms(vtkDataSet& data, const Plane& plane, double half, const std::filesystem::path& path)
+      : data_(data), path_(path), count_(data.GetNumberOfPoints()) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(2 * count_);
@@ -142,12 +143,26 @@ class Prisms {
   void add_triangles(vtkIdType cell) {
     vtkNew<vtkIdList> ids;
     vtkNew<vtkPoints> points;
-    data_.GetCell(cell)->Triangulate(0, ids, points);
+    if (!data_.GetCell(cell)->Triangulate(0, ids, points) && has_area())
+      throw InputError(fmt::format(
+          "{}: cell {}: its {} corners go around no plain polygon; accepted: polygons that neither "
+          "touch nor cross themselves, as those with a hole do: divide them where they come from",
+          path_.string(), cell, corners_->GetNumberOfIds()));
     for (vtkIdType k = 0; k + 2 < ids->GetNumberOfIds(); k += 3)
       add(cell, VTK_WEDGE, {ids->GetId(k), ids->GetId(k + 1), ids->GetId(k + 2)});
   }
 
+  /// Whether the corners of the cell at hand span more than their coordinates are rounded.
+  bool has_area() const {
+    double square = 0;
+    for (vtkIdType k = 1; k < corners_->GetNumberOfIds(); ++k)
+      square = std::max(square, glm::length(point_at(data_, corners_->GetId(k)) -
+                                            point_at(data_, corners_->GetId(0))));
+    return glm::length(area_vector(data_, *corners_)) > planar_rounding * square * square;
+  }
+
   vtkDataSet& data_;
+  const std::filesystem::path& path_;
   vtkIdType count_;
   vtkNew<vtkIdList> corners_;
   vtkSmartPointer<vtkUnstructuredGrid> grid_ = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -182,7 +197,7 @@ CheckedCells planar_cells(vtkDataSet& data, const Box3& bounds, const std::files
   require_planar(data, plane, path);
   // As thick as a cell is wide, if there are as many along both axes.
   const double width = bounds.diagonal() / std::sqrt(double(data.GetNumberOfCells()));
-  Prisms prisms(data, plane, 0.5 * width);
+  Prisms prisms(data, plane, 0.5 * width, path);
   const bool hides = readers::hides_cells(&data);
   for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i)
     if (is_shown_surface(data, i, hides)) prisms.add(i);

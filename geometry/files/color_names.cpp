@@ -29,6 +29,9 @@ std::map<std::string, std::string> color_channels(const std::vector<std::string>
       continue;
     for (std::size_t c = 0; c < 4; ++c)
       if (by_small.contains(family[c])) found[by_small[family[c]]] = rgba[c];
+    // "diffuse_red, …, alpha": of no other name, it would be one that counts as it stands.
+    if (!by_small.contains(family[3]) && by_small.contains("alpha"))
+      found[by_small["alpha"]] = "alpha";
     return found;
   }
   if (by_small.contains("alpha")) found[by_small["alpha"]] = "alpha";

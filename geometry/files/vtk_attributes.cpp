@@ -139,6 +139,21 @@ void take_vtk_attributes(VertexAttributes attributes, Vertices& vertices, bool c
   vertices.scalars.merge(scalars);
 }
 
+void remark_greys(vtkDataSet& data, Vertices& vertices) {
+  if (!vertices.colors.empty()) return;
+  const auto look = [&](vtkDataSetAttributes& arrays, const vtkDataArray* marks) {
+    vtkDataArray* const active = arrays.GetScalars();
+    if (!active || active == marks || active->GetDataType() != VTK_UNSIGNED_CHAR ||
+        active->GetNumberOfComponents() > 2)
+      return;
+    const char* const name = active->GetName() ? active->GetName() : "unnamed";
+    vertices.remarks.push_back(fmt::format(
+        "'{}' is of bytes, which VTK draws as greys: here it is read as scalars", name));
+  };
+  look(*data.GetPointData(), data.GetPointGhostArray());
+  look(*data.GetCellData(), data.GetCellGhostArray());
+}
+
 vtkDataArray* vtk_cell_colors(vtkDataSet& data, const VertexAttributes& of_points) {
   vtkDataArray* colors = find_colors(*data.GetCellData());
   const bool usable = colors && colors->GetNumberOfTuples() == data.GetNumberOfCells();

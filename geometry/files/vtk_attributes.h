@@ -30,6 +30,10 @@ VertexAttributes vtk_cell_scalars(vtkDataSet& data, const PointIds& cells);
 /// beyond [0, 1]. Remarks say it.
 void take_vtk_attributes(VertexAttributes attributes, Vertices& vertices, bool colored = false);
 
+/// Says of the bytes by which VTK draws, one grey or a grey and its opacity a point or cell
+/// (COLOR_SCALARS of a legacy file), that they are scalars here, where nothing else is a colour.
+void remark_greys(vtkDataSet& data, Vertices& vertices);
+
 /// Returns the colours of cells, unless the points have some or the file has not one of each cell:
 /// then nullptr.
 vtkDataArray* vtk_cell_colors(vtkDataSet& data, const VertexAttributes& of_points);

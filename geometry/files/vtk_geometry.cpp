@@ -181,6 +181,7 @@ FileMesh mesh_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   vtkDataArray* const colors = vtk_cell_colors(*data, attributes);
   take_vtk_attributes(std::move(attributes), mesh, colors);
   if (colors) color_faces(colors_of(*colors, cells), mesh);
+  remark_greys(*data, mesh);
   mesh.face_scalars = vtk_cell_scalars(*data, cells);
   take_face_values(vtk_cell_scalars(*data, each_once(cells)), mesh);
   return mesh;
@@ -203,6 +204,7 @@ FileLines lines_of(const vtkSmartPointer<vtkDataSet>& data_set) {
   lines.values = line_values(*data, points, cells, attributes);
   attributes.merge(vtk_cell_scalars(*data, cells));  // no two lines share a point here
   take_vtk_attributes(std::move(attributes), lines);
+  remark_greys(*data, lines);
   return lines;
 }
 
@@ -240,6 +242,7 @@ PointSet points_of(const vtkSmartPointer<vtkDataSet>& data) {
   VertexAttributes attributes = vtk_attributes(*data, points);
   add_of_vertex_cells(*data, points, attributes, set);
   take_vtk_attributes(std::move(attributes), set);
+  remark_greys(*data, set);
   return set;
 }
 

@@ -185,7 +185,10 @@ void FrontLine::span(const Place& a, const Place& b, Shadow shadow, bool split) 
     edges_.push_back({a.particle, b.particle, {}, true});
     return;
   }
-  const bool torn = (narrow && at_edge) || b.s - a.s <= closest_seeds;
+  // Where the flow changes, who parts at an instant does so for a while alone: there is no
+  // separatrix, and the surface is whole however far it is stretched.
+  const bool ends_here = at_edge && !(both && run_.is_unsteady());
+  const bool torn = (narrow && ends_here) || b.s - a.s <= closest_seeds;
   if (both && torn) run_.tear(a.s, b.s);
   if (torn) return run_.drop(std::move(shadow), EndReason::torn);
   if (!shadow && !run_.may_spawn()) return keep_coarse(a, b, std::move(shadow));

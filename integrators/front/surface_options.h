@@ -26,7 +26,7 @@ enum class GhostControl {
 struct SurfaceOptions {
   SurfaceNormals normals = SurfaceNormals::variational;
   GhostControl ghost = GhostControl::reset;
-  double rip = 1e-4;  // neighbours whose seeds are closer, in s, are torn, not refined
+  double rip = 1e-4;  // neighbours with closer seeds, in s, are torn where they part
   std::uint64_t max_particles = 1'000'000;  // the surface is not refined any more
   std::uint64_t max_triangles = 4'000'000;  // the surface ends: no default run goes on for minutes
   SteppingOptions stepping;

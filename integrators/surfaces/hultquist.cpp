@@ -13,6 +13,7 @@
 // - A front across a separatrix would be refined without end. When seeds are closer than `rip`, and
 //   the front still asks for a particle between them, the ribbon is torn. The surface is then
 //   started again, without the ribbons between those seeds, so that no earlier triangle spans them.
+//   A path surface of an unsteady flow has no separatrix, and is refined on.
 #include "integrators/surfaces/hultquist.h"
 
 #include <vector>

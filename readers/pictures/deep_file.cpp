@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/files/child_reader.h"
+#include "core/files/output_file.h"
 #include "readers/pictures/of_picture.h"
 
 namespace pellucid::readers {
@@ -57,6 +58,7 @@ std::uint64_t memory_for(const DeepHead& head, int first, int end) {
 }  // namespace
 
 bool is_deep_picture(const fs::path& path) {
+  require_file(path);  // who opens a pipe waits
   // The mark, and a version whose second byte has a flag for deep parts.
   constexpr std::string_view mark = "\x76\x2f\x31\x01";
   constexpr unsigned deep_flag = 0x08;

@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkAppendFilter.h>
+#include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -81,6 +85,51 @@ std::vector<NamedBlock> matching(const std::vector<NamedBlock>& blocks, std::str
       names.empty() ? "none, it holds one data set" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
+/// What holds the arrays of points, or of cells, of a data set.
+using Group = vtkDataSetAttributes* (*)(vtkDataSet& data);
+
+/// Whether all have the array, and not all its numbers as the same type.
+bool differs_in_type(const std::vector<vtkSmartPointer<vtkDataSet>>& all, Group group,
+                     const char* name) {
+  bool differs = false;
+  int type = -1;
+  for (const auto& data : all) {
+    vtkDataArray* const array = group(*data)->GetArray(name);
+    if (!array) return false;
+    if (type >= 0 && array->GetDataType() != type) differs = true;
+    type = array->GetDataType();
+  }
+  return differs;
+}
+
+void make_double(vtkDataSetAttributes& arrays, const char* name) {
+  vtkNew<vtkDoubleArray> doubles;
+  doubles->DeepCopy(arrays.GetArray(name));
+  doubles->SetName(name);
+  arrays.AddArray(doubles);  // in the other's place, active as it was
+}
+
+/// The data of blocks, whose arrays of one name are of one type: the filter that appends them
+/// leaves out in silence what is float in one and double in another.
+std::vector<vtkSmartPointer<vtkDataSet>> alike(const std::vector<NamedBlock>& blocks) {
+  std::vector<vtkSmartPointer<vtkDataSet>> all;
+  for (const NamedBlock& block : blocks) {
+    all.push_back(vtk::TakeSmartPointer(block.data->NewInstance()));
+    all.back()->ShallowCopy(block.data);
+  }
+  constexpr Group groups[] = {
+      [](vtkDataSet& data) -> vtkDataSetAttributes* { return data.GetPointData(); },
+      [](vtkDataSet& data) -> vtkDataSetAttributes* { return data.GetCellData(); }};
+  for (const Group group : groups)
+    for (int k = 0; k < group(*all.front())->GetNumberOfArrays(); ++k) {
+      const char* const name = group(*all.front())->GetArrayName(k);
+      if (!name || !differs_in_type(all, group, name)) continue;
+      const std::string kept = name;  // beyond the array that has it
+      for (const auto& data : all) make_double(*group(*data), kept.c_str());
+    }
+  return all;
+}
+
 }  // namespace
 
 std::vector<NamedBlock> blocks_within(vtkDataObject* data) {
@@ -112,7 +161,7 @@ std::vector<NamedBlock> chosen_blocks(std::vector<NamedBlock> blocks, const std:
 vtkSmartPointer<vtkDataSet> merged(const std::vector<NamedBlock>& blocks) {
   if (blocks.size() == 1) return blocks.front().data;
   vtkNew<vtkAppendFilter> append;
-  for (const NamedBlock& block : blocks) append->AddInputData(block.data);
+  for (const auto& data : alike(blocks)) append->AddInputData(data);
   append->Update();
   return append->GetOutput();
 }

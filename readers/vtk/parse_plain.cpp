@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkDataSetReader.h>
 #include <vtkImageData.h>
 #include <vtkObjectFactory.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPImageDataReader.h>
@@ -46,6 +49,31 @@ vtkSmartPointer<vtkAlgorithm> make_legacy(const std::filesystem::path& path) {
   return reader;
 }
 
+/// Takes the mark of a duplicate off every cell.
+void forget_duplicates(vtkDataSet& data) {
+  vtkUnsignedCharArray* const marks = data.GetCellGhostArray();
+  const vtkIdType count = marks ? marks->GetNumberOfTuples() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+    marks->SetValue(
+        i, static_cast<unsigned char>(marks->GetValue(i) & ~vtkDataSetAttributes::DUPLICATECELL));
+}
+
+/// Pieces of a grid along indices overlap where they have ghost cells. VTK takes each cell from one
+/// of them, with that piece's mark: left in, it would hide the only one that there is.
+template <class Reader>
+class GridPieces : public Reader {
+ public:
+  static GridPieces* New() { VTK_STANDARD_NEW_BODY(GridPieces); }
+
+ protected:
+  int RequestData(vtkInformation* request, vtkInformationVector** input,
+                  vtkInformationVector* output) override {
+    if (!Reader::RequestData(request, input, output)) return 0;
+    if (vtkDataSet* const data = vtkDataSet::GetData(output)) forget_duplicates(*data);
+    return 1;
+  }
+};
+
 using Direction = std::vector<double>;
 
 /// The nine numbers of the first image in the file, whose form check_xml() has seen; none where it
@@ -79,14 +107,14 @@ Direction direction_of_pieces(const std::filesystem::path& path) {
 }
 
 /// VTK 9.1 leaves out how the axes of images in pieces are turned.
-class PiecesReader : public vtkXMLPImageDataReader {
+class PiecesReader : public GridPieces<vtkXMLPImageDataReader> {
  public:
   static PiecesReader* New() { VTK_STANDARD_NEW_BODY(PiecesReader); }
 
  protected:
   int RequestData(vtkInformation* request, vtkInformationVector** input,
                   vtkInformationVector* output) override {
-    if (!vtkXMLPImageDataReader::RequestData(request, input, output)) return 0;
+    if (!GridPieces::RequestData(request, input, output)) return 0;
     const Direction direction = direction_of_pieces(GetFileName());
     if (direction.size() == 9) vtkImageData::GetData(output)->SetDirectionMatrix(direction.data());
     return 1;
@@ -100,8 +128,8 @@ constexpr VtkReader readers[] = {{".vti", make<vtkXMLImageDataReader>},
                                  {".vtp", make<vtkXMLPolyDataReader>},
                                  {".vtk", make_legacy},
                                  {".pvti", make<PiecesReader>},
-                                 {".pvtr", make<vtkXMLPRectilinearGridReader>},
-                                 {".pvts", make<vtkXMLPStructuredGridReader>},
+                                 {".pvtr", make<GridPieces<vtkXMLPRectilinearGridReader>>},
+                                 {".pvts", make<GridPieces<vtkXMLPStructuredGridReader>>},
                                  {".pvtu", make<vtkXMLPUnstructuredGridReader>},
                                  {".pvtp", make<vtkXMLPPolyDataReader>},
                                  {".vtm", make<vtkXMLMultiBlockDataReader>},

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readers/vtk/vtk_formats.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
+#include "core/error.h"
 #include "core/options/lower_case.h"
 #include "readers/vtk/case_files.h"
 #include "readers/vtk/xml_tags.h"
@@ -140,9 +143,22 @@ void add_named(const fs::path& file, std::vector<fs::path>& paths, int depth) {
       if (const auto name = tag.attributes.find(key); name != tag.attributes.end()) {
         const fs::path named = file.parent_path() / name->second;
         paths.push_back(named);
-        if (const VtkFormat* format = vtk_format(named); format && format->beside == Beside::named)
+        std::error_code code;
+        if (const VtkFormat* format = vtk_format(named);
+            format && format->beside == Beside::named && fs::is_regular_file(named, code))
           add_named(named, paths, depth + 1);
       }
+}
+
+/// Who opens a pipe waits for what comes out of it.
+void refuse_pipes(const std::vector<fs::path>& paths, const fs::path& by) {
+  for (const fs::path& path : paths) {
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+      throw InputError(fmt::format("{}: it names {}: a pipe or a device; accepted: a file",
+                                   by.string(), path.string()));
+  }
 }
 
 }  // namespace
@@ -177,6 +193,8 @@ std::vector<fs::path> files_beside(const fs::path& path, const VtkFormat& format
       paths = files_of_nrrd(path);
       break;
   }
+  // Of a case's folders it opens what it knows by name, whatever else lies there.
+  if (format.beside != Beside::tree) refuse_pipes(paths, path);
   keep_files(paths, path);
   return paths;
 }

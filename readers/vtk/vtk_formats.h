@@ -35,6 +35,7 @@ const VtkFormat* vtk_format(const std::filesystem::path& path);
 
 /// Returns the other files that VTK reads together with this one, by its row; such that are there.
 /// Limits of the program that parses it count their bytes; they are inputs, which none overwrites.
+/// Throws InputError where it names a pipe or a device.
 std::vector<std::filesystem::path> files_beside(const std::filesystem::path& path,
                                                 const VtkFormat& format);
 

@@ -9,9 +9,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -237,12 +240,123 @@ void check_pieces(const std::vector<XmlTag>& tags, const Path& path) {
                   missing ? fmt::format(", not the one at {}", fmt::join(*missing, " ")) : ""));
 }
 
+/// The arrays of points and of cells of one piece, by name.
+struct PieceArrays {
+  bool is_empty = false;
+  std::vector<std::string> of_points, of_cells;
+};
+
+bool is_empty_piece(const XmlTag& piece) {
+  const auto extent = extent_of(piece, "Extent");
+  const auto points = piece.attributes.find("NumberOfPoints");
+  return extent ? extent->is_empty() : points != piece.attributes.end() && points->second == "0";
+}
+
+/// Whether the arrays behind a tag are no more of points or of cells.
+bool ends_group(std::string_view tag) {
+  constexpr std::string_view tags[] = {"Piece", "Points", "Coordinates", "Cells",        "Verts",
+                                       "Lines", "Strips", "Polys",       "FieldData",    "PPoints",
+                                       "PCells", "PCoordinates"};
+  return std::ranges::find(tags, tag) != std::end(tags);
+}
+
+std::vector<PieceArrays> arrays_of_pieces(const std::vector<XmlTag>& tags) {
+  std::vector<PieceArrays> pieces;
+  std::vector<std::string>* names = nullptr;  // of the group that is open
+  for (const XmlTag& tag : tags) {
+    if (tag.name == "Piece") pieces.push_back({is_empty_piece(tag), {}, {}});
+    if (ends_group(tag.name)) names = nullptr;
+    if (tag.name == "PointData" && !pieces.empty()) names = &pieces.back().of_points;
+    if (tag.name == "CellData" && !pieces.empty()) names = &pieces.back().of_cells;
+    if (!names || (tag.name != "DataArray" && tag.name != "Array")) continue;
+    const auto name = tag.attributes.find("Name");
+    names->push_back(name == tag.attributes.end() ? "" : name->second);
+  }
+  std::erase_if(pieces, [](const PieceArrays& piece) { return piece.is_empty; });
+  return pieces;
+}
+
+/// VTK takes the arrays of each piece for those of the first by their place, whatever they are
+/// called, and leaves what a later piece does not have as memory was.
+void check_arrays(const std::vector<XmlTag>& tags, const Path& path) {
+  const std::vector<PieceArrays> pieces = arrays_of_pieces(tags);
+  for (const PieceArrays& piece : pieces)
+    for (const auto group : {&PieceArrays::of_points, &PieceArrays::of_cells})
+      if (const auto &first = pieces.front().*group, &own = piece.*group; own != first)
+        throw InputError(fmt::format(
+            "{}: not a valid {} file: one of its pieces has the arrays '{}', another one '{}'; "
+            "accepted: pieces that have the same in the same order",
+            path.string(), path.extension().string(), fmt::join(first, "', '"),
+            fmt::join(own, "', '")));
+}
+
+double count_in(const XmlTag& piece, std::string_view attribute) {
+  const auto found = piece.attributes.find(attribute);
+  double count = 0;
+  if (found != piece.attributes.end()) std::istringstream(found->second) >> count;
+  return count;
+}
+
+/// VTK 9.1 takes the first cells of a kind that it comes to for those of the first points, also
+/// where a piece before theirs has points, and no such cells.
+void check_first_cells(const std::vector<XmlTag>& tags, const Path& path) {
+  constexpr std::string_view kinds[] = {"NumberOfCells", "NumberOfVerts", "NumberOfLines",
+                                        "NumberOfStrips", "NumberOfPolys"};
+  for (const std::string_view kind : kinds) {
+    double points = 0;  // of the pieces before
+    for (const XmlTag& tag : tags) {
+      if (tag.name != "Piece") continue;
+      const bool is_first = count_in(tag, kind) > 0;
+      if (is_first && points > 0)
+        throw InputError(
+            fmt::format("{}: the first piece with {} above 0 stands behind one that has points and "
+                        "none of these cells, which VTK reads wrong; accepted: one piece, or "
+                        "such a piece first",
+                        path.string(), kind));
+      if (is_first) break;
+      points += count_in(tag, "NumberOfPoints");
+    }
+  }
+}
+
+/// How many numbers a tuple of an array has, by whether it is of cells, and name: what a file says
+/// of its own, or a file of pieces declares.
+using Widths = std::map<std::pair<bool, std::string>, double>;
+
+Widths widths_of(const std::vector<XmlTag>& tags) {
+  Widths widths;
+  std::optional<bool> of_cells;
+  for (const XmlTag& tag : tags) {
+    if (ends_group(tag.name)) of_cells.reset();
+    if (tag.name == "PointData" || tag.name == "PPointData") of_cells = false;
+    if (tag.name == "CellData" || tag.name == "PCellData") of_cells = true;
+    const auto name = tag.attributes.find("Name");
+    if (!of_cells || name == tag.attributes.end() ||
+        (tag.name != "DataArray" && tag.name != "PDataArray"))
+      continue;
+    const bool says_so = tag.attributes.contains("NumberOfComponents");
+    widths[{*of_cells, name->second}] = says_so ? count_in(tag, "NumberOfComponents") : 1;
+  }
+  return widths;
+}
+
+/// VTK copies the numbers of a piece as if they were as many as are declared.
+void check_widths(const std::vector<XmlTag>& tags, const Widths& declared, const Path& path) {
+  for (const auto& [array, width] : widths_of(tags))
+    if (const auto found = declared.find(array); found != declared.end() && found->second != width)
+      throw InputError(
+          fmt::format("{}: its array '{}' has NumberOfComponents=\"{}\"; accepted: {}, as the file "
+                      "of pieces says",
+                      path.string(), array.second, width, found->second));
+}
+
 bool is_structured(std::string_view ending) {
   return ending == ".vti" || ending == ".vtr" || ending == ".vts";
 }
 
-/// `in_parallel`: what a file of pieces names, which may be less than it says.
-void check_file(const Path& path, bool in_parallel, int depth) {
+/// `declared`: by the file of pieces that names this one, which may hold less than it says; else
+/// none.
+void check_file(const Path& path, const Widths* declared, int depth) {
   constexpr int deepest = 4;  // blocks of pieces of blocks; a file may name itself
   const VtkFormat* const format = vtk_format(path);
   std::error_code code;
@@ -250,13 +364,18 @@ void check_file(const Path& path, bool in_parallel, int depth) {
   if (!std::filesystem::is_regular_file(path, code)) return;  // VTK says so
   const std::vector<XmlTag> tags = xml_tags_before_data(path);
   for (const XmlTag& tag : tags) check_attributes(tag, path);
-  if (is_structured(format->ending) && !in_parallel) check_pieces(tags, path);
-  if (format->beside != Beside::named) return;
+  if (is_structured(format->ending) && !declared) check_pieces(tags, path);
+  if (declared) check_widths(tags, *declared, path);
+  if (format->beside != Beside::named) {
+    check_arrays(tags, path);
+    return check_first_cells(tags, path);
+  }
+  const Widths own = widths_of(tags);
   const bool names_pieces = format->ending.starts_with(".pvt");
   for (const XmlTag& tag : tags)
     for (const char* key : {"file", "Source"})
       if (const auto name = tag.attributes.find(key); name != tag.attributes.end())
-        check_file(path.parent_path() / name->second, names_pieces, depth + 1);
+        check_file(path.parent_path() / name->second, names_pieces ? &own : nullptr, depth + 1);
 }
 
 }  // namespace
@@ -267,6 +386,6 @@ bool is_xml(const VtkFormat& format) {
          ending != ".vtkhdf";
 }
 
-void check_xml(const Path& path) { check_file(path, false, 0); }
+void check_xml(const Path& path) { check_file(path, nullptr, 0); }
 
 }  // namespace pellucid::readers

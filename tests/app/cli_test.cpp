@@ -303,6 +303,17 @@ TEST_F(UnitCommandLine, ASceneAfterAnyOtherEqualsItselfAlone) {
   }
 }
 
+/// The reader of the pipe is gone before anything is printed, as `head` may be at any time.
+TEST_F(UnitCommandLine, WhoHasSeenEnoughIsNoFailure) {
+  for (const char* what : {"list methods", "list methods --json", "list studies", "--help"}) {
+    const std::string err = (folder_ / "err").string();
+    const std::string command = std::string("bash -c '(sleep 0.2; exec ") + PELLUCID_PROGRAM + " " +
+                                what + " 2> " + err + ") | true; exit ${PIPESTATUS[0]}'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << what;
+    EXPECT_EQ(read_text(err), "") << what;
+  }
+}
+
 TEST_F(UnitCommandLine, HelpAndVersionExitWithZero) {
   for (const char* arguments :
        {"--help", "--version", "render --help", "study --help", "frames --help", "compare --help",

@@ -71,6 +71,8 @@ constexpr Reading readings[] = {
     {"study", ".json", "study {} -o results"},
     {"picture_exr", ".exr", "compare {} good.exr --diff out.png"},
     {"picture_png", ".png", "compare good.exr {} --diff out.png"},
+    {"parts", ".exr", "merge {} -o out.exr"},
+    {"info", ".exr", "info {}"},
     {"field_vti", ".vti",
      "trace --field {} --integrator fixed-front --seed 0,0,0:1,0,0 --duration 1 -o out.ply"},
     {"field_vtk", ".vtk",

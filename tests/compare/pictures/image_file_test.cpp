@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "compare/pictures/exr_file.h"
 #include "core/error.h"
 #include "core/files/output_file.h"
 #include "tests/compare/pictures/metric_pairs.h"
@@ -88,6 +89,49 @@ TEST(UnitImageFile, WrongFilesAreNamed) {
               HasSubstr("accepted: .exr, .png"));
   EXPECT_THAT(input_error([&] { write_image(folder / "no/such/a.png", Image(2, 2), {}); }),
               HasSubstr("a.png"));
+}
+
+/// A pixel of these channels with the values 0, 1, 2, …, in this order.
+PictureRead read_pixel(const std::vector<std::string>& channels) {
+  const TemporaryFolder folder;
+  std::vector<float> values;
+  for (std::size_t i = 0; i < channels.size(); ++i) values.push_back(float(i));
+  write_text(folder / "a.exr",
+             encode_exr("a.exr", 1, 1, channels, Imf::FLOAT, values.data(), PictureText{}));
+  return read_picture(folder / "a.exr");
+}
+
+TEST(PropertyImageFile, EveryLayoutOfChannelsIsReadAsItIsNamedOrRefused) {
+  struct Layout {
+    std::vector<std::string> channels;
+    Rgba pixel;
+    bool has_alpha;
+  };
+  const Layout layouts[] = {{{"R", "G", "B", "A"}, {0, 1, 2, 3}, true},
+                            {{"B", "R", "G"}, {1, 2, 0, 1}, false},
+                            {{"red", "green", "blue", "alpha"}, {0, 1, 2, 3}, true},
+                            {{"R", "G", "B", "Z", "left.R"}, {0, 1, 2, 1}, false},
+                            {{"R", "G", "B", "shadow.A"}, {0, 1, 2, 1}, false},
+                            {{"a.R", "R", "G", "B"}, {1, 2, 3, 1}, false},
+                            {{"l.R", "l.G", "l.B", "l.A", "n.X"}, {0, 1, 2, 3}, true},
+                            {{"a.R", "b.R", "b.G", "b.B"}, {1, 2, 3, 1}, false},
+                            {{"Y"}, {0, 0, 0, 1}, false},
+                            {{"A", "Y"}, {1, 1, 1, 0}, true},
+                            {{"tau"}, {0, 0, 0, 1}, false}};
+  for (const Layout& layout : layouts) {
+    const PictureRead read = read_pixel(layout.channels);
+    EXPECT_EQ(read.image.at(0, 0), layout.pixel) << ::testing::PrintToString(layout.channels);
+    EXPECT_EQ(read.has_alpha, layout.has_alpha) << ::testing::PrintToString(layout.channels);
+  }
+  const std::vector<std::string> refused[] = {
+      {"R", "G"},
+      {"Y", "Z"},
+      {"a.R", "b.G", "c.B"},
+      {"albedo.R", "albedo.G", "albedo.B", "beauty.R", "beauty.G", "beauty.B"},
+      {"coverage", "transmittance", "near"}};
+  for (const std::vector<std::string>& channels : refused)
+    EXPECT_THAT(input_error([&] { read_pixel(channels); }), HasSubstr("its channels are"))
+        << ::testing::PrintToString(channels);
 }
 
 TEST(PropertyImageFile, NoTruncationIsReadAsAPicture) {

@@ -151,6 +151,24 @@ TEST(UnitReport, TakesTheFormThatFits) {
   EXPECT_FALSE(fs::exists(folder / "results/report"));  // no more than the page needs
 }
 
+/// A name is a path to the system and a URL to the page.
+TEST(UnitReport, PicturesOfAnySceneAreFound) {
+  const StudyFolder folder;
+  fs::copy_file(folder / "one.json", folder / "a?b#c%20.json");
+  const fs::path file = folder.study(R"(["shifted:by=0.5"])");
+  std::string text = read_text(file);
+  text.replace(text.find("one.json"), 8, "a?b#c%20.json");
+  write_text(file, text);
+  const Study study = load_study(file, fake_methods());
+  StudyOptions options;
+  options.folder = folder / "results";
+  const auto rows = run_study(study, options).rows;
+  write_report(options.folder, study, rows, {.most_bytes = 100'000});
+  const std::string page = read_text(folder / "results/report.html");
+  EXPECT_THAT(page, HasSubstr("\"images/a%3Fb%23c%2520/truth.png\""));
+  EXPECT_THAT(page, HasSubstr("\"images/two/truth.png\""));
+}
+
 TEST(UnitReport, TextCannotBecomeMarkup) {
   const StudyFolder folder;
   const std::string page = make_report(folder);

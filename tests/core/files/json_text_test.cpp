@@ -49,6 +49,14 @@ TEST(UnitJsonText, NestingIsBounded) {
   EXPECT_THAT(complaint_of(objects), HasSubstr("100 levels deep"));
 }
 
+TEST(UnitJsonText, NothingIsPassedOverBehindANul) {
+  using namespace std::string_literals;
+  EXPECT_THAT(complaint_of("{}\0{{{"s), HasSubstr("a.json: byte 2 is 0"));
+  EXPECT_EQ(complaint_of("{}\0\0\0"s), "accepted");
+  EXPECT_THAT(complaint_of(R"({"mesh": "a.ply\u0000.ply"})"), HasSubstr("\\u0000"));
+  EXPECT_THAT(complaint_of(R"({"a\u0000": 1})"), HasSubstr("\\u0000"));
+}
+
 TEST(UnitJsonText, BytesThatAreNoTextAreWrittenAsSuch) {
   EXPECT_EQ(json_text({{"file", "\xFF.ply"}}), "{\"file\":\"\uFFFD.ply\"}");
 }

@@ -135,6 +135,12 @@ TEST_F(UnitPeriodic, ALongitudeGoesAround) {
                     1e-12);
   }
   EXPECT_EQ(status_at(*read(open, ":periodic=none", east), {359, 0, 0.5}), SampleStatus::outside);
+  // A section along one latitude; at 0 it may be anything.
+  const Axes section{evenly(0, 2, 180), {45}, evenly(0, 1, 2)};
+  EXPECT_NEAR_VEC(velocity_of(*read(section, "", east), {719, 45, 0.5}),
+                  0.5 * (east({358, 0, 0}) + east({0, 0, 0})), 1e-12);
+  const Axes flat{evenly(0, 2, 180), {0}, evenly(0, 1, 2)};
+  EXPECT_EQ(status_at(*read(flat, "", east), {359, 0, 0.5}), SampleStatus::outside);
   // Not a longitude: no whole turn, no latitude beside it, or ends that differ.
   const Axes short_of{evenly(0, 2, 179), evenly(-10, 10, 3), evenly(0, 1, 2)};
   const Axes beyond_the_pole{evenly(0, 2, 180), evenly(0, 50, 3), evenly(0, 1, 2)};

@@ -70,6 +70,27 @@ TEST_F(UnitPieces, BlocksAreMerged) {
   EXPECT_TRUE(paths.contains(folder_ / "right.vtu"));  // a report knows what was read
 }
 
+/// Vectors that are floats in one block and doubles in the other are there all the same, and no
+/// others are taken for them.
+TEST_F(UnitPieces, BlocksOfFloatsAndOfDoublesAreMerged) {
+  const auto both = [](const Axes& axes, std::string_view type) {
+    const auto points = crossings(axes);
+    std::string text = vectors("U", points, straight);
+    text.replace(text.find("Float64"), 7, type);
+    std::string file = unstructured(points, hexahedra(axes), text + vectors("W", points, [](auto&) {
+                                                               return Vec3(0, 0, 9);
+                                                             }));
+    return file.insert(file.find("<PointData") + 10, " Vectors=\"U\"");
+  };
+  write_bytes(folder_ / "left.vtu", both(left, "Float32"));
+  write_bytes(folder_ / "right.vtu", both(right, "Float64"));
+  for (const char* options : {"", ":array=U"}) {
+    const auto field = read("b.vtm", blocks, options);
+    for (const Vec3& x : {Vec3(0.3, 0.7, 1.2), Vec3(2.8, 1.4, 1.9)})
+      EXPECT_NEAR_VEC(velocity_of(*field, x), straight(x), 1e-6) << options;
+  }
+}
+
 TEST_F(UnitPieces, BlocksAreChosenByName) {
   for (const char* options : {":block=east", ":block=body/east"}) {
     const auto field = read("b.vtm", blocks, options);
@@ -122,6 +143,30 @@ TEST_F(UnitPieces, PiecesOfAnImageAreOneGrid) {
   EXPECT_NEAR_VEC(velocity_of(*field, {1.7, 0.4, 1.1}), straight({1.7, 0.4, 1.1}), 1e-12);
   EXPECT_NEAR_VEC(velocity_of(*field, {3.2, 0.4, 1.1}), straight({3.2, 0.4, 1.1}), 1e-12);
   EXPECT_THAT(field->description(), HasSubstr("5 × 3 × 3"));
+}
+
+/// Two pieces that share two cells, one of which each marks as the other's.
+TEST_F(UnitPieces, GhostsOfPiecesAreCellsOfTheGrid) {
+  const auto piece = [](int first, int ghost) {
+    std::string marks;
+    for (int cell = 0; cell < 12; ++cell) marks += (first + cell % 3 == ghost) ? "1 " : "0 ";
+    std::string text = image_piece(first, first + 3);
+    marks = vtk_files::array("vtkGhostType", "UInt8", 1, marks);
+    return text.insert(text.find("</Piece>"), "<CellData>" + marks + "</CellData>");
+  };
+  write_bytes(folder_ / "0.vti", piece(0, 2));
+  write_bytes(folder_ / "1.vti", piece(1, 1));
+  const auto field = read(
+      "g.pvti",
+      "<VTKFile type=\"PImageData\" version=\"0.1\" byte_order=\"LittleEndian\">"
+      "<PImageData WholeExtent=\"0 4 0 2 0 2\" GhostLevel=\"1\" Origin=\"0 0 0\" "
+      "Spacing=\"1 1 1\">"
+      "<PPointData><PDataArray type=\"Float64\" Name=\"U\" NumberOfComponents=\"3\"/>"
+      "</PPointData><PCellData><PDataArray type=\"UInt8\" Name=\"vtkGhostType\"/></PCellData>"
+      "<Piece Extent=\"0 3 0 2 0 2\" Source=\"0.vti\"/>"
+      "<Piece Extent=\"1 4 0 2 0 2\" Source=\"1.vti\"/></PImageData></VTKFile>");
+  for (const double x : {0.5, 1.5, 2.5, 3.5})
+    EXPECT_NEAR_VEC(velocity_of(*field, {x, 0.4, 1.1}), straight({x, 0.4, 1.1}), 1e-12) << x;
 }
 
 /// A quarter turn about z, said by the file, by its pieces or by both.

@@ -53,6 +53,19 @@ TEST_F(UnitChannels, AnAlphaOfVtkBesideAColourIsItsOpacity) {
   EXPECT_THAT(mesh.remarks, IsEmpty());
 }
 
+/// COLOR_SCALARS of one number are a luminance, which VTK draws as it stands.
+TEST_F(UnitChannels, GreysOfVtkAreNamed) {
+  for (const auto& [points, cell] :
+       {std::pair("COLOR_SCALARS c 1\n0.2 0.4 0.6\n", ""), {"", "COLOR_SCALARS c 2\n0.2 1\n"}}) {
+    const TriangleMesh mesh = read_mesh(triangle(points, cell));
+    EXPECT_THAT(mesh.colors, IsEmpty());
+    EXPECT_THAT(mesh.remarks, ElementsAre("'c' is of bytes, which VTK draws as greys: here it is "
+                                          "read as scalars"));
+  }
+  EXPECT_THAT(read_mesh(triangle("COLOR_SCALARS c 3\n1 0 0 1 0 0 1 0 0\n")).remarks, IsEmpty());
+  EXPECT_THAT(read_mesh(triangle(scalars("s", "1 2 3"))).remarks, IsEmpty());
+}
+
 TEST_F(UnitChannels, AnImportanceOfVtkBeyondTheUnitIsAScalar) {
   const TriangleMesh within = read_mesh(triangle(scalars("importance", "0 0.5 1")));
   EXPECT_THAT(within.importance, ElementsAre(0, 0.5, 1));

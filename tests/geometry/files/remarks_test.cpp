@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a reader mended or left out it says: a grey or oddly lit picture has a reason to be found.
 
+#include <sstream>
+
 #include "geometry/files/color_names.h"
 #include "tests/geometry/files/format_files.h"
 
@@ -42,6 +44,19 @@ TEST_F(UnitRemarks, ASecondFamilyOfColoursIsNamed) {
   EXPECT_THAT(mesh.remarks,
               ElementsAre("'diffuse_red diffuse_green diffuse_blue' is called as colours are, and "
                           "is read as scalars: the colours are another array's"));
+}
+
+TEST_F(UnitRemarks, AnAlphaOfBytesGoesWithAnyFamilyOfColours) {
+  for (const char* names : {"diffuse_red diffuse_green diffuse_blue alpha", "r g b alpha"}) {
+    std::string properties;
+    std::istringstream words(names);
+    for (std::string name; words >> name;) properties += "property uchar " + name + "\n";
+    const TriangleMesh mesh = read_mesh(file(
+        "a.ply",
+        points_ply(properties, "0 0 0 255 0 0 51\n1 0 0 255 0 0 51\n0 1 0 255 0 0 51\n")));
+    EXPECT_EQ(mesh.colors, std::vector<Rgba>(3, Rgba(1, 0, 0, 0.2f)));
+    EXPECT_THAT(mesh.remarks, IsEmpty());
+  }
 }
 
 /// Colours in 0 … 255 that are not bytes: which unit they have, the file does not say.

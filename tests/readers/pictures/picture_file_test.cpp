@@ -195,6 +195,20 @@ TEST_F(UnitPictureFile, RefusesDeepData) {
   EXPECT_THAT(refusal(path), HasSubstr("deep.exr: cannot read the picture: it is deep"));
 }
 
+TEST_F(UnitPictureFile, RefusesSeveralParts) {
+  const Kind kind{"", ".exr", TypeDesc::FLOAT, 3, 4096};
+  const ImageSpec parts[] = {spec_of(kind), spec_of(kind)};
+  const std::vector<float> values = values_of(kind);
+  const auto path = folder_ / "parts.exr";
+  const auto output = OIIO::ImageOutput::create(path.string());
+  ASSERT_TRUE(output->open(path.string(), 2, parts)) << output->geterror();
+  ASSERT_TRUE(output->write_image(TypeDesc::FLOAT, values.data())) << output->geterror();
+  ASSERT_TRUE(output->open(path.string(), parts[1], OIIO::ImageOutput::AppendSubimage));
+  ASSERT_TRUE(output->write_image(TypeDesc::FLOAT, values.data())) << output->geterror();
+  ASSERT_TRUE(output->close());
+  EXPECT_THAT(refusal(path), HasSubstr("parts.exr: cannot read the picture: it has 2 parts"));
+}
+
 TEST_F(UnitPictureFile, RefusesWhatIsNoPicture) {
   write_text(folder_ / "text.png", "not a picture");
   EXPECT_THAT(refusal(folder_ / "text.png"), HasSubstr("text.png: "));

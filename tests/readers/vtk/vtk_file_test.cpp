@@ -99,6 +99,25 @@ TEST_F(UnitVtkFile, OnlyFilesAreRead) {
   EXPECT_THAT(complaint_about(folder_ / "pipe.vtu"), HasSubstr("a pipe"));
 }
 
+/// Whoever opens what a file names would wait as well: this process for blocks of blocks.
+TEST_F(UnitVtkFile, NorAreOthersThatAFileNames) {
+  for (const char* name : {"pipe.vtu", "pipe.vtm", "pipe.q", "pipe.raw"})
+    ASSERT_EQ(::mkfifo((folder_ / name).c_str(), 0600), 0);
+  for (const char* named : {"pipe.vtu", "pipe.vtm"})
+    EXPECT_THAT(complaint_about("whole.vtm",
+                                fmt::format(R"(<VTKFile type="vtkMultiBlockDataSet" version="1.0">
+<vtkMultiBlockDataSet><DataSet index="0" file="{}"/></vtkMultiBlockDataSet></VTKFile>
+)",
+                                            named)),
+                HasSubstr("a pipe"));
+  EXPECT_THAT(complaint_about("pipe.xyz", "2 2 2\n"), HasSubstr("a pipe"));
+  EXPECT_THAT(complaint_about("a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: pipe.raw\n"),
+              HasSubstr("a pipe"));
+  EXPECT_THAT(complaint_about("a.nhdr", "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\n"
+                                        "encoding: raw\ndata file: pipe.raw\n"),
+              HasSubstr("a pipe"));
+}
+
 TEST_F(UnitVtkFile, TheFileAndItsReaderAreNoted) {
   const FilesRead read;
   complaint_about("a.vtp", poly("1", "0 1 2", "3"));

@@ -117,6 +117,54 @@ TEST_F(UnitXmlChecks, AFlatGridHasCells) {
   EXPECT_NE(flat({"0 5 0 3 0 0"}), "");
 }
 
+TEST_F(UnitXmlChecks, PiecesHaveTheSameArraysInOneOrder) {
+  const auto piece = [](const std::string& arrays, int points = 8) {
+    std::string text;
+    for (const char name : arrays) text += fmt::format("<DataArray Name=\"{}\"/>", name);
+    return fmt::format(
+        "<Piece NumberOfPoints=\"{}\"><PointData>{}</PointData><Points><DataArray Name=\"x\"/>"
+        "</Points><Cells><DataArray Name=\"types\"/></Cells></Piece>",
+        points, text);
+  };
+  const auto of = [&](const std::string& pieces) { return complaint("a.vtu", pieces); };
+  EXPECT_EQ(of(piece("UW") + piece("UW")), "");
+  EXPECT_EQ(of(piece("", 0) + piece("UW") + piece("", 0) + piece("UW")), "");
+  EXPECT_THAT(of(piece("UW") + piece("WU")),
+              HasSubstr("one of its pieces has the arrays 'U', 'W', another one 'W', 'U'"));
+  EXPECT_THAT(of(piece("UW") + piece("W")), HasSubstr("another one 'W'; accepted"));
+  EXPECT_THAT(of(piece("U") + piece("UW")), HasSubstr("accepted: pieces that have the same"));
+}
+
+/// VTK would join the line to the polygon's points.
+TEST_F(UnitXmlChecks, TheFirstCellsOfAKindAreInTheFirstPiece) {
+  const auto piece = [](int points, int lines, int polygons) {
+    return fmt::format(
+        "<Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\" NumberOfPolys=\"{}\"/>", points, lines,
+        polygons);
+  };
+  const auto of = [&](const std::string& pieces) { return complaint("a.vtp", pieces); };
+  EXPECT_EQ(of(piece(4, 1, 1) + piece(4, 0, 1) + piece(4, 1, 0)), "");
+  EXPECT_EQ(of(piece(0, 0, 0) + piece(4, 0, 1) + piece(4, 0, 1)), "");
+  EXPECT_THAT(of(piece(4, 0, 1) + piece(2, 1, 0)), HasSubstr("NumberOfLines above 0"));
+  EXPECT_THAT(complaint("a.vtu", "<Piece NumberOfPoints=\"4\" NumberOfCells=\"0\"/>"
+                                 "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"/>"),
+              HasSubstr("NumberOfCells above 0"));
+}
+
+TEST_F(UnitXmlChecks, PiecesHaveArraysAsDeclared) {
+  write_text(folder_ / "0.vtu",
+             "<Piece NumberOfPoints=\"8\"><PointData><DataArray Name=\"U\" "
+             "NumberOfComponents=\"2\"/></PointData><CellData><DataArray Name=\"p\"/></CellData>");
+  const auto of = [&](const std::string& declared) {
+    return complaint("a.pvtu", "<PPointData>" + declared + "</PPointData><PCellData><PDataArray "
+                               "Name=\"p\"/></PCellData><Piece Source=\"0.vtu\"/>");
+  };
+  EXPECT_EQ(of("<PDataArray Name=\"U\" NumberOfComponents=\"2\"/>"), "");
+  EXPECT_EQ(of(""), "");
+  EXPECT_THAT(of("<PDataArray Name=\"U\" NumberOfComponents=\"3\"/>"),
+              HasSubstr("0.vtu: its array 'U' has NumberOfComponents=\"2\"; accepted: 3"));
+}
+
 /// A file of blocks is as good as its blocks; the pieces of a parallel file may name the whole.
 TEST_F(UnitXmlChecks, FilesThatAreNamed) {
   write_text(folder_ / "half.vti", grid("WholeExtent=\"0 9 0 3 0 2\"", {"0 4 0 3 0 2"}));
