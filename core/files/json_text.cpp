@@ -40,8 +40,8 @@ class Watch {
       throw InputError(fmt::format("{}: nested more than {} levels deep", file_, deepest));
     if ((event == json::parse_event_t::value || event == json::parse_event_t::key) &&
         parsed.is_string() && holds_nul(parsed.get_ref<const std::string&>()))
-      throw InputError(fmt::format("{}: a text has the character \\u0000, at which systems cut it",
-                                   file_));
+      throw InputError(
+          fmt::format("{}: a text has the character \\u0000, at which systems cut it", file_));
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)

@@ -78,8 +78,7 @@ void parse_exr(const std::filesystem::path& path, BlockWriter& out) {
   const PictureWindow data = window_of(box), picture = window_of(header.displayWindow());
   check_kind(path, header);
   if (file.parts() > 1)  // of which the first may hold no colours, and the others differ
-    cannot_read_picture(path,
-                        "it has " + std::to_string(file.parts()) + " parts; accepted: one");
+    cannot_read_picture(path, "it has " + std::to_string(file.parts()) + " parts; accepted: one");
   std::vector<ChannelValues> channels = channels_of(header);
   check_picture_size(path, data, picture, channels.size());
   for (ChannelValues& channel : channels) channel.bits.resize(std::size_t(data.pixels()));

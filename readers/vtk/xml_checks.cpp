@@ -254,9 +254,9 @@ bool is_empty_piece(const XmlTag& piece) {
 
 /// Whether the arrays behind a tag are no more of points or of cells.
 bool ends_group(std::string_view tag) {
-  constexpr std::string_view tags[] = {"Piece", "Points", "Coordinates", "Cells",        "Verts",
-                                       "Lines", "Strips", "Polys",       "FieldData",    "PPoints",
-                                       "PCells", "PCoordinates"};
+  constexpr std::string_view tags[] = {"Piece",     "Points",  "Coordinates", "Cells",
+                                       "Verts",     "Lines",   "Strips",      "Polys",
+                                       "FieldData", "PPoints", "PCells",      "PCoordinates"};
   return std::ranges::find(tags, tag) != std::end(tags);
 }
 
@@ -282,7 +282,7 @@ void check_arrays(const std::vector<XmlTag>& tags, const Path& path) {
   const std::vector<PieceArrays> pieces = arrays_of_pieces(tags);
   for (const PieceArrays& piece : pieces)
     for (const auto group : {&PieceArrays::of_points, &PieceArrays::of_cells})
-      if (const auto &first = pieces.front().*group, &own = piece.*group; own != first)
+      if (const auto& first = pieces.front().*group, &own = piece.*group; own != first)
         throw InputError(fmt::format(
             "{}: not a valid {} file: one of its pieces has the arrays '{}', another one '{}'; "
             "accepted: pieces that have the same in the same order",

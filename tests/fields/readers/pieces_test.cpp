@@ -77,9 +77,8 @@ TEST_F(UnitPieces, BlocksOfFloatsAndOfDoublesAreMerged) {
     const auto points = crossings(axes);
     std::string text = vectors("U", points, straight);
     text.replace(text.find("Float64"), 7, type);
-    std::string file = unstructured(points, hexahedra(axes), text + vectors("W", points, [](auto&) {
-                                                               return Vec3(0, 0, 9);
-                                                             }));
+    std::string file = unstructured(
+        points, hexahedra(axes), text + vectors("W", points, [](auto&) { return Vec3(0, 0, 9); }));
     return file.insert(file.find("<PointData") + 10, " Vectors=\"U\"");
   };
   write_bytes(folder_ / "left.vtu", both(left, "Float32"));
@@ -156,15 +155,15 @@ TEST_F(UnitPieces, GhostsOfPiecesAreCellsOfTheGrid) {
   };
   write_bytes(folder_ / "0.vti", piece(0, 2));
   write_bytes(folder_ / "1.vti", piece(1, 1));
-  const auto field = read(
-      "g.pvti",
-      "<VTKFile type=\"PImageData\" version=\"0.1\" byte_order=\"LittleEndian\">"
-      "<PImageData WholeExtent=\"0 4 0 2 0 2\" GhostLevel=\"1\" Origin=\"0 0 0\" "
-      "Spacing=\"1 1 1\">"
-      "<PPointData><PDataArray type=\"Float64\" Name=\"U\" NumberOfComponents=\"3\"/>"
-      "</PPointData><PCellData><PDataArray type=\"UInt8\" Name=\"vtkGhostType\"/></PCellData>"
-      "<Piece Extent=\"0 3 0 2 0 2\" Source=\"0.vti\"/>"
-      "<Piece Extent=\"1 4 0 2 0 2\" Source=\"1.vti\"/></PImageData></VTKFile>");
+  const auto field =
+      read("g.pvti",
+           "<VTKFile type=\"PImageData\" version=\"0.1\" byte_order=\"LittleEndian\">"
+           "<PImageData WholeExtent=\"0 4 0 2 0 2\" GhostLevel=\"1\" Origin=\"0 0 0\" "
+           "Spacing=\"1 1 1\">"
+           "<PPointData><PDataArray type=\"Float64\" Name=\"U\" NumberOfComponents=\"3\"/>"
+           "</PPointData><PCellData><PDataArray type=\"UInt8\" Name=\"vtkGhostType\"/></PCellData>"
+           "<Piece Extent=\"0 3 0 2 0 2\" Source=\"0.vti\"/>"
+           "<Piece Extent=\"1 4 0 2 0 2\" Source=\"1.vti\"/></PImageData></VTKFile>");
   for (const double x : {0.5, 1.5, 2.5, 3.5})
     EXPECT_NEAR_VEC(velocity_of(*field, {x, 0.4, 1.1}), straight({x, 0.4, 1.1}), 1e-12) << x;
 }

@@ -153,8 +153,8 @@ TEST_F(UnitPlanar, SurfacesThatAreNoPlaneAreRefused) {
 /// A square with a square hole, whose outline goes in along a bridge and out again: VTK divides it
 /// into nothing. Without an area a polygon is none, and is passed over.
 TEST_F(UnitPlanar, PolygonsWithHolesAreRefused) {
-  const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},  {1, 1, 0}, {1, 3, 0},
-                                 {3, 3, 0}, {3, 1, 0}, {-2, 0, 0}, {-2, 4, 0}};
+  const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},  {1, 1, 0},
+                                 {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {-2, 0, 0}, {-2, 4, 0}};
   const Cell hole{7, {0, 1, 2, 3, 0, 4, 5, 6, 7, 4}};
   const Cell square{9, {8, 0, 3, 9}}, line{7, {8, 0, 1, 8}};
   const std::string velocity = vectors("U", points, straight);

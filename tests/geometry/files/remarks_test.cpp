@@ -52,8 +52,7 @@ TEST_F(UnitRemarks, AnAlphaOfBytesGoesWithAnyFamilyOfColours) {
     std::istringstream words(names);
     for (std::string name; words >> name;) properties += "property uchar " + name + "\n";
     const TriangleMesh mesh = read_mesh(file(
-        "a.ply",
-        points_ply(properties, "0 0 0 255 0 0 51\n1 0 0 255 0 0 51\n0 1 0 255 0 0 51\n")));
+        "a.ply", points_ply(properties, "0 0 0 255 0 0 51\n1 0 0 255 0 0 51\n0 1 0 255 0 0 51\n")));
     EXPECT_EQ(mesh.colors, std::vector<Rgba>(3, Rgba(1, 0, 0, 0.2f)));
     EXPECT_THAT(mesh.remarks, IsEmpty());
   }

@@ -113,8 +113,9 @@ TEST_F(UnitVtkFile, NorAreOthersThatAFileNames) {
   EXPECT_THAT(complaint_about("pipe.xyz", "2 2 2\n"), HasSubstr("a pipe"));
   EXPECT_THAT(complaint_about("a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: pipe.raw\n"),
               HasSubstr("a pipe"));
-  EXPECT_THAT(complaint_about("a.nhdr", "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\n"
-                                        "encoding: raw\ndata file: pipe.raw\n"),
+  EXPECT_THAT(complaint_about("a.nhdr",
+                              "NRRD0004\ntype: float\ndimension: 3\nsizes: 2 2 2\n"
+                              "encoding: raw\ndata file: pipe.raw\n"),
               HasSubstr("a pipe"));
 }
 

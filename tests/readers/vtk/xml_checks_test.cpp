@@ -138,16 +138,16 @@ TEST_F(UnitXmlChecks, PiecesHaveTheSameArraysInOneOrder) {
 /// VTK would join the line to the polygon's points.
 TEST_F(UnitXmlChecks, TheFirstCellsOfAKindAreInTheFirstPiece) {
   const auto piece = [](int points, int lines, int polygons) {
-    return fmt::format(
-        "<Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\" NumberOfPolys=\"{}\"/>", points, lines,
-        polygons);
+    return fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\" NumberOfPolys=\"{}\"/>",
+                       points, lines, polygons);
   };
   const auto of = [&](const std::string& pieces) { return complaint("a.vtp", pieces); };
   EXPECT_EQ(of(piece(4, 1, 1) + piece(4, 0, 1) + piece(4, 1, 0)), "");
   EXPECT_EQ(of(piece(0, 0, 0) + piece(4, 0, 1) + piece(4, 0, 1)), "");
   EXPECT_THAT(of(piece(4, 0, 1) + piece(2, 1, 0)), HasSubstr("NumberOfLines above 0"));
-  EXPECT_THAT(complaint("a.vtu", "<Piece NumberOfPoints=\"4\" NumberOfCells=\"0\"/>"
-                                 "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"/>"),
+  EXPECT_THAT(complaint("a.vtu",
+                        "<Piece NumberOfPoints=\"4\" NumberOfCells=\"0\"/>"
+                        "<Piece NumberOfPoints=\"4\" NumberOfCells=\"1\"/>"),
               HasSubstr("NumberOfCells above 0"));
 }
 
@@ -156,8 +156,9 @@ TEST_F(UnitXmlChecks, PiecesHaveArraysAsDeclared) {
              "<Piece NumberOfPoints=\"8\"><PointData><DataArray Name=\"U\" "
              "NumberOfComponents=\"2\"/></PointData><CellData><DataArray Name=\"p\"/></CellData>");
   const auto of = [&](const std::string& declared) {
-    return complaint("a.pvtu", "<PPointData>" + declared + "</PPointData><PCellData><PDataArray "
-                               "Name=\"p\"/></PCellData><Piece Source=\"0.vtu\"/>");
+    return complaint("a.pvtu", "<PPointData>" + declared +
+                                   "</PPointData><PCellData><PDataArray "
+                                   "Name=\"p\"/></PCellData><Piece Source=\"0.vtu\"/>");
   };
   EXPECT_EQ(of("<PDataArray Name=\"U\" NumberOfComponents=\"2\"/>"), "");
   EXPECT_EQ(of(""), "");
