@@ -10,7 +10,7 @@
 
 #include "compare/pictures/flip_color.h"
 #include "compare/pictures/flip_filters.h"
-#include "compare/pictures/widest.h"
+#include "core/machine/widest.h"
 #include "core/parallel.h"
 #include "scene/appearance/colormap.h"
 

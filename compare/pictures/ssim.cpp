@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "compare/pictures/widest.h"
+#include "core/machine/widest.h"
 #include "core/parallel.h"
 
 namespace pellucid::compare {
