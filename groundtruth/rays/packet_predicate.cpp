@@ -47,6 +47,10 @@ using Decide = void(const Lanes&, const Triangle&, PacketEdges&);
 using Locate = std::uint32_t(const PacketEdges&, std::uint32_t crossed, const double* sharp_from,
                              const Vec3& depths, PacketPredicate::Points&);
 
+/// Returns the rays that pass a sheared point within √(limit · stretch + slack), `limit` a square.
+using PassNear = std::uint32_t(const Lanes&, const ShearedVertex&, const double* stretch,
+                               double limit, double slack);
+
 void store(PacketPredicate::Points& points, int ray, const TrianglePoint& point) {
   const auto i = std::size_t(ray);
   points.depth[i] = point.depth;
@@ -83,6 +87,16 @@ std::uint32_t locate_anywhere(const PacketEdges& edges, std::uint32_t crossed,
     store(out, i, triangle_point(at, a, b, c));
   }
   return narrow;
+}
+
+std::uint32_t pass_near_anywhere(const Lanes& rays, const ShearedVertex& c, const double* stretch,
+                                 double limit, double slack) {
+  std::uint32_t near = 0;
+  for (std::size_t i = 0; i < width; ++i) {
+    const double x = c.x - rays.x[i] * c.z, y = c.y - rays.y[i] * c.z;
+    near |= std::uint32_t(x * x + y * y <= limit * stretch[i] + slack) << i;
+  }
+  return near;
 }
 
 #if defined(__x86_64__)
@@ -144,18 +158,38 @@ std::uint32_t locate_anywhere(const PacketEdges& edges, std::uint32_t crossed,
   return narrow & crossed;
 }
 
+[[gnu::target("avx2")]] std::uint32_t pass_near_avx2(const Lanes& rays, const ShearedVertex& c,
+                                                     const double* stretch, double limit,
+                                                     double slack) {
+  const __m256d cx = _mm256_set1_pd(c.x), cy = _mm256_set1_pd(c.y), cz = _mm256_set1_pd(c.z),
+                squared = _mm256_set1_pd(limit), beside = _mm256_set1_pd(slack);
+  std::uint32_t near = 0;
+  for (std::size_t i = 0; i < width; i += 4) {
+    const __m256d x = cx - _mm256_load_pd(rays.x + i) * cz,
+                  y = cy - _mm256_load_pd(rays.y + i) * cz;
+    const __m256d most = squared * _mm256_load_pd(stretch + i) + beside;
+    const __m256d is_near = _mm256_cmp_pd(x * x + y * y, most, _CMP_LE_OQ);
+    near |= unsigned(_mm256_movemask_pd(is_near)) << i;
+  }
+  return near;
+}
+#endif
+
 struct Kernels {
-  Decide* decide;
-  Locate* locate;
+  Decide* decide = decide_anywhere;
+  Locate* locate = locate_anywhere;
+  PassNear* pass_near = pass_near_anywhere;
 };
 
-Kernels fastest() {
-  if (__builtin_cpu_supports("avx2")) return {decide_avx2, locate_avx2};
-  return {decide_anywhere, locate_anywhere};
-}
-#else
-Kernels fastest() { return {decide_anywhere, locate_anywhere}; }
+const Kernels& kernels() {
+  static const Kernels fastest = [] {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) return Kernels{decide_avx2, locate_avx2, pass_near_avx2};
 #endif
+    return Kernels{};
+  }();
+  return fastest;
+}
 
 ShearedVertex sheared(const Vec3& a, scene::Projection projection) {
   return {a.x, a.y, projection == scene::Projection::perspective ? a.z : 1};
@@ -169,15 +203,17 @@ void PacketPredicate::set(std::size_t lane, const RayPredicate& predicate) {
   y_[lane] = predicate.ray().y;
   bound_[lane] = predicate.bound();
   sharp_from_[lane] = predicate.sharp_from();
+  const bool perspective = predicate.ray().projection == scene::Projection::perspective;
+  stretch_[lane] = perspective ? 1 + x_[lane] * x_[lane] + y_[lane] * y_[lane] : 1;
+  widest_ = std::max({widest_, std::abs(x_[lane]), std::abs(y_[lane])});
 }
 
 std::uint32_t PacketPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3& c,
                                        std::uint32_t lanes, Points& points) const {
-  static const Kernels kernels = fastest();
   const scene::Projection projection = predicates_.front()->ray().projection;
   PacketEdges edges;
-  kernels.decide({x_.data(), y_.data(), bound_.data(), lanes},
-                 {sheared(a, projection), sheared(b, projection), sheared(c, projection)}, edges);
+  kernels().decide({x_.data(), y_.data(), bound_.data(), lanes},
+                   {sheared(a, projection), sheared(b, projection), sheared(c, projection)}, edges);
   std::uint32_t crossed = lanes & edges.inside;
   for (std::uint32_t rest = lanes & ~(edges.inside | edges.outside); rest != 0; rest &= rest - 1) {
     const int i = std::countr_zero(rest);
@@ -188,7 +224,7 @@ std::uint32_t PacketPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3&
   }
   if (crossed == 0) return 0;
   for (std::uint32_t narrow =
-           kernels.locate(edges, crossed, sharp_from_.data(), {a.z, b.z, c.z}, points);
+           kernels().locate(edges, crossed, sharp_from_.data(), {a.z, b.z, c.z}, points);
        narrow != 0; narrow &= narrow - 1) {
     const int i = std::countr_zero(narrow);
     EdgeFunctions sharp = edges.of(i);
@@ -196,6 +232,19 @@ std::uint32_t PacketPredicate::crosses(const Vec3& a, const Vec3& b, const Vec3&
     store(points, i, triangle_point(sharp, a, b, c));
   }
   return crossed;
+}
+
+/// A ball that a ray meets reaches, across the depth of its centre, no farther than its radius
+/// times the length of (x, y, 1) from the ray; a disc its radius. `slack` is more than the
+/// rounding, of a few units in the last place of the terms, here and where crossings are computed.
+std::uint32_t PacketPredicate::may_meet(const Vec3& center, double radius,
+                                        std::uint32_t lanes) const {
+  constexpr double wider = 1 + 1e-9;
+  const ShearedVertex c = sheared(center, predicates_.front()->ray().projection);
+  const double size = std::max(std::abs(c.x), std::abs(c.y)) + widest_ * std::abs(c.z);
+  return lanes & kernels().pass_near({x_.data(), y_.data(), bound_.data(), lanes}, c,
+                                     stretch_.data(), wider * radius * radius,
+                                     64 * 0x1p-53 * size * size);
 }
 
 }  // namespace pellucid::groundtruth

@@ -29,9 +29,16 @@ class PacketPredicate {
   std::uint32_t crosses(const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t lanes,
                         Points& points) const;
 
+  /// Returns a subset of `lanes` that holds all whose rays meet the ball around `center`, and all
+  /// that cross the disc there which is parallel to the picture; few others but where rays run at a
+  /// wide angle to the view.
+  std::uint32_t may_meet(const Vec3& center, double radius, std::uint32_t lanes) const;
+
  private:
   std::array<const RayPredicate*, width> predicates_{};
   alignas(64) std::array<double, width> x_{}, y_{}, bound_{}, sharp_from_{};
+  alignas(64) std::array<double, width> stretch_{};  // squared length of the direction (x, y, 1)
+  double widest_ = 0;                                // the largest |x| or |y|
 };
 
 }  // namespace pellucid::groundtruth

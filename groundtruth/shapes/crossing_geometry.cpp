@@ -33,9 +33,10 @@ struct Maker {
     return std::make_unique<RibbonGeometry>(lines, index, context);
   }
   std::unique_ptr<CrossingGeometry> operator()(const scene::PointObject& points) const {
+    const auto* points_before = dynamic_cast<const PointGeometry*>(before);
     if (points.profile == scene::PointObject::Profile::sphere)
-      return std::make_unique<SphereGeometry>(points, index, context);
-    return std::make_unique<DiscGeometry>(points, index, context);
+      return std::make_unique<SphereGeometry>(points, index, context, points_before);
+    return std::make_unique<DiscGeometry>(points, index, context, points_before);
   }
   std::unique_ptr<CrossingGeometry> operator()(const scene::Isosurface& surface) const {
     if (context.march)

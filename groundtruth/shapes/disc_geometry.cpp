@@ -8,19 +8,20 @@
 namespace pellucid::groundtruth {
 
 DiscGeometry::DiscGeometry(const scene::PointObject& points, std::uint32_t index,
-                           const GeometryContext& context)
-    : PointGeometry(points, index, context),
+                           const GeometryContext& context, const PointGeometry* before)
+    : PointGeometry(points, index, context, before),
       largest_(points.radius.largest() * context.frame.units_per_length()) {
-  for (std::uint32_t k = 0; k < box_count(); ++k) largest_ = std::max(largest_, size_of(center(k)));
+  for (std::uint32_t k = 0; k < points.set.positions.size(); ++k)
+    largest_ = std::max(largest_, size_of(center(k)));
 }
 
-Box3 DiscGeometry::box(std::uint32_t point) const {
+Box3 DiscGeometry::point_box(std::uint32_t point) const {
   const Vec3 c = center(point), reach(radius(point), radius(point), 0);
   return {c - reach, c + reach};
 }
 
-void DiscGeometry::cross(std::uint32_t point, const SceneRay& ray,
-                         std::vector<Crossing>& crossings) const {
+void DiscGeometry::cross_point(std::uint32_t point, const SceneRay& ray,
+                               std::vector<Crossing>& crossings) const {
   const Vec3 c = center(point);
   const double r = radius(point);
   double squared = 0;

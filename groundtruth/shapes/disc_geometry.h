@@ -11,11 +11,8 @@ namespace pellucid::groundtruth {
 class DiscGeometry final : public PointGeometry {
  public:
   DiscGeometry(const scene::PointObject& points, std::uint32_t index,
-               const GeometryContext& context);
+               const GeometryContext& context, const PointGeometry* before = nullptr);
 
-  Box3 box(std::uint32_t point) const override;
-  void cross(std::uint32_t point, const SceneRay& ray,
-             std::vector<Crossing>& crossings) const override;
   double exact_depth(const Crossing& crossing, const PictureRay& ray) const override;
   double depth_error(const Crossing&, const SceneRay& ray) const override {
     return ray.doubt.rounding;
@@ -23,6 +20,10 @@ class DiscGeometry final : public PointGeometry {
   double largest_coordinate() const override { return largest_; }
 
  private:
+  Box3 point_box(std::uint32_t point) const override;
+  void cross_point(std::uint32_t point, const SceneRay& ray,
+                   std::vector<Crossing>& crossings) const override;
+
   double largest_;
 };
 

@@ -5,13 +5,13 @@
 
 namespace pellucid::groundtruth {
 
-Box3 SphereGeometry::box(std::uint32_t point) const {
+Box3 SphereGeometry::point_box(std::uint32_t point) const {
   const Vec3 c = center(point);
   return {c - radius(point), c + radius(point)};
 }
 
-void SphereGeometry::cross(std::uint32_t point, const SceneRay& ray,
-                           std::vector<Crossing>& crossings) const {
+void SphereGeometry::cross_point(std::uint32_t point, const SceneRay& ray,
+                                 std::vector<Crossing>& crossings) const {
   const auto met = ball_ends(ray, center(point), radius(point));
   if (!met) return;
   const SolidDepths depths = solid_depths(ray, *met, [&] {

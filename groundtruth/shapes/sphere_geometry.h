@@ -11,13 +11,15 @@ namespace pellucid::groundtruth {
 class SphereGeometry final : public PointGeometry {
  public:
   SphereGeometry(const scene::PointObject& points, std::uint32_t index,
-                 const GeometryContext& context)
-      : PointGeometry(points, index, context) {}
+                 const GeometryContext& context, const PointGeometry* before = nullptr)
+      : PointGeometry(points, index, context, before) {}
 
-  Box3 box(std::uint32_t point) const override;
-  void cross(std::uint32_t point, const SceneRay& ray,
-             std::vector<Crossing>& crossings) const override;
   double largest_coordinate() const override { return 0; }
+
+ private:
+  Box3 point_box(std::uint32_t point) const override;
+  void cross_point(std::uint32_t point, const SceneRay& ray,
+                   std::vector<Crossing>& crossings) const override;
 };
 
 }  // namespace pellucid::groundtruth
