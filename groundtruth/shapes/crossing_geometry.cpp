@@ -29,8 +29,10 @@ struct Maker {
   }
   std::unique_ptr<CrossingGeometry> operator()(const scene::LineObject& lines) const {
     if (lines.profile == scene::LineObject::Profile::tube)
-      return std::make_unique<TubeGeometry>(lines, index, context);
-    return std::make_unique<RibbonGeometry>(lines, index, context);
+      return std::make_unique<TubeGeometry>(lines, index, context,
+                                            dynamic_cast<const TubeGeometry*>(before));
+    return std::make_unique<RibbonGeometry>(lines, index, context,
+                                            dynamic_cast<const RibbonGeometry*>(before));
   }
   std::unique_ptr<CrossingGeometry> operator()(const scene::PointObject& points) const {
     const auto* points_before = dynamic_cast<const PointGeometry*>(before);

@@ -37,6 +37,11 @@ struct RayPacket {
   std::array<std::vector<Crossing>*, width> crossings;  // of each ray
 };
 
+/// A packet of rays is about so wide, in units: four pixels of a picture of 1000 that shows the
+/// scene, which is about 2 wide. Boxes that are smaller are mostly met by the same packets as
+/// their neighbours.
+constexpr double packet_width = 0.008;
+
 /// A CrossingGeometry is one object of a scene, cut into primitives that Embree keeps in its
 /// hierarchy of boxes. What the hierarchy calls a primitive may be several of the scene's, and need
 /// not be crossed where its box is. It is thread-safe once it is made. All coordinates are view

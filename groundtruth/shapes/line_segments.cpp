@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/error.h"
+#include "groundtruth/shapes/crossing_geometry.h"
 #include "scene/view/ribbon.h"
 
 namespace pellucid::groundtruth {
@@ -19,7 +20,9 @@ Vec3 unit(const Vec3& x) {
 
 }  // namespace
 
-LineSegments::LineSegments(const geometry::LineSet& set) : set_(set) {
+LineSegments::LineSegments(const geometry::LineSet& set, const ViewFrame& frame,
+                           const LineSegments* before)
+    : set_(set) {
   const std::size_t count = set.segment_count();
   if (count >= std::size_t(1) << 31 || set.positions.size() >= std::size_t(1) << 32)
     throw InputError(fmt::format("{} segments of lines; accepted: fewer than 2^31", count));
@@ -27,6 +30,10 @@ LineSegments::LineSegments(const geometry::LineSet& set) : set_(set) {
   for (std::size_t k = 0; k < set.line_count(); ++k)
     for (std::uint64_t i = set.offsets[k]; i + 1 < set.offsets[k + 1]; ++i)
       first_points_.push_back(static_cast<std::uint32_t>(i));
+  if (before && before->groups_->segments() == count)
+    groups_ = before->groups_;
+  else
+    groups_ = std::make_shared<const SegmentGroups>(set, packet_width / frame.units_per_length());
 }
 
 std::uint32_t LineSegments::line(std::uint32_t segment) const {

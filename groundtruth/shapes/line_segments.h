@@ -3,18 +3,24 @@
 // The segments of a set of lines, counted from line to line.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "geometry/line_set.h"
+#include "groundtruth/rays/view_frame.h"
+#include "groundtruth/shapes/segment_groups.h"
 #include "groundtruth/shapes/vertex_blend.h"
 
 namespace pellucid::groundtruth {
 
-/// LineSegments number the segments of a set of lines, from line to line.
+/// LineSegments number the segments of a set of lines, from line to line, and group those that are
+/// boxes of the hierarchy together.
 class LineSegments {
  public:
-  /// The set has to outlive it. Throws InputError for 2^31 segments or more.
-  explicit LineSegments(const geometry::LineSet& set);
+  /// The set has to outlive it. Groups are no longer than a packet of rays is wide; those of
+  /// `before` are taken where it is not null and has as many segments. Throws InputError for 2^31
+  /// segments or more.
+  LineSegments(const geometry::LineSet& set, const ViewFrame& frame, const LineSegments* before);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(first_points_.size()); }
   /// Returns the point that the segment joins with the next one.
@@ -29,11 +35,15 @@ class LineSegments {
   /// world's axes.
   Vec3 direction(std::uint32_t segment, double along) const;
 
-  std::uint64_t bytes() const { return first_points_.size() * sizeof(std::uint32_t); }
+  const SegmentGroups& groups() const { return *groups_; }
+  std::uint64_t bytes() const {
+    return first_points_.size() * sizeof(std::uint32_t) + groups_->bytes();
+  }
 
  private:
   const geometry::LineSet& set_;
   std::vector<std::uint32_t> first_points_;
+  std::shared_ptr<const SegmentGroups> groups_;
 };
 
 }  // namespace pellucid::groundtruth

@@ -34,12 +34,12 @@ double sine_between(const Vec3& p, const Vec3& q) {
 }  // namespace
 
 RibbonGeometry::RibbonGeometry(const scene::LineObject& lines, std::uint32_t index,
-                               const GeometryContext& context)
+                               const GeometryContext& context, const RibbonGeometry* before)
     : set_(lines.set),
       index_(index),
       frame_(context.frame),
       lighting_(context.lighting),
-      segments_(lines.set) {
+      segments_(lines.set, frame_, before ? &before->segments_ : nullptr) {
   const std::span<const Vec3> points(set_.positions);
   const scene::CameraFrame camera = scene::camera_frame(context.camera);
   half_widths_.reserve(points.size());
@@ -50,7 +50,7 @@ RibbonGeometry::RibbonGeometry(const scene::LineObject& lines, std::uint32_t ind
                               context.camera.projection, of_line);
     for (const Vec3& w : of_line) half_widths_.push_back(frame_.vector_from_world(w));
   }
-  for (std::uint32_t s = 0; s < box_count(); ++s)
+  for (std::uint32_t s = 0; s < segments_.count(); ++s)
     for (const Vec3& corner : corners(s)) largest_ = std::max(largest_, size_of(corner));
 }
 
@@ -62,21 +62,29 @@ std::array<Vec3, 4> RibbonGeometry::corners(std::uint32_t segment) const {
           b + half_widths_[i + 1]};
 }
 
-std::uint32_t RibbonGeometry::box_count() const { return segments_.count(); }
-
-Box3 RibbonGeometry::box(std::uint32_t segment) const {
+Box3 RibbonGeometry::box(std::uint32_t group) const {
+  const SegmentGroups& groups = segments_.groups();
   Box3 box;
-  for (const Vec3& corner : corners(segment)) box.extend(corner);
+  for (std::uint32_t s = groups.begin(group); s < groups.end(group); ++s)
+    for (const Vec3& corner : corners(s)) box.extend(corner);
   return box;
 }
 
-void RibbonGeometry::cross(std::uint32_t segment, const RayPacket& packet,
+void RibbonGeometry::cross(std::uint32_t group, const RayPacket& packet,
                            std::uint32_t lanes) const {
-  const std::array<Vec3, 4> corner = corners(segment);
-  const auto triangles = scene::ribbon_triangles(0);
-  for (std::uint32_t j = 0; j < 2; ++j) {
-    const auto& [a, b, c] = triangles[j];
-    cross_triangle(corner[a], corner[b], corner[c], index_, 2 * segment + j, packet, lanes);
+  const SegmentGroups& groups = segments_.groups();
+  for (std::uint32_t s = groups.begin(group); s < groups.end(group); ++s) {
+    const std::array<Vec3, 4> corner = corners(s);
+    const Vec3 middle = 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+    double reach = 0;
+    for (const Vec3& x : corner) reach = std::max(reach, glm::distance(x, middle));
+    const std::uint32_t near = packet.predicate.may_meet(middle, reach, lanes);
+    if (near == 0) continue;
+    const auto triangles = scene::ribbon_triangles(0);
+    for (std::uint32_t j = 0; j < 2; ++j) {
+      const auto& [a, b, c] = triangles[j];
+      cross_triangle(corner[a], corner[b], corner[c], index_, 2 * s + j, packet, near);
+    }
   }
 }
 

@@ -8,16 +8,17 @@ namespace pellucid::groundtruth {
 
 /// A RibbonGeometry holds lines as strips that face the eye (see scene/view/ribbon.h): exact
 /// triangles over corners that neighbouring segments share. Crossing::u and v are the weights of a
-/// triangle's second and third corner. Of a line's points only the half widths are kept; corners
-/// are made where they are needed.
+/// triangle's second and third corner. A box holds a group of segments. Of a line's points only the
+/// half widths are kept; corners are made where they are needed.
 class RibbonGeometry final : public CrossingGeometry {
  public:
+  /// `before` is as make_geometry() takes it.
   RibbonGeometry(const scene::LineObject& lines, std::uint32_t index,
-                 const GeometryContext& context);
+                 const GeometryContext& context, const RibbonGeometry* before = nullptr);
 
-  std::uint32_t box_count() const override;
-  Box3 box(std::uint32_t segment) const override;
-  void cross(std::uint32_t segment, const RayPacket& packet, std::uint32_t lanes) const override;
+  std::uint32_t box_count() const override { return segments_.groups().count(); }
+  Box3 box(std::uint32_t group) const override;
+  void cross(std::uint32_t group, const RayPacket& packet, std::uint32_t lanes) const override;
   double exact_depth(const Crossing& crossing, const PictureRay& ray) const override;
   double depth_error(const Crossing& crossing, const SceneRay& ray) const override;
   Fragment shade(const Crossing& crossing, const Vec3& world_direction) const override;

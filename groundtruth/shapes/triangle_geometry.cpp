@@ -10,9 +10,8 @@
 namespace pellucid::groundtruth {
 namespace {
 
-/// A slab as wide as a packet of rays is worth a box of its own: four pixels of a picture of 1000
-/// that shows the scene, which is about 2 wide.
-constexpr double narrowest_slab = 0.008;
+/// A slab as wide as a packet of rays is worth a box of its own.
+constexpr double narrowest_slab = packet_width;
 constexpr int most_slabs = 64;
 
 double half_area(const Box3& box) {

@@ -2,6 +2,7 @@
 #include "groundtruth/shapes/tube_geometry.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "groundtruth/shapes/round_solids.h"
@@ -9,30 +10,47 @@
 namespace pellucid::groundtruth {
 
 TubeGeometry::TubeGeometry(const scene::LineObject& lines, std::uint32_t index,
-                           const GeometryContext& context)
+                           const GeometryContext& context, const TubeGeometry* before)
     : set_(lines.set),
       radius_(lines.radius),
       index_(index),
       frame_(context.frame),
       lighting_(context.lighting),
-      segments_(lines.set) {}
+      segments_(lines.set, frame_, before ? &before->segments_ : nullptr) {}
 
 Ball TubeGeometry::ball(std::uint32_t point) const {
   return {frame_.from_world(set_.positions[point]), radius_.at(point) * frame_.units_per_length()};
 }
 
-Box3 TubeGeometry::box(std::uint32_t segment) const {
-  const std::uint32_t i = segments_.first_point(segment);
+Box3 TubeGeometry::box(std::uint32_t group) const {
+  const SegmentGroups& groups = segments_.groups();
+  const std::uint32_t first = segments_.first_point(groups.begin(group));
+  const std::uint32_t count = groups.end(group) - groups.begin(group) + 1;  // points
   Box3 box;
-  for (const Ball& end : {ball(i), ball(i + 1)}) {
-    box.extend(end.center - end.radius);
-    box.extend(end.center + end.radius);
+  for (std::uint32_t i = first; i < first + count; ++i) {
+    const Ball at = ball(i);
+    box.extend(at.center - at.radius);
+    box.extend(at.center + at.radius);
   }
   return box;
 }
 
-void TubeGeometry::cross(std::uint32_t segment, const SceneRay& ray,
-                         std::vector<Crossing>& crossings) const {
+void TubeGeometry::cross(std::uint32_t group, const RayPacket& packet, std::uint32_t lanes) const {
+  const SegmentGroups& groups = segments_.groups();
+  for (std::uint32_t s = groups.begin(group); s < groups.end(group); ++s) {
+    const std::uint32_t first = segments_.first_point(s);
+    const Ball a = ball(first), b = ball(first + 1);
+    const double reach = 0.5 * glm::distance(a.center, b.center) + std::max(a.radius, b.radius);
+    for (std::uint32_t near = packet.predicate.may_meet(0.5 * (a.center + b.center), reach, lanes);
+         near != 0; near &= near - 1) {
+      const auto i = std::size_t(std::countr_zero(near));
+      cross_segment(s, packet.rays[i], *packet.crossings[i]);
+    }
+  }
+}
+
+void TubeGeometry::cross_segment(std::uint32_t segment, const SceneRay& ray,
+                                 std::vector<Crossing>& crossings) const {
   const std::uint32_t i = segments_.first_point(segment);
   const Ball a = ball(i), b = ball(i + 1);
   const auto met = cone_sphere_ends(ray, a, b);

@@ -15,14 +15,16 @@ namespace pellucid::groundtruth {
 /// a chord or has none, and the chords of a line's segments are united. Crossing::u is the place
 /// along the segment, in [0, 1], of the ball that touches there; Crossing::v is n · v, n the outer
 /// normal, v the ray's direction.
-class TubeGeometry final : public RayByRayGeometry {
+/// A box holds a group of segments.
+class TubeGeometry final : public CrossingGeometry {
  public:
-  TubeGeometry(const scene::LineObject& lines, std::uint32_t index, const GeometryContext& context);
+  /// `before` is as make_geometry() takes it.
+  TubeGeometry(const scene::LineObject& lines, std::uint32_t index, const GeometryContext& context,
+               const TubeGeometry* before = nullptr);
 
-  std::uint32_t box_count() const override { return segments_.count(); }
-  Box3 box(std::uint32_t segment) const override;
-  void cross(std::uint32_t segment, const SceneRay& ray,
-             std::vector<Crossing>& crossings) const override;
+  std::uint32_t box_count() const override { return segments_.groups().count(); }
+  Box3 box(std::uint32_t group) const override;
+  void cross(std::uint32_t group, const RayPacket& packet, std::uint32_t lanes) const override;
   bool is_union() const override { return true; }
   std::uint32_t solid(const Crossing& crossing) const override {
     return segments_.line(crossing.primitive);
@@ -33,6 +35,8 @@ class TubeGeometry final : public RayByRayGeometry {
   std::uint64_t bytes() const override { return segments_.bytes(); }
 
  private:
+  void cross_segment(std::uint32_t segment, const SceneRay& ray,
+                     std::vector<Crossing>& crossings) const;
   /// Returns the ball around a point, in view coordinates.
   Ball ball(std::uint32_t point) const;
 
