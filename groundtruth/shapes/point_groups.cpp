@@ -36,7 +36,8 @@ std::uint64_t spread(std::uint64_t x) {
 std::uint64_t part_of(double x, double low, double high) {
   constexpr double parts = 1 << bits;
   if (!(high > low)) return 0;
-  return std::uint64_t(std::min(parts * ((x - low) / (high - low)), parts - 1));
+  const double share = (0.5 * x - 0.5 * low) / (0.5 * high - 0.5 * low);  // also of all doubles
+  return std::uint64_t(std::min(parts * share, parts - 1));
 }
 
 std::uint64_t key_of(const Vec3& x, const Box3& box) {

@@ -88,8 +88,9 @@ std::size_t TriangleGeometry::grouped_triangles() const {
   return pieces_.empty() ? 0 : std::size_t(pieces_.back().first) + pieces_.back().count;
 }
 
-/// Two triangles that follow each other share a box when it is hardly larger than their own, as in
-/// the quadrilaterals of a ribbon: half the boxes to visit, as many tests.
+/// Triangles that follow each other share a box where all of them together are no wider than a
+/// packet of rays, and two also when their box is hardly larger than their own, as in the
+/// quadrilaterals of a ribbon: fewer boxes to build and to visit, as many tests.
 void TriangleGeometry::group_triangles() {
   constexpr double worth_it = 0.7;  // of the sum of the areas; a quadrilateral has 0.5
   const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
@@ -97,10 +98,26 @@ void TriangleGeometry::group_triangles() {
     return half_area(whole_box({first, triangles, 0, 1}));
   };
   for (std::uint32_t t = 0; t < count;) {
-    const bool pair = t + 1 < count && area(t, 2) < worth_it * (area(t, 1) + area(t + 1, 1));
-    add_pieces(t, pair ? 2 : 1);
-    t += pair ? 2 : 1;
+    std::uint8_t group = small_group(t);
+    if (group == 1 && t + 1 < count && area(t, 2) < worth_it * (area(t, 1) + area(t + 1, 1)))
+      group = 2;
+    add_pieces(t, group);
+    t += group;
   }
+}
+
+/// How many triangles, from the first on, are together no wider than a packet of rays; at least 1.
+std::uint8_t TriangleGeometry::small_group(std::uint32_t first) const {
+  constexpr std::uint32_t most = 8;
+  const std::uint32_t end =
+      std::uint32_t(std::min<std::size_t>(mesh_.triangles.size(), first + most));
+  Box3 box;
+  for (std::uint32_t t = first; t < end; ++t) {
+    for (const std::uint32_t v : mesh_.triangles[t]) box.extend(positions_[v]);
+    const int axis = longest_axis(box);
+    if (box.max[axis] - box.min[axis] > packet_width) return std::uint8_t(std::max(t - first, 1u));
+  }
+  return std::uint8_t(end - first);
 }
 
 /// Halves the slabs as long as that takes away much of what their boxes hold in vain.

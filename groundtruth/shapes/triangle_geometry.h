@@ -40,9 +40,9 @@ class TriangleGeometry final : public CrossingGeometry {
   const auto& triangles() const { return mesh_.triangles; }
 
  private:
-  /// A Piece is what a box holds: one or two triangles, or, where they are long and their box is
-  /// mostly empty, the part of them in one of `slabs` equal slabs across the longest side of their
-  /// box.
+  /// A Piece is what a box holds: one or two triangles, several small ones, or, where they are long
+  /// and their box is mostly empty, the part of them in one of `slabs` equal slabs across the
+  /// longest side of their box.
   struct Piece {
     std::uint32_t first;  // triangle
     std::uint8_t count, slab, slabs;
@@ -53,6 +53,7 @@ class TriangleGeometry final : public CrossingGeometry {
   double total_area(Piece piece) const;
   void add_pieces(std::uint32_t first, std::uint8_t count);
   void group_triangles();
+  std::uint8_t small_group(std::uint32_t first) const;
   std::size_t grouped_triangles() const;
 
   const geometry::TriangleMesh& mesh_;
