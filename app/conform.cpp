@@ -100,7 +100,7 @@ void print_json(const std::vector<compare::CaseResult>& results) {
 
 void make_scenes(const ConformArguments& arguments, const GlobalOptions& globals) {
   OutputFolder out(arguments.make);
-  compare::make_conformance_scenes(out.temporary(), arguments.only);
+  out.fill([&](const fs::path& to) { compare::make_conformance_scenes(to, arguments.only); });
   out.commit();
   if (!globals.json && !globals.quiet)
     fmt::print("scenes, right pictures and a list of them: {}\n",

@@ -41,7 +41,7 @@ void run(const ExportArguments& arguments, const GlobalOptions& globals) {
   const Progress progress = console_progress(globals);
   scene::Scene scene = scene::load_scene(arguments.scene, progress);
   if (opacities) compare::optimize_opacities(*opacities, {.gl = globals.gl}, scene);
-  compare::export_scene(scene, out.temporary(), {.progress = progress});
+  out.fill([&](const fs::path& to) { compare::export_scene(scene, to, {.progress = progress}); });
   out.commit();
   report(progress, 1, "exported");
   const nlohmann::json json = read_json(arguments.folder / compare::exported_scene_name);

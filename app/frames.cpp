@@ -130,18 +130,21 @@ void frames(const FramesOptions& options, const GlobalOptions& globals) {
   OutputFolder folder(options.output);
   FrameTable table(reference.has_value());
   const auto count = double(scene.camera_path.size());
-  compare::render_sequence(
-      scene, method, opacities, {.gl = globals.gl},
-      [&](const compare::SequenceFrame& frame) {
-        compare::write_image(
-            folder.temporary() / fmt::format("{:04}.png", frame.index), frame.rendering.image,
-            compare::form_of_picture(scene, {method.text(), opacities ? opacities->text() : "",
-                                             options.view.without_background}));
-        table.add(frame);
-        report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
-      },
-      reference);
-  write_text(folder.temporary() / "frames.csv", table.csv());
+  const auto write_frames = [&](const std::filesystem::path& to) {
+    compare::render_sequence(
+        scene, method, opacities, {.gl = globals.gl},
+        [&](const compare::SequenceFrame& frame) {
+          compare::write_image(
+              to / fmt::format("{:04}.png", frame.index), frame.rendering.image,
+              compare::form_of_picture(scene, {method.text(), opacities ? opacities->text() : "",
+                                               options.view.without_background}));
+          table.add(frame);
+          report(progress, (frame.index + 1) / count, fmt::format("frame {}", frame.index));
+        },
+        reference);
+    write_text(to / "frames.csv", table.csv());
+  };
+  folder.fill(write_frames);
   folder.commit();
   if (globals.json)
     std::cout << json_text(table.json(), 2) << '\n';

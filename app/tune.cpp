@@ -195,8 +195,11 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
       ->check(finite_number());
   command->add_option("--min-ssim", arguments->bound.min_ssim, "Smallest SSIM against raytrace")
       ->check(finite_number());
-  command->add_option("--max-bytes", arguments->bound.max_bytes,
-                      "Largest memory beyond the scene and the picture, bytes");
+  constexpr double most_bytes = 1e15;
+  command
+      ->add_option("--max-bytes", arguments->bound.max_bytes,
+                   "Largest memory beyond the scene and the picture, bytes")
+      ->check(finite_number() & CLI::Range(0.0, most_bytes));  // strtoull takes -1 for 2^64 - 1
   command->add_option("--cost", arguments->cost, "What cheap means: seconds or bytes")
       ->check(CLI::IsMember({"seconds", "bytes"}))
       ->capture_default_str();

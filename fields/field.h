@@ -27,6 +27,10 @@ class FieldSampler {
   /// Computes the velocity and its Jacobian, per unit of time: jacobian[j][i] = ∂v_i/∂x_j (GLM's
   /// column j is the derivative along axis j). Both are only valid when the status is ok.
   virtual SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) = 0;
+
+  /// Says that the flow is looked at over this length, in world units: who takes its Jacobian from
+  /// differences takes them over a small part of it.
+  virtual void resolve(double /*length*/) {}
 };
 
 /// A VectorField is a velocity v(x, t) in world coordinates. It is immutable and shared between

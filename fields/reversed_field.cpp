@@ -22,6 +22,7 @@ class ReversedSampler final : public FieldSampler {
     jacobian = -jacobian;
     return status;
   }
+  void resolve(double length) override { inner_->resolve(length); }
 
  private:
   /// Of `start` itself exactly that: 2 start - t may be rounded.

@@ -65,8 +65,8 @@ std::string last_line(const fs::path& file) {
 
 void read_steps(const JsonNode& node, double milliseconds, scene::RenderStats& stats) {
   double sum = 0;
-  for (const auto& item : node.value().items()) {
-    stats.steps.push_back({item.key(), node[item.key()].number(0, most) / 1e3});
+  for (const std::string& step : node.keys()) {
+    stats.steps.push_back({step, node[step].number(0, most) / 1e3});
     sum += 1e3 * stats.steps.back().seconds;
   }
   // So much is lost when a program prints its times with a few digits.

@@ -10,6 +10,8 @@
 namespace pellucid::compare {
 namespace {
 
+namespace fs = std::filesystem;
+
 class PictureRenderer final : public GivenRenderer {
  public:
   PictureRenderer(const scene::Scene& scene, const GivenPicture& picture, std::string file)
@@ -43,10 +45,17 @@ class PictureMethod final : public GivenMethod {
     return std::make_unique<PictureRenderer>(scene, picture_, file(scene.name, place.view));
   }
 
+  /// A cell has the pictures of all views from this one on: so many as lie there. Only the study's
+  /// scene knows how many frames a path has.
   std::string fingerprint(std::string_view scene, int view) const override {
     ContentHashes hashes;
-    return fmt::format("{} {} {} {}", picture_.file, picture_.milliseconds.value_or(-1),
-                       picture_.bytes.value_or(0), hashes.of(file(scene, view)));
+    std::string text = fmt::format("{} {} {} {}", picture_.file, picture_.milliseconds.value_or(-1),
+                                   picture_.bytes ? fmt::format("{}", *picture_.bytes) : "",
+                                   hashes.of(file(scene, view)));
+    std::error_code code;
+    while (tells_apart("view") && fs::exists(file(scene, ++view), code))
+      text += ' ' + hashes.of(file(scene, view));
+    return text;
   }
 
   bool tells_apart(std::string_view what) const override {

@@ -33,12 +33,14 @@ void write_archive(ArchiveKind kind, const fs::path& to, const std::string& name
 
 void write_folder(const fs::path& to, const std::vector<PackedFile>& files) {
   OutputFolder folder(to);
-  for (const PackedFile& file : files) {
-    const fs::path path = folder.temporary() / file.path;
-    fs::create_directories(path.parent_path());
-    write_text(path, file.content());
-    if (file.executable) fs::permissions(path, fs::perms(0755));
-  }
+  folder.fill([&](const fs::path& temporary) {
+    for (const PackedFile& file : files) {
+      const fs::path path = temporary / file.path;
+      fs::create_directories(path.parent_path());
+      write_text(path, file.content());
+      if (file.executable) fs::permissions(path, fs::perms(0755));
+    }
+  });
   folder.commit();
 }
 

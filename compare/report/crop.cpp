@@ -28,16 +28,6 @@ std::optional<Crop> fit_crop(const Crop& crop, int width, int height) {
               std::min(crop.height, height - crop.y)};
 }
 
-void require_crop(const Study& study, const std::string& scene, int width, int height) {
-  const auto crop = study.crops.find(scene);
-  if (crop == study.crops.end() || fit_crop(crop->second, width, height)) return;
-  throw InputError(
-      fmt::format("crops.{}: {},{},{},{}: outside of the picture; accepted: X,Y,WIDTH,HEIGHT "
-                  "within {}×{} pixels",
-                  scene, crop->second.x, crop->second.y, crop->second.width, crop->second.height,
-                  width, height));
-}
-
 void require_inside(const Crop& to, int width, int height) {
   const bool inside = to.x >= 0 && to.y >= 0 && to.width >= 1 && to.height >= 1 &&
                       to.width <= width - to.x && to.height <= height - to.y;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
-#include <string>
 
 #include "compare/study/study.h"
 #include "core/raster.h"
@@ -13,10 +11,6 @@ namespace pellucid::compare {
 
 /// Returns the part of a given crop that lies in a picture of this size; nothing where none does.
 std::optional<Crop> fit_crop(const Crop& crop, int width, int height);
-
-/// Throws InputError "crops.SCENE: …" for a crop of a study's scene that lies outside of a picture
-/// of this size.
-void require_crop(const Study& study, const std::string& scene, int width, int height);
 
 /// Throws InputError "--crop …" for a part that is empty or not within a picture of this size.
 void require_inside(const Crop& crop, int width, int height);

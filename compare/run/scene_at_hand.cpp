@@ -5,7 +5,6 @@
 
 #include "compare/methods/optimize_opacities.h"
 #include "compare/pictures/image_file.h"
-#include "compare/report/crop.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "scene/files/scene_file.h"
@@ -36,7 +35,6 @@ std::vector<scene::Camera> cameras_of(const Views& views, const scene::Scene& sc
 scene::Scene& SceneAtHand::loaded() {
   if (loaded_) return *loaded_;
   scene::Scene scene = scene::load_scene(file_);
-  require_crop(study_, scene_name(file_), scene.width, scene.height);
   cameras_ = cameras_of(study_.views, scene);
   if (cameras_.empty()) optimize(scene);
   loaded_ = std::move(scene);

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
 #include "compare/run/screened_calls.h"
-#include "core/error.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -30,7 +31,7 @@ std::vector<ScreenedCall> StudyScreen::screen(std::span<const Job> scene, SceneA
                               options_.context, tell);
     write_screen(file(scene), key(scene), calls);
     return calls;
-  } catch (const InputError&) {
+  } catch (const std::exception&) {  // its rows say what is wrong with the scene or its reference
     return {};
   }
 }

@@ -47,10 +47,10 @@ std::string LeftOutScene::text() const {
 std::vector<LeftOutScene> read_needs(const JsonNode& node, const fs::path& folder,
                                      std::span<const std::string> scenes) {
   std::vector<LeftOutScene> left_out;
-  for (const auto& item : node.value().items()) {
-    check_scene(node, item.key(), scenes);
-    if (const auto missing = first_missing(node[item.key()], folder))
-      left_out.push_back({item.key(), *missing});
+  for (const std::string& scene : node.keys()) {
+    check_scene(node, scene, scenes);
+    if (const auto missing = first_missing(node[scene], folder))
+      left_out.push_back({scene, *missing});
   }
   if (!scenes.empty() && left_out.size() == scenes.size())
     node.fail(left_out.front().text() + ", and so are all others; accepted: one scene at least");

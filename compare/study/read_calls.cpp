@@ -68,10 +68,12 @@ std::vector<MethodCall> calls_of_text(const JsonNode& node, const Catalogue& cat
 std::vector<MethodCall> calls_but(const JsonNode& node, const Catalogue& catalogue) {
   node.accept_keys({catalogue.kind, "except"});
   std::set<std::string_view> except;
-  for (const JsonNode& element : node["except"].elements())
+  for (const JsonNode& element : node["except"].elements()) {
+    const std::string name = element.string();
     except.insert(at_place(element, [&]() -> std::string_view {
-      return find_row(catalogue.kind, element.string(), catalogue.rows).name;
+      return find_row(catalogue.kind, name, catalogue.rows).name;
     }));
+  }
   std::vector<MethodCall> calls = every_method(catalogue.rows);
   std::erase_if(calls, [&](const MethodCall& call) { return except.contains(call.row->name); });
   return calls;

@@ -23,10 +23,21 @@ std::string read_known_call(const JsonNode& node, const Study& study) {
   return text;
 }
 
+/// What is named twice would be held against itself, or count twice in a mean.
+void refuse_second(const JsonNode& node, const std::string& name,
+                   std::span<const std::string> before) {
+  if (std::ranges::find(before, name) != before.end())
+    node.fail(fmt::format("a second '{}'; accepted: each once", name));
+}
+
 std::vector<std::string> read_group(const JsonNode& node, const Study& study) {
   if (!node.is_array()) return {read_known_call(node, study)};
   std::vector<std::string> group;
-  for (const JsonNode& element : node.elements()) group.push_back(read_known_call(element, study));
+  for (const JsonNode& element : node.elements()) {
+    std::string call = read_known_call(element, study);
+    refuse_second(element, call, group);
+    group.push_back(std::move(call));
+  }
   if (group.empty()) node.fail("[]; accepted: at least one call");
   return group;
 }
@@ -76,9 +87,9 @@ ClaimedNumber read_number(const JsonNode& node) {
       number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
     return number;
   }
-  const Column& column = at_place(node["by"], [&]() -> const Column& {
-    return find_row("number", node["by"].string(), columns());
-  });
+  const std::string by = node["by"].string();
+  const Column& column =
+      at_place(node["by"], [&]() -> const Column& { return find_row("number", by, columns()); });
   if (column.better == Better::neither)
     node["by"].fail(fmt::format("'{}': no way is better; accepted: {}", column.name,
                                 fmt::join(columns_with_better(), ", ")));
@@ -89,18 +100,26 @@ std::vector<std::string> read_claimed_scenes(const JsonNode& node, const Study& 
   const std::vector<std::string> known = scene_names(study);
   std::vector<std::string> scenes;
   for (const JsonNode& element : node.elements()) {
-    scenes.push_back(element.string());
-    if (std::ranges::find(known, scenes.back()) == known.end())
-      element.fail(unknown_name("scene", scenes.back(),
-                                std::vector<std::string_view>(known.begin(), known.end())));
+    const std::string name = element.string();
+    if (std::ranges::find(known, name) == known.end())
+      element.fail(
+          unknown_name("scene", name, std::vector<std::string_view>(known.begin(), known.end())));
+    refuse_second(element, name, scenes);
+    scenes.push_back(name);
   }
   return scenes;
 }
 
 void read_order(const JsonNode& node, const Study& study, Claim& claim) {
   constexpr double most = 1e9;
-  for (const JsonNode& element : node["order"].elements())
+  std::vector<std::string> before;
+  for (const JsonNode& element : node["order"].elements()) {
     claim.order.push_back(read_group(element, study));
+    for (const std::string& call : claim.order.back()) {
+      refuse_second(element, call, before);
+      before.push_back(call);
+    }
+  }
   if (claim.order.size() < 2) node["order"].fail("accepted: at least two calls, the best first");
   if (node.has("factor")) claim.factor = node["factor"].number(1, most);
 }
@@ -235,6 +254,8 @@ Claim read_claim(const JsonNode& node, const Study& study) {
       read_bound(node, claim);
   }
   if (node.has("scenes")) claim.scenes = read_claimed_scenes(node["scenes"], study);
+  if (node.has("scenes") && claim.scenes.empty())  // which would stand for all of them
+    node["scenes"].fail("[]; accepted: names of the study's scenes");
   if (node.has("somewhere")) claim.somewhere = node["somewhere"].boolean();
   return claim;
 }
@@ -253,8 +274,14 @@ PublishedCosts read_published(const JsonNode& node, const Study& study) {
   PublishedCosts costs{node["machine"].string(), {}, {}};
   if (node.has("steps"))
     for (const JsonNode& step : node["steps"].elements()) costs.steps.push_back(step.string());
-  for (const JsonNode& row : node["rows"].elements())
-    costs.rows.push_back(read_cost(row, study, costs.steps));
+  for (const JsonNode& row : node["rows"].elements()) {
+    PublishedCost cost = read_cost(row, study, costs.steps);
+    for (const PublishedCost& other : costs.rows)
+      if (other.scene == cost.scene && other.call == cost.call)
+        row.fail(
+            fmt::format("a second cost of '{}' on '{}'; accepted: one", cost.call, cost.scene));
+    costs.rows.push_back(std::move(cost));
+  }
   return costs;
 }
 

@@ -9,6 +9,7 @@
 
 #include "compare/measures/study_measures.h"
 #include "compare/methods/optimize_opacities.h"
+#include "compare/study/check_scenes.h"
 #include "compare/study/needs.h"
 #include "compare/study/read_calls.h"
 #include "compare/study/read_given.h"
@@ -39,22 +40,40 @@ bool is_star(const JsonNode& node, const Catalogue& catalogue) {
   return node.is_object() && node.has(catalogue.kind) && node[catalogue.kind].string() == "*";
 }
 
+/// Of the call's values each number as its shortest text: "5", "5.0" and "5e0" ask for the same.
+RawOptions shortest(const MethodCall& call, RawOptions values) {
+  using Kind = ParameterSpec::Kind;
+  for (const ParameterSpec& spec : call.row->parameters)
+    if (const auto value = values.find(spec.name);
+        value != values.end() && (spec.kind == Kind::integer || spec.kind == Kind::real))
+      value->second = fmt::format("{}", call.parameters.real(spec.name));
+  return values;
+}
+
+/// The same for all ways to write a call's numbers; else the call's text.
+std::string key_of(const MethodCall& call) {
+  std::string key(call.row->name);
+  for (const auto& [name, value] : shortest(call, call.parameters.given_options()))
+    key += fmt::format("{}{}={}", key.size() == call.row->name.size() ? ':' : ',', name, value);
+  return key;
+}
+
 bool is_same(const MethodCall& a, const MethodCall& b) {
-  return a.row == b.row && a.parameters.all() == b.parameters.all();
+  return a.row == b.row && shortest(a, a.parameters.all()) == shortest(b, b.parameters.all());
 }
 
 /// Each call once; the reference, which has its own cell, not at all: by "*" neither in other
 /// words.
 void add_calls(const JsonNode& node, const Catalogue& catalogue, Study& study) {
-  std::set<std::string> seen{study.reference.text()};
-  for (const MethodCall& call : study.methods) seen.insert(call.text());
+  std::set<std::string> seen{key_of(study.reference)};
+  for (const MethodCall& call : study.methods) seen.insert(key_of(call));
   for (const JsonNode& element : node.elements())
     if (catalogue.kind == "method" && is_given(element))
       add_given(element, catalogue, seen, study);
     else
       for (MethodCall& call : read_calls(element, catalogue))
         if (!(is_star(element, catalogue) && is_same(call, study.reference)) &&
-            seen.insert(call.text()).second)
+            seen.insert(key_of(call)).second)
           study.methods.push_back(std::move(call));
 }
 
@@ -119,11 +138,11 @@ std::vector<Pixel> read_pixels(const JsonNode& node) {
 template <class Read>
 auto read_by_scene(const JsonNode& node, const std::vector<std::string>& names, const Read& read) {
   std::map<std::string, decltype(read(node))> by_scene;
-  for (const auto& item : node.value().items()) {
-    if (std::find(names.begin(), names.end(), item.key()) == names.end())
-      node.fail(unknown_name("scene", item.key(),
-                             std::vector<std::string_view>(names.begin(), names.end())));
-    by_scene.emplace(item.key(), read(node[item.key()]));
+  for (const std::string& scene : node.keys()) {
+    if (std::find(names.begin(), names.end(), scene) == names.end())
+      node.fail(
+          unknown_name("scene", scene, std::vector<std::string_view>(names.begin(), names.end())));
+    by_scene.emplace(scene, read(node[scene]));
   }
   return by_scene;
 }
@@ -143,10 +162,13 @@ std::map<std::string, fs::path> read_reference_scenes(const JsonNode& node, cons
 
 std::vector<std::string> read_measures(const JsonNode& node) {
   std::vector<std::string> names;
-  for (const JsonNode& element : node.elements())
-    names.emplace_back(at_place(element, [&]() -> std::string_view {
-      return find_row("measure", element.string(), study_measures()).name;
-    }));
+  for (const JsonNode& element : node.elements()) {
+    const std::string name = element.string();
+    at_place(element, [&] { find_row("measure", name, study_measures()); });
+    if (std::ranges::find(names, name) != names.end())
+      element.fail(fmt::format("a second '{}'; accepted: each once", name));
+    names.push_back(name);
+  }
   return names;
 }
 
@@ -154,7 +176,8 @@ std::vector<std::string> read_measures(const JsonNode& node) {
 MethodCall read_opacities(const JsonNode& node, const Catalogue& methods, const Study& study) {
   if (!study.reference_scenes.empty())
     node.fail("beside a 'reference_scene'; accepted: one of the two");
-  return at_place(node, [&] { return checked_opacities(read_call(node, methods)); });
+  MethodCall call = read_call(node, methods);
+  return at_place(node, [&] { return checked_opacities(std::move(call)); });
 }
 
 /// Takes out the scenes that lack a file that they need. A note says so in the report.
@@ -295,6 +318,7 @@ Study load_study(const fs::path& file, std::span<const scene::MethodRow> methods
   read_keys(marks, root, reading);
   refuse_other_keys(root);
   read_keys(keys, root, reading);
+  check_scenes(root, reading.study);
   return std::move(reading.study);
 }
 

@@ -61,6 +61,13 @@ std::vector<JsonNode> JsonNode::elements() const {
   return nodes;
 }
 
+std::vector<std::string> JsonNode::keys() const {
+  if (!value_->is_object()) refuse("an object");
+  std::vector<std::string> names;
+  for (const auto& item : value_->items()) names.push_back(item.key());
+  return names;
+}
+
 double JsonNode::number(double min, double max) const {
   const bool valid = value_->is_number() && value_->get<double>() >= min &&
                      value_->get<double>() <= max && std::isfinite(value_->get<double>());

@@ -34,6 +34,7 @@ class JsonNode {
   bool has(std::string_view key) const;
   JsonNode operator[](std::string_view key) const;  // the key must be there
   std::vector<JsonNode> elements() const;           // of an array
+  std::vector<std::string> keys() const;            // of an object
 
   double number(double min, double max) const;  // inclusive bounds
   int integer(int min, int max) const;

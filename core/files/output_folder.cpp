@@ -104,6 +104,14 @@ void check_place(const fs::path& path, const fs::path& target) {
   }
 }
 
+/// The message about files below `hidden`, as one about files below `given`.
+std::string renamed(std::string message, const fs::path& hidden, const fs::path& given) {
+  const std::string from = hidden.string(), to = (given / "").parent_path().string();
+  for (std::size_t at = 0; (at = message.find(from, at)) != message.npos; at += to.size())
+    message.replace(at, from.size(), to);
+  return message;
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(fs::path path)
@@ -120,6 +128,18 @@ OutputFolder::~OutputFolder() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
   if (lock_ >= 0) ::close(lock_);
+}
+
+void OutputFolder::fill(const std::function<void(const fs::path& to)>& write) const {
+  try {
+    write(temporary_);
+  } catch (const InputError& error) {
+    throw InputError(renamed(error.what(), temporary_, path_));
+  } catch (const WorkError& error) {
+    throw WorkError(renamed(error.what(), temporary_, path_));
+  } catch (const fs::filesystem_error& error) {  // a folder within could not be made
+    fail_writing(path_, error.code().value());
+  }
 }
 
 void OutputFolder::commit() {

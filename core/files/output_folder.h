@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace pellucid {
@@ -25,6 +26,10 @@ class OutputFolder {
 
   /// Returns where the files have to be written.
   const std::filesystem::path& temporary() const { return temporary_; }
+
+  /// Runs `write` with temporary(). What it throws names the files by the place that was asked for:
+  /// temporary() is nobody's business, and is gone when the message is read.
+  void fill(const std::function<void(const std::filesystem::path& to)>& write) const;
 
   /// Renames. Throws as the class says.
   void commit();

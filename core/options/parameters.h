@@ -70,6 +70,8 @@ class Parameters {
   /// Returns what the caller gave, as "bands=5,clamp=0.99" in the order of the names; empty for
   /// defaults.
   std::string given() const;
+  /// Returns the same by name.
+  const RawOptions& given_options() const { return given_; }
   /// Returns every value by name, defaults included.
   const RawOptions& all() const { return values_; }
   /// Returns every value by name as the caller gave it: the same wherever the program runs.

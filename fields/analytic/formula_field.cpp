@@ -97,17 +97,33 @@ class Formula {
   std::array<mu::Parser, 3> parsers_;
 };
 
-/// Fourth-order central difference along an axis. Its step balances rounding ε/h against
-/// truncation h⁴.
-Vec3 derivative(Formula& formula, const Vec3& x, double t, int axis) {
-  const double step = std::pow(std::numeric_limits<double>::epsilon(), 0.2);
-  const double h = step * std::max(1.0, std::abs(x[axis]));
+/// Balances rounding ε/h against truncation h⁴, where the flow changes over `length`: neither the
+/// unit nor the distance from the origin says over what it does. A power of two, so that far from
+/// the origin the places that are compared are exactly so far apart.
+double difference_step(double x, double length) {
+  const double part = std::pow(std::numeric_limits<double>::epsilon(), 0.2);
+  const double h = part * std::min(std::max(1.0, std::abs(x)), length);
+  return std::ldexp(1.0, std::ilogb(std::max(h, 0x1p-36 * std::abs(x))));
+}
+
+/// Fourth-order central difference along an axis.
+Vec3 derivative(Formula& formula, const Vec3& x, double t, int axis, double h) {
   const auto at = [&](double offset) {
     Vec3 shifted = x;
     shifted[axis] += offset;
     return formula(shifted, t);
   };
   return (8.0 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+}
+
+/// Beside the edge of where the formula is a number, as of sqrt(z) above 0, over shorter steps.
+Vec3 derivative_within(Formula& formula, const Vec3& x, double t, int axis, double length) {
+  constexpr int most_shorter = 6;  // to some 1e-9 of the length: rounding is 1e-7 by then
+  double h = difference_step(x[axis], length);
+  Vec3 slope = derivative(formula, x, t, axis, h);
+  for (int i = 0; i < most_shorter && !is_finite(slope); ++i)
+    slope = derivative(formula, x, t, axis, h /= 8);
+  return slope;
 }
 
 class FormulaSampler final : public FieldSampler {
@@ -120,13 +136,18 @@ class FormulaSampler final : public FieldSampler {
   }
 
   SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
-    for (int axis = 0; axis < 3; ++axis) jacobian[axis] = derivative(formula_, x, t, axis);
     const SampleStatus status = velocity(x, t, v);
+    if (status != SampleStatus::ok) return status;
+    for (int axis = 0; axis < 3; ++axis)
+      jacobian[axis] = derivative_within(formula_, x, t, axis, length_);
     return is_finite(jacobian) ? status : SampleStatus::not_finite;
   }
 
+  void resolve(double length) override { length_ = length; }
+
  private:
   Formula formula_;
+  double length_ = std::numeric_limits<double>::infinity();  // world units
 };
 
 class FormulaField final : public VectorField {

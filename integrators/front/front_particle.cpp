@@ -47,6 +47,9 @@ Separation separation(const FrontPoint& a, const FrontPoint& b) {
 
 bool are_parting(const FrontPoint& a, const FrontPoint& b) {
   const Vec3 joining = b.flow.x - a.flow.x;
+  // Who is ahead on nearly the same way, and faster since the flow speeds up, leaves the other one
+  // behind for a while, and does not part from it: each ribbon's ends have times of their own.
+  if (glm::dot(a.flow.v, joining) > 0 || glm::dot(b.flow.v, joining) < 0) return false;
   const double along = glm::dot(b.flow.v - a.flow.v, joining);
   return along > 0 && along > 0.5 * (a.speed + b.speed) * glm::length(joining);
 }

@@ -66,7 +66,9 @@ ParticleSource::ParticleSource(const SurfaceRequest& request, const SurfaceSetup
     : seed_(request.seed),
       domain_(request.field->domain()),
       options_(setup.trajectory),
-      samplers_([field = request.field] { return CountingSampler(*field); }) {}
+      samplers_([field = request.field, length = setup.extent] {
+        return CountingSampler(*field, length);
+      }) {}
 
 Trajectory ParticleSource::start(double s) {
   const double wrapped = seed_.closed ? s - std::floor(s) : s;

@@ -33,6 +33,7 @@ double length_along(const LineRequest& request, bool path) {
   Vec3 v;
   if (sampler->velocity(seed, request.start_time, v) != fields::SampleStatus::ok) v = Vec3(0);
   const double way = magnitude(v) * request.duration;
+  if (way > 0 && std::isfinite(way)) sampler->resolve(way);
   for (int i = halvings + 1; i >= 0; --i) {
     const double t = i > halvings ? 0 : std::ldexp(request.duration, -i);
     const double time = request.start_time + (path ? t : 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "integrators/paths/magnitude.h"
 
 namespace pellucid::integrators {
@@ -11,9 +13,13 @@ inline Vec3 facet_sine(const Vec3& a, const Vec3& b, const Vec3& c) {
   return glm::cross(direction_of(b - a), direction_of(c - a));
 }
 
-/// Returns true unless the triangle is a line or a point, as of particles that rest at one place.
+/// Returns true unless the triangle is a line, but for rounding, or a point, as of particles that
+/// rest at one place or stand on one side of the field's domain.
 inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return facet_sine(a, b, c) != Vec3(0);
+  constexpr double rounding = 1e-14;  // of the longest side's square, as measure_quality() has it
+  const double ab = magnitude(b - a), ac = magnitude(c - a);
+  const double longest = std::max({ab, ac, magnitude(c - b)});
+  return magnitude(facet_sine(a, b, c)) * (ab / longest) * (ac / longest) > rounding;
 }
 
 }  // namespace pellucid::integrators

@@ -12,6 +12,10 @@ namespace pellucid::integrators {
 class CountingSampler final : public fields::FieldSampler {
  public:
   explicit CountingSampler(const fields::VectorField& field) : sampler_(field.sampler()) {}
+  /// `length`: over which the flow is looked at, world units.
+  CountingSampler(const fields::VectorField& field, double length) : CountingSampler(field) {
+    sampler_->resolve(length);
+  }
 
   fields::SampleStatus velocity(const Vec3& x, double t, Vec3& v) override {
     ++evaluations_;
@@ -22,6 +26,8 @@ class CountingSampler final : public fields::FieldSampler {
     ++evaluations_;
     return sampler_->velocity_and_jacobian(x, t, v, jacobian);
   }
+
+  void resolve(double length) override { sampler_->resolve(length); }
 
   std::uint64_t evaluations() const { return evaluations_; }
 

@@ -38,7 +38,8 @@ SheetParticles::SheetParticles(const SheetRequest& request, const SheetDomain& d
       extent_(extent_of(domain)),
       options_(trajectory_options(*request.field, {request.duration, request.start_time, true},
                                   extent_, stepping)),
-      samplers_([field = request.field] { return CountingSampler(*field); }) {
+      samplers_(
+          [field = request.field, length = extent_] { return CountingSampler(*field, length); }) {
   if (tolerance) bound_errors(options_, *tolerance);
 }
 

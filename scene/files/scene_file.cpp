@@ -188,6 +188,18 @@ Scene load_scene_by_objects(const fs::path& path, const Progress& progress, cons
   return std::move(loader.scene);
 }
 
+SceneHead read_scene_head(const fs::path& path) {
+  const nlohmann::json json = read_json(path);
+  const JsonNode root(path.string(), json);
+  SceneHead head;
+  read_view(root, path.parent_path(), head.view);
+  head.has_camera = root.has("camera");
+  if (root.has("camera_path"))
+    head.camera_path =
+        read_camera_path(root["camera_path"], path.parent_path(), head.view.camera, "");
+  return head;
+}
+
 Scene read_scene(const nlohmann::json& text, const SceneSource& source, const Progress& progress) {
   const ViewRequest as_given;
   const TakeObject keep_all;

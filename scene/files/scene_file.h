@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "core/progress.h"
 #include "scene/files/object_file.h"
@@ -18,6 +19,16 @@ namespace pellucid::scene {
 /// InputError that names file, key and accepted values.
 Scene load_scene(const std::filesystem::path& path, const Progress& progress = {},
                  const ViewRequest& view = {});
+
+/// A SceneHead is what a scene file says beside its objects, which may take hours to read.
+struct SceneHead {
+  SceneView view;
+  bool has_camera = false;          // else it is fitted to the objects
+  std::vector<Camera> camera_path;  // as Scene has it
+};
+
+/// Reads a scene's head. Throws InputError as load_scene() does for what it reads.
+SceneHead read_scene_head(const std::filesystem::path& path);
 
 /// A TakeObject is given each object as soon as it has been read, lit, and seen by the camera that
 /// is fitted to the scene, and the number of them all; it may cut the object down.

@@ -217,6 +217,8 @@ TEST_F(UnitCommandLine, TunesWithinABoundAndSaysWhenNothingIs) {
   EXPECT_THAT(refusal(tune + "--max-rmse 1 --region cover"), HasSubstr("covered"));
   EXPECT_THAT(refusal(tune + "--max-rmse 1 --max-seconds 0"), HasSubstr("--max-seconds"));
   EXPECT_THAT(refusal(tune + "--max-rmse 1e-4 --max-bytes 1", 1), HasSubstr("no method"));
+  for (const char* bytes : {"-1", "99999999999999999999999", "x"})
+    EXPECT_THAT(refusal(tune + "--max-rmse 1 --max-bytes " + bytes), HasSubstr("--max-bytes"));
   EXPECT_THAT(refusal(tune), HasSubstr("accepted: --max-rmse"));
 }
 

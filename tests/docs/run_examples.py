@@ -57,6 +57,8 @@ def at_low_cost(text):
         file["timing"] = {**file["timing"], "min": 5, "max": 5}
     if "resolution" in file:
         file["resolution"] = [side // 2 for side in file["resolution"]]
+    for crop in file.get("crops", {}).values():
+        crop[:] = [side // 2 for side in crop]
     for pixels in file.get("probes", {}).values():
         pixels[:] = [[column // 2, row // 2] for column, row in pixels]
     return file

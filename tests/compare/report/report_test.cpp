@@ -65,17 +65,6 @@ TEST(UnitReport, HoldsEveryRowAndPicture) {
   EXPECT_THAT(data["rows"][3]["error"].get<std::string>(), HasSubstr("<more>"));
 }
 
-/// Its reference says why, in one line, and there is no sliver at the picture's edge.
-TEST(UnitReport, ACropOutsideThePictureIsRefused) {
-  const StudyFolder folder;
-  const Study study = load_study(
-      folder.study(R"(["broken"])", R"("crops": {"one": [200, 0, 3, 4]})"), fake_methods());
-  StudyOptions options;
-  options.folder = folder / "results";
-  EXPECT_THAT(run_study(study, options).rows.at(0).error,
-              HasSubstr("crops.one: 200,0,3,4: outside of the picture; accepted"));
-}
-
 TEST(UnitReport, HoldsTheColumnsOfTheTable) {
   const StudyFolder folder;
   const auto data = nlohmann::json::parse(

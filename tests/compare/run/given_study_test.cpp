@@ -95,6 +95,28 @@ TEST(UnitSlug, IsNeverAnotherCallsEnding) {
   EXPECT_NE(slug_of(std::string(300, 'a')), slug_of(std::string(301, 'a')));
 }
 
+/// A row is of the pictures of all its views, and of their costs: none is not the same as 0.
+TEST_F(UnitGivenStudy, AnotherPictureOfAnyViewOrAnotherCostMakesAnotherCell) {
+  for (const char* view : {"-1", "-2"}) {
+    write_picture(std::string("one") + view, 24, 16);
+    write_picture(std::string("two") + view, 13, 40);
+  }
+  const auto computed = [&](const std::string& more) {
+    const std::string methods = R"([{"picture": "{scene}-{view}.exr", "name": "theirs")" + more;
+    const Study study =
+        load_study(folder_.study(methods + "}]", R"("repeats": 1, "views": 2)"), fake_methods());
+    StudyOptions options;
+    options.folder = folder_ / "results";
+    options.resume = true;
+    return run_study(study, options).computed;
+  };
+  EXPECT_EQ(computed(""), 4u);
+  EXPECT_EQ(computed(""), 0u);
+  write_picture("one-2", 24, 16, 0.25f);
+  EXPECT_EQ(computed(""), 1u);
+  EXPECT_EQ(computed(R"(, "bytes": 0)"), 2u);
+}
+
 TEST_F(UnitGivenStudy, ACommandDrawsTheExportedSceneInAFolderOfItsOwn) {
   const StudyOutcome outcome =
       run(folder_, command(copies() + "; test -f $2 && echo $PWD && echo said >&2"));
@@ -132,6 +154,12 @@ TEST_F(UnitGivenStudy, ItsCostsAreThoseThatItTells) {
   EXPECT_EQ(value(row, "bytes"), "4096");
   EXPECT_EQ(value(row, "fragments"), "77");
   EXPECT_EQ(row.machine.at("time"), "as the command says");
+}
+
+TEST_F(UnitGivenStudy, ItsStepsAreAnObject) {
+  const std::string costs = R"(; echo '{"ms": 12.5, "steps": [2, 10]}' > $3.json)";
+  EXPECT_THAT(row_of(run(folder_, command(copies() + costs)), "one", "mine").error,
+              HasSubstr("steps: [2,10]; accepted: an object"));
 }
 
 TEST_F(UnitGivenStudy, WhatGoesWrongIsTheRowsErrorAndTheStudyGoesOn) {

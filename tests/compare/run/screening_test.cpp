@@ -45,6 +45,24 @@ TEST(UnitScreening, WhoBeatsIsNotBeatenItself) {
   EXPECT_THAT(beaten_by(std::array{a, b, c}, 2), ElementsAre("a<c", "b<c"));
 }
 
+/// The study goes on with what its rows say, and with its other scenes.
+TEST(UnitScreening, AReferenceThatFailsIsAnErrorOfItsRows) {
+  for (const std::string reference : {"broken", "not-a-number"}) {
+    const StudyFolder folder;
+    const auto file = folder.study(R"(["shifted"])", R"("repeats": 1, "screen": true)");
+    std::string text = read_text(file);
+    text.replace(text.find("\"truth\""), 7, '"' + reference + '"');
+    write_text(file, text);
+    StudyOptions options;
+    options.folder = folder / "results";
+    const StudyOutcome outcome = run_study(load_study(file, fake_methods()), options);
+    ASSERT_EQ(outcome.rows.size(), 4u);
+    EXPECT_THAT(row_of(outcome, "two", reference).error,
+                HasSubstr(reference == "broken" ? "the driver lacks" : "not finite"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "results/table.md"));
+  }
+}
+
 constexpr const char* calls = R"(["shifted:by=0.5,times=9", "shifted:by=0.25", "broken"])";
 
 StudyOutcome run_screened(const StudyFolder& folder, bool resume = false,

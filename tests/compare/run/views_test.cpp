@@ -207,13 +207,6 @@ TEST(UnitViews, AViewThatFailsIsNamed) {
   EXPECT_EQ(row_of(outcome, "one", "steady").error, "");
 }
 
-TEST(UnitViews, ASceneWithoutAPathSaysSo) {
-  const StudyFolder folder;
-  const StudyOutcome outcome = see(folder, R"("views": "path")");
-  EXPECT_THAT(row_of(outcome, "one", "truth").error,
-              HasSubstr("has no camera_path; accepted: one"));
-}
-
 TEST(UnitViews, ResumingKeepsACellWhoseViewsAreAllThere) {
   const StudyFolder folder;
   see(folder, three_views);

@@ -11,8 +11,10 @@ namespace pellucid::compare {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using namespace pellucid::compare::testing;
 
 std::string claims_error(const std::string& claims) {
@@ -116,6 +118,35 @@ TEST(UnitReadClaims, AStudyNamesCallsThatItHas) {
               HasSubstr("unknown number 'rsme'; known: rmse"));
   EXPECT_THAT(claims_error(R"({"claim": "x", "by": "rmse", "order": ["truth"]})"),
               HasSubstr("at least two calls"));
+}
+
+/// A call held against itself says nothing, and a scene would count twice in the mean.
+TEST(UnitReadClaims, EachIsNamedOnce) {
+  const std::string start = R"({"claim": "x", "by": "seconds", )";
+  for (const auto& [rest, place] :
+       {std::pair(R"("order": ["broken", "broken"]})", "order[1]: a second 'broken'"),
+        {R"("order": [["truth", "broken"], "broken"]})", "order[1]: a second 'broken'"},
+        {R"("order": [["broken", "broken"], "truth"]})", "order[0][1]: a second 'broken'"},
+        {R"("same": ["broken", "broken"]})", "same[1]: a second 'broken'"},
+        {R"("of": "broken", "at_most": 1, "scenes": ["one", "two", "one"]})",
+         "scenes[2]: a second 'one'"},
+        {R"("of": "broken", "scene_order": ["one", "one"]})", "scene_order[1]: a second 'one'"},
+        {R"("of": "broken", "at_most": 1, "scenes": []})", "scenes: []; accepted: names"}})
+    EXPECT_THAT(claims_error(start + rest), HasSubstr(std::string("claims[0].") + place)) << rest;
+  const char* cost = R"({"scene": "one", "method": "truth", "ms": 1})";
+  EXPECT_THAT(study_error("[]", std::string(R"("published": {"machine": "m", "rows": [)") + cost +
+                                    ", " + cost + "]}"),
+              HasSubstr("published.rows[1]: a second cost of 'truth' on 'one'"));
+  EXPECT_THAT(study_error("[]", R"("measures": ["hull", "hull"])"),
+              HasSubstr("measures[1]: a second 'hull'"));
+}
+
+/// The place of what is no text stands once before it.
+TEST(UnitReadClaims, APlaceIsNamedOnce) {
+  EXPECT_THAT(claims_error(R"({"claim": "x", "by": 3, "order": ["truth", "broken"]})"),
+              Not(ContainsRegex("by: .*by: ")));
+  for (const char* more : {R"("measures": [3])", R"("opacities": 3)", R"("opacities": "nothing")"})
+    EXPECT_THAT(study_error("[]", more), Not(ContainsRegex("study.json.*study.json"))) << more;
 }
 
 TEST(UnitReadClaims, ABoundIsOnTheWorseSide) {

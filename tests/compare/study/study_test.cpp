@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/study/study.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "compare/cells/cell.h"
@@ -103,6 +104,15 @@ TEST(UnitStudy, NoCellIsThereTwice) {
               ElementsAre("shifted", "shifted:by=0.5"));
 }
 
+/// The first one names the cell.
+TEST(UnitStudy, OneNumberWrittenInSeveralWaysIsOneCell) {
+  EXPECT_THAT(texts(load(R"(["shifted:by=0.5", "shifted:by=0.50", "shifted:by=+5e-1",
+                             {"method": "shifted", "by": [0.25, 0.250, 0.5]}])")),
+              ElementsAre("shifted:by=0.5", "shifted:by=0.25"));
+  EXPECT_THAT(texts(load(R"(["shifted:times=2.0", "shifted:times=2", "shifted:times=3"])")),
+              ElementsAre("shifted:times=2.0", "shifted:times=3"));
+}
+
 TEST(UnitStudy, SlugsAreSafeInFileNames) {
   const Study study = load(R"(["shifted:by=0.5,how=up"])");
   EXPECT_EQ(study.methods[0].slug(), "shifted-by-0.5-how-up");
@@ -141,6 +151,14 @@ TEST(UnitStudy, WrongFilesNameFileKeyAndWhatIsAccepted) {
               HasSubstr("crops.one[2]"));
 }
 
+/// An empty array has no keys to complain of, and one that is not has numbers for keys.
+TEST(UnitStudy, WhatIsByTheNamesOfScenesIsAnObject) {
+  for (const char* key : {"crops", "probes", "needs"})
+    for (const char* value : {"[]", "[1,2]", "null", "5", "\"one\""})
+      EXPECT_THAT(methods_error("[]", fmt::format("\"{}\": {}", key, value)),
+                  HasSubstr(fmt::format("study.json: {}: {}; accepted: an object", key, value)));
+}
+
 TEST(UnitStudy, ScenesAreCheckedBeforeAnyWork) {
   const StudyFolder folder;
   const auto error = [&](const std::string& scenes) -> std::string {
@@ -163,6 +181,68 @@ TEST(UnitStudy, ScenesAreCheckedBeforeAnyWork) {
   EXPECT_THAT(error(R"([])"), HasSubstr("at least one scene"));
   EXPECT_THAT(error(R"(["one.json", "./one.json"])"), HasSubstr("a second scene named 'one'"));
   EXPECT_EQ(error(R"(["one.json"])"), "no error");
+}
+
+/// The scenes' pictures are of 24×16 and 13×40 pixels.
+TEST(UnitStudy, CropsAndProbesLieWithinTheirScenesPictures) {
+  for (const char* crop : {"[0, 0, 24, 16]", "[23, 15, 1, 1]"})
+    EXPECT_EQ(methods_error("[]", std::string(R"("crops": {"one": )") + crop + "}"), "no error");
+  for (const char* crop : {"[0, 0, 25, 16]", "[20, 12, 4, 5]", "[24, 0, 1, 1]"})
+    EXPECT_THAT(methods_error("[]", std::string(R"("crops": {"one": )") + crop + "}"),
+                HasSubstr(std::string("study.json: crops.one: ") + crop +
+                          " is not within the picture; accepted: [x, y, width, height] within "
+                          "24×16 pixels"));
+  EXPECT_EQ(methods_error("[]", R"("probes": {"two": [[12, 39]]})"), "no error");
+  EXPECT_THAT(methods_error("[]", R"("probes": {"two": [[0, 0], [12, 40]]})"),
+              HasSubstr("study.json: probes.two[1]: [12, 40] is outside of the picture; accepted: "
+                        "[column, row] within 13×40 pixels"));
+}
+
+TEST(UnitStudy, AScenesPathIsLookedForBeforeAnyWork) {
+  EXPECT_THAT(methods_error("[]", R"("views": "path")"),
+              AllOf(HasSubstr("study.json: views: \"path\": "),
+                    HasSubstr("one.json has no camera_path; accepted: one, a number of views")));
+}
+
+/// Two different views would be measured against each other.
+TEST(UnitStudy, AReferenceSceneIsSeenAsItsScene) {
+  const StudyFolder folder;
+  const auto error_of = [&](const std::string& own, const std::string& reference,
+                            const std::string& more = "") -> std::string {
+    const auto scene = [&](const char* name, const std::string& keys) {
+      write_text(folder / name, R"({"format": "pellucid-scene", "version": 1, )" + keys +
+                                    R"("objects": [{"mesh": "triangle.ply"}]})");
+    };
+    scene("one.json", own);
+    scene("true.json", reference);
+    try {
+      load_study(folder.study("[]", R"("reference_scene": {"one": "true.json"})" + more),
+                 fake_methods());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const std::string near = R"("camera": {"eye": [0, 0, 4]}, )";
+  const std::string far = R"("camera": {"eye": [0, 0, 9]}, )";
+  const std::string black = R"("background": [0, 0, 0], )";
+  const std::string listed = R"(, "views": [{"eye": [0, 0, 7]}])";
+  EXPECT_EQ(error_of(near, near), "no error");
+  EXPECT_EQ(error_of("", ""), "no error");
+  EXPECT_THAT(error_of(near, far), AllOf(HasSubstr("study.json: reference_scene: "),
+                                         HasSubstr("true.json has another camera than ")));
+  EXPECT_THAT(error_of(near, ""), HasSubstr("another camera"));
+  EXPECT_EQ(error_of(near, far, listed), "no error");
+  EXPECT_THAT(error_of(near, near + black, listed), HasSubstr("another background"));
+  const auto path = [](const char* degrees) {
+    return std::string(R"("camera_path": {"frames": 2, "orbit": )") + degrees + "}, ";
+  };
+  write_text(folder / "two.json", R"({"format": "pellucid-scene", "version": 1, )" + path("9") +
+                                      R"("objects": [{"mesh": "triangle.ply"}]})");
+  const std::string along = R"(, "views": "path")";
+  EXPECT_EQ(error_of(near + path("9"), near + path("9"), along), "no error");
+  EXPECT_THAT(error_of(near + path("9"), near + path("8"), along),
+              HasSubstr("another camera_path"));
 }
 
 // Methods and integrators: a study needs one of the two.

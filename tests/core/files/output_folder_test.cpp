@@ -51,6 +51,25 @@ TEST(UnitOutputFolder, ReplacesOnlyItsOwnKind) {
   EXPECT_EQ(entries(around.path()), 2u);
 }
 
+TEST(UnitOutputFolder, WhatGoesWrongIsToldOfThePlaceThatWasAskedFor) {
+  const testing::TemporaryFolder around;
+  const OutputFolder out(around / "made/");
+  const auto message = [&](const auto& write) -> std::string {
+    try {
+      out.fill(write);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto said = [](const fs::path& file) { return file.string() + ": cannot write: why"; };
+  const std::string expected = said(around / "made" / "mark");
+  EXPECT_EQ(message([&](const fs::path& to) { throw WorkError(said(to / "mark")); }), expected);
+  EXPECT_EQ(message([&](const fs::path& to) { throw InputError(said(to / "mark")); }), expected);
+  EXPECT_EQ(message([](const fs::path& to) { fs::create_directory(to / "no" / "deeper"); }),
+            (around / "made/").string() + ": cannot write: No such file or directory");
+}
+
 TEST(UnitOutputFolder, KeepsWhatOthersHavePutBesideItsFiles) {
   const testing::TemporaryFolder around;
   const auto make = [&](bool meanwhile) {

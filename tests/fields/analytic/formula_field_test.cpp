@@ -79,6 +79,28 @@ TEST(PropertyFormula, TheJacobianIsThatOfTheFormula) {
   EXPECT_LE(norm(jacobian - exact), 2e-11);
 }
 
+/// Differences over a fixed length saw nothing of a flow in micrometres, or far from the origin.
+TEST(PropertyFormula, TheJacobianIsThatOfTheFormulaAtAnyScale) {
+  const auto near = make_field("formula:u=sin(x*1e6),v=0,w=0")->sampler();
+  const auto far = make_field("formula:u=sin(x-4e6),v=0,w=0")->sampler();
+  near->resolve(1e-6);
+  far->resolve(1);
+  Vec3 v;
+  Mat3 jacobian;
+  ASSERT_EQ(near->velocity_and_jacobian({0.4e-6, 0, 0}, 0, v, jacobian), SampleStatus::ok);
+  EXPECT_NEAR(jacobian[0].x, 1e6 * std::cos(0.4), 1e-3);
+  ASSERT_EQ(far->velocity_and_jacobian({4e6 + 0.4, 0, 0}, 0, v, jacobian), SampleStatus::ok);
+  EXPECT_NEAR(jacobian[0].x, std::cos(0.4), 1e-8);
+}
+
+TEST(UnitFormula, HasAJacobianWhereverItHasAVelocity) {
+  const auto sampler = make_field("formula:u=sqrt(z),v=0,w=0")->sampler();
+  Vec3 v;
+  Mat3 jacobian;
+  ASSERT_EQ(sampler->velocity_and_jacobian({0, 0, 5e-4}, 0, v, jacobian), SampleStatus::ok);
+  EXPECT_NEAR(jacobian[2].x, 0.5 / std::sqrt(5e-4), 2e-2);
+}
+
 TEST(AgreementFormula, EqualsTheCatalogue) {
   for (const Vec3& x : {Vec3(0.1, 0.2, 0.3), Vec3(-4, 7, 2)})
     EXPECT_NEAR_VEC(velocity_of("formula:u=sqrt(3)*sin(z)+cos(y),v=sqrt(2)*sin(x)+sqrt(3)*cos(z),"

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "fields/make_field.h"
+#include "fields/sampled/dense_field.h"
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/sheets/integrate_sheet.h"
 #include "integrators/sheets/sheet_error.h"
@@ -191,6 +192,25 @@ TEST(UnitSheets, ATearMayBeCurved) {
   }
   EXPECT_NEAR(disc, pi * 0.16, 2 * pi * 0.4 * 1e-3);
   EXPECT_NEAR(testing::area_of(sheet.mesh), 4, 2 * 2 * pi * 0.4 * 1e-3);
+}
+
+/// The domain's edge is that of a row of facets. Beyond it, where seeds are forgiven a rounding,
+/// all particles start on the edge: what facets have there are lines.
+TEST(UnitSheets, ABorderThroughVerticesHasNoSlivers) {
+  const fields::Axis axis = fields::Axis::uniform(0, 0.1, 11);
+  fields::DenseGrid<glm::vec3> grid{{axis, axis, axis}, {}, std::nullopt};
+  grid.samples.assign(11 * 11 * 11, glm::vec3(1, 0.5, 0));
+  const auto field =
+      fields::make_dense_field(std::move(grid), fields::Interpolation::linear, "uniform");
+  const IntegratedSheet sheet =
+      integrate_sheet("streak-surface:tolerance=1e-3",
+                      streak_of(*field, segment_seed({0.2, -0.5, 0.3}, {0.2, 0.5, 0.3}), 2));
+  const MeshQuality quality = measure_quality(sheet.mesh);
+  EXPECT_EQ(quality.sheets, 1u);
+  EXPECT_EQ(quality.degenerate_triangles, 0u);
+  EXPECT_EQ(quality.duplicate_vertices, 0u);
+  EXPECT_EQ(quality.non_manifold_vertices, 0u);
+  EXPECT_NEAR(testing::area_of(sheet.mesh), 0.4, 1e-6);
 }
 
 /// Chaos stretches the sheet to many times its width, and does not tear it.

@@ -9,6 +9,7 @@
 #include "integrators/mesh/mesh_quality.h"
 #include "integrators/surfaces/surface_error.h"
 #include "tests/integrators/closed_forms.h"
+#include "tests/support/mesh_area.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -179,6 +180,20 @@ TEST(UnitSurface, StartTimeShiftsTheField) {
                           Vec3(std::sin(2 + t) - std::sin(2), std::cos(2) - std::cos(2 + t), 0);
     EXPECT_LE(glm::distance(mesh.positions[i], expected), testing::trajectory_error);
   }
+}
+
+/// Without a stagnation point on its way a surface has no separatrix: that some of it is far ahead
+/// of its neighbour, and much faster, tears nothing.
+TEST(UnitSurface, AFlowThatSpeedsUpIsNotTorn) {
+  const auto field = fields::make_field("formula:u=x,v=y,w=z");
+  const SurfaceRequest request{field.get(), segment_seed({0.1, -3, 0}, {0.1, 1, 0}), 2, 0, false,
+                               {}};
+  const IntegratedSurface surface = integrate_surface("hultquist:tolerance=1e-2", request);
+  EXPECT_EQ(measure_quality(surface.mesh).sheets, 1u);
+  EXPECT_EQ(surface.stats.ends.count(EndReason::torn), 0u);
+  // The triangle of the origin and the seeds grows by exp(2 * 2); its sides are straight.
+  const double area = 0.5 * 0.1 * 4 * (std::exp(4) - 1);
+  EXPECT_NEAR(testing::area_of(surface.mesh), area, 1e-6 * area);
 }
 
 /// By T = 5 neighbours whose seeds are 1e-4 of the curve apart have parted near the flow's
