@@ -6,6 +6,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parents[1]
@@ -66,6 +67,26 @@ def nrrd():
             b"space space\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\nendian: little\nencoding: raw\n\n" + values)
 
 
+def mrc():
+    head = struct.pack("<10i6f3i", 3, 3, 3, 2, 0, 0, 0, 3, 3, 3, 3, 3, 3, 90, 90, 90, 1, 2, 3)
+    head = (head + bytes(208 - len(head)) + b"MAP " + bytes([0x44, 0x44, 0, 0])).ljust(1024, b"\0")
+    return head + struct.pack("<27f", *range(27))
+
+
+def stl():
+    facet = struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+    return bytes(80) + struct.pack("<I", 2) + 2 * facet
+
+
+def write_trx(path):
+    head = {"DIMENSIONS": [9, 9, 9], "NB_STREAMLINES": 2, "NB_VERTICES": 5,
+            "VOXEL_TO_RASMM": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("header.json", json.dumps(head))
+        file.writestr("offsets.uint64", struct.pack("<3Q", 0, 2, 5))
+        file.writestr("positions.3.float32", struct.pack("<15f", *(0.1 * i for i in range(15))))
+
+
 OBJ = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nl 1 2 3\n"
 
 
@@ -83,6 +104,12 @@ def collections():
             "fields.series": json.dumps(series).encode()}
 
 
+PAINTED = b"mtllib painted.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+STUDY = {"format": "pellucid-study", "version": 1, "scenes": ["scene.json"], "reference": "raytrace",
+         "methods": ["weighted-average", {"method": "fourier", "bands": [1, 2]}], "repeats": 1,
+         "crops": {"scene": [2, 2, 8, 8]}, "probes": {"scene": [[3, 4]]}, "views": 2,
+         "claims": [{"claim": "x", "by": "rmse", "order": ["fourier:bands=2", "weighted-average"]}]}
+
 METHOD = {"format": "pellucid-glsl-method", "version": 1,
           "parameters": {"k": {"default": 2, "min": 1, "max": 4, "whole": True}},
           "textures": {"sum": {"format": "rgba32f"}, "bins": {"format": "r32ui", "layers": "k"}},
@@ -91,7 +118,8 @@ METHOD = {"format": "pellucid-glsl-method", "version": 1,
 SHADER = b"void main() {\n  Fragment f = fragment();\n  sum = vec4(f.color, float(k)) * f.alpha;\n}\n"
 
 # What is read by the name of another file, and what a field's name is followed by.
-PART_OF = {"field.geo": "field.case", "field.U": "field.case", "field.q": "field.xyz", "method.glsl": "method.json"}
+PART_OF = {"field.geo": "field.case", "field.U": "field.case", "field.q": "field.xyz", "method.glsl": "method.json",
+           "painted.mtl": "painted.obj"}
 OPTIONS = {".nc": ":array=u,v,w", ".tec": ":array=U,V,W", ".xyz": ":array=Velocity"}
 
 
@@ -103,15 +131,16 @@ class Seeds:
         self.folder = Path(folder)
         for name in ("mesh.ply", "mesh.vtp"):
             self.make(program, "data", "stack:layers=2", "-o", name)
-        for name in ("lines.ply", "lines.vtp", "lines.binlines"):
+        for name in ("lines.ply", "lines.vtp"):
             self.make(program, "data", "benzene:count=5,seed=1", "-o", name)
-        for name in ("points.ply", "points.vdb"):
-            self.make(program, "data", "dark-sky:count=40,seed=1", "-o", name)
+        self.make(program, "data", "dark-sky:count=40,seed=1", "-o", "points.ply")
         self.make(program, "data", "sphere-levels", "-o", "levels.vdb")
         for name, content in {
                 "field.vti": image_data("ImageData"), "field.vtr": image_data("RectilinearGrid"),
                 "field.vts": image_data("StructuredGrid"), "field.vtu": unstructured(),
                 "field.vtk": legacy(), "field.mha": meta_image(), "field.nrrd": nrrd(), "mesh.obj": OBJ,
+                "levels.mrc": mrc(), "mesh.stl": stl(), "painted.obj": PAINTED,
+                "painted.mtl": b"newmtl a\nKd 1 0 0\nd 0.5\n", "study.json": json.dumps(STUDY).encode(),
                 "points.csv": b"x,y,z,red\n0,0,0,1\n1,1,0,0.5\n0,1,1,0\n",
                 "scene.json": scene_of([{"mesh": "mesh.ply", "opacity": 0.4},
                                         {"lines": "lines.ply", "radius": 0.05}]).encode()}.items():
@@ -120,12 +149,17 @@ class Seeds:
                               "screen.glsl": b"void main() { picture = texelFetch(sum, ivec2(0), 0); }\n"}.items():
             (self.folder / name).write_bytes(content)
         for name, target in {"mesh.off": "off/colors_and_normals", "mesh.glb": "gltf/triangle",
-                             "lines.tck": "tck/little_endian", "lines.trk": "trk/values", "lines.hair": "hair/full"}.items():
+                             "lines.tck": "tck/little_endian", "lines.trk": "trk/values",
+                             "lines.hair": "hair/full",
+                             "lines.binlines": "binlines/version1"}.items():
             shutil.copy(TESTS.parent / "fuzz" / "corpus" / target, self.folder / name)
+        write_trx(self.folder / "lines.trx")
         self.write_by_others()
         self.write_snapshot()
         for name in ("a.exr", "a.png"):
             self.make(program, "render", "scene.json", "-m", "raytrace", "-o", name)
+        self.make(program, "render", "scene.json", "-m", "raytrace", "--deep", "deep.exr", "--part", "1/1")
+        self.make(program, "render", "scene.json", "-m", "weighted-average", "--partial", "sums.exr", "--part", "1/1")
         self.names = sorted(p.name for p in self.folder.iterdir())
 
     def write_by_others(self):
@@ -156,7 +190,7 @@ class Seeds:
                 file.create_dataset(f"{group}/Masses", data=[1.0] * 9, chunks=(4,), compression="gzip")
 
     def make(self, program, *arguments):
-        subprocess.run([program, *arguments, "--quiet"], cwd=self.folder, capture_output=True)
+        subprocess.run([program, *arguments, "--quiet"], cwd=self.folder, capture_output=True, check=True)
 
 
 def mutated(content, rng):

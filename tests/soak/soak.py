@@ -80,6 +80,10 @@ class Run:
 def command_for(name, rng):
     """The arguments that make the program read this file, and the outputs it may leave."""
     ending = Path(name).suffix
+    if name in ("deep.exr", "sums.exr"):
+        return ["merge", name, "-o", "out.exr", "--quiet"], ["out.exr"]
+    if name == "study.json":
+        return ["study", name, "--plan", "--quiet"], []
     if ending in (".exr", ".png"):
         return ["compare", "other" + ending, name], []
     if name == "scene.json":
@@ -105,11 +109,12 @@ def mutate(run, seeds):
         shutil.copy(seeds.folder / ("a" + ending), run.folder / ("other" + ending))
     (run.folder / name).write_bytes(mutated((seeds.folder / name).read_bytes(), run.random))
     read = PART_OF.get(name, name)
-    kind = name.split(".")[0]
+    kind = read.split(".")[0]
     if kind == "levels":
-        thing = {"isosurface": {"file": name, "value": 0.5, "scalar": "q"}}
+        thing = {"isosurface": {"file": read, "value": 0.5,
+                                "scalar": "q" if read.endswith(".vdb") else "ImageScalars"}}
     else:
-        thing = {kind: name, "radius": 0.02} if kind in ("lines", "points") else {"mesh": name}
+        thing = {kind: read, "radius": 0.02} if kind in ("lines", "points") else {"mesh": read}
     (run.folder / "of.json").write_text(scene_of([thing]))
     arguments, outputs = command_for(read, run.random)
     run.check(arguments, named=[name, read], outputs=outputs)
