@@ -216,7 +216,7 @@ void add_tune_command(CLI::App& app, GlobalOptions& globals) {
           "--max-seconds", arguments->max_seconds,
           "Begin no call's picture after so many seconds; who is not told apart by then is "
           "tied, who is not drawn is undecided")
-      ->check(CLI::PositiveNumber & finite_number());
+      ->check(finite_number() & CLI::Range(1e-3, 1e9));
   command
       ->add_option("--repeats", arguments->repeats,
                    "Timed pictures of each contender at most; fewer than 5 tell none apart")

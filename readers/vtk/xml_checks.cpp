@@ -340,14 +340,20 @@ Widths widths_of(const std::vector<XmlTag>& tags) {
   return widths;
 }
 
+/// What a file of pieces says of them all.
+struct Declared {
+  Widths widths;
+  const Path& file;
+};
+
 /// VTK copies the numbers of a piece as if they were as many as are declared.
-void check_widths(const std::vector<XmlTag>& tags, const Widths& declared, const Path& path) {
+void check_widths(const std::vector<XmlTag>& tags, const Declared& declared, const Path& path) {
   for (const auto& [array, width] : widths_of(tags))
-    if (const auto found = declared.find(array); found != declared.end() && found->second != width)
+    if (const auto found = declared.widths.find(array);
+        found != declared.widths.end() && found->second != width)
       throw InputError(
-          fmt::format("{}: its array '{}' has NumberOfComponents=\"{}\"; accepted: {}, as the file "
-                      "of pieces says",
-                      path.string(), array.second, width, found->second));
+          fmt::format("{}: its array '{}' has NumberOfComponents=\"{}\"; accepted: {}, as {} says",
+                      path.string(), array.second, width, found->second, declared.file.string()));
 }
 
 bool is_structured(std::string_view ending) {
@@ -356,7 +362,7 @@ bool is_structured(std::string_view ending) {
 
 /// `declared`: by the file of pieces that names this one, which may hold less than it says; else
 /// none.
-void check_file(const Path& path, const Widths* declared, int depth) {
+void check_file(const Path& path, const Declared* declared, int depth) {
   constexpr int deepest = 4;  // blocks of pieces of blocks; a file may name itself
   const VtkFormat* const format = vtk_format(path);
   std::error_code code;
@@ -370,7 +376,7 @@ void check_file(const Path& path, const Widths* declared, int depth) {
     check_arrays(tags, path);
     return check_first_cells(tags, path);
   }
-  const Widths own = widths_of(tags);
+  const Declared own{widths_of(tags), path};
   const bool names_pieces = format->ending.starts_with(".pvt");
   for (const XmlTag& tag : tags)
     for (const char* key : {"file", "Source"})

@@ -162,8 +162,10 @@ TEST_F(UnitXmlChecks, PiecesHaveArraysAsDeclared) {
   };
   EXPECT_EQ(of("<PDataArray Name=\"U\" NumberOfComponents=\"2\"/>"), "");
   EXPECT_EQ(of(""), "");
-  EXPECT_THAT(of("<PDataArray Name=\"U\" NumberOfComponents=\"3\"/>"),
-              HasSubstr("0.vtu: its array 'U' has NumberOfComponents=\"2\"; accepted: 3"));
+  EXPECT_THAT(
+      of("<PDataArray Name=\"U\" NumberOfComponents=\"3\"/>"),
+      AllOf(HasSubstr("0.vtu: its array 'U' has NumberOfComponents=\"2\"; accepted: 3, as "),
+            HasSubstr("a.pvtu says")));
 }
 
 /// A file of blocks is as good as its blocks; the pieces of a parallel file may name the whole.
