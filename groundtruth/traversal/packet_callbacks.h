@@ -11,10 +11,10 @@ namespace pellucid::groundtruth {
 
 /// A PacketContext is what callbacks need of the rays; Embree hands it through.
 struct PacketContext {
-  EmbreeContext embree;
-  RayPacket rays;
-  std::array<double, RayPacket::width> begins;  // of the traversals, from the rays' starts
+  EmbreeContext embree;   // the first
   std::uint32_t walking;  // bit i: ray i; Embree may ask about others (PacketTraversal)
+  std::array<double, RayPacket::width> begins;  // of the traversals, from the rays' starts
+  RayPacket rays;
 };
 
 /// Returns the callbacks that append the packet's crossings to its lists. They never report a hit

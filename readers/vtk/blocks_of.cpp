@@ -38,7 +38,7 @@ void collect_all(Composite& composite, unsigned count, const std::string& name, 
                  const About& about, std::vector<NamedBlock>& blocks) {
   for (unsigned i = 0; i < count; ++i) {
     const std::string own = name_of(composite.HasMetaData(i) ? about(i) : nullptr, i);
-    collect(at(i), name.empty() ? own : name + '/' + own, blocks);
+    collect(at(i), name.empty() ? own : fmt::format("{}/{}", name, own), blocks);
   }
 }
 

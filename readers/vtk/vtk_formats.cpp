@@ -19,12 +19,14 @@ namespace fs = std::filesystem;
 constexpr std::string_view plain = "pellucid-read-vtk", simulation = "pellucid-read-simulation";
 
 constexpr std::string_view pieces = "its pieces are read together";
+constexpr std::string_view in_pieces =
+    "pieces have the same arrays in one order, and the first cells of a kind in the first piece";
 constexpr VtkFormat table[] = {
     {".vti", "VTK image", plain},
     {".vtr", "VTK rectilinear grid", plain},
     {".vts", "VTK structured grid", plain},
-    {".vtu", "VTK unstructured grid", plain},
-    {".vtp", "VTK poly data", plain},
+    {".vtu", "VTK unstructured grid", plain, Beside::nothing, {}, in_pieces},
+    {".vtp", "VTK poly data", plain, Beside::nothing, {}, in_pieces},
     {".vtk", "legacy VTK", plain},
     {".pvti", "VTK image in pieces", plain, Beside::named, {}, pieces},
     {".pvtr", "VTK rectilinear grid in pieces", plain, Beside::named, {}, pieces},
