@@ -22,6 +22,11 @@ T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, doub
 template <class T>
 void LevelField::add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double kept,
                           LevelSum<T>& out) const {
+  if (is_whole(cell)) {
+    out.weight = out.weight + T(1.0);
+    out.sum = out.sum + trilinear(cell, s, kept);
+    return;
+  }
   const ScalarLevel& level = levels_[cell.level];
   for (int corner = 0; corner < 8; ++corner) {
     std::array<int, 3> at = cell.low;
