@@ -53,8 +53,10 @@ std::span<const FrontLine::Edge> FrontLine::join(int left, int right, const Tile
 /// A particle from the seed at s, by the path that is known or a new one.
 FrontLine::Place FrontLine::place(double s, double t, double tiled, Shadow path) {
   if (!path) path = run_.spawn(s, t, tiled);
-  if (path && !path->reach(t, run_.sampler()) && !(path->time() > tiled))
+  if (path && !path->reach(t, run_.sampler()) && !(path->time() > tiled)) {
     run_.drop(std::move(path), EndReason::torn);
+    path = nullptr;
+  }
   if (!path) return {s, t, tiled, -1};
   t = std::min(t, path->time());
   particles_.emplace_back(s, std::move(*path));

@@ -33,7 +33,7 @@ DeepHead head_of(const Blocks& blocks) {
   return {size[0], size[1], blocks.text("text"), {samples.begin(), samples.end()}};
 }
 
-DeepSamples samples_of(Blocks blocks, std::uint64_t pixels) {
+DeepSamples samples_of(const Blocks& blocks, std::uint64_t pixels) {
   DeepSamples samples{
       of_length<std::uint32_t>(blocks.at("counts"), pixels), {}, {}, {}, {}, blocks};
   const std::uint64_t total =
