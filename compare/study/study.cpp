@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "core/files/json_node.h"
 #include "core/options/names.h"
+#include "core/options/option_table.h"
 
 namespace pellucid::compare {
 namespace {
@@ -46,7 +47,7 @@ RawOptions shortest(const MethodCall& call, RawOptions values) {
   for (const ParameterSpec& spec : call.row->parameters)
     if (const auto value = values.find(spec.name);
         value != values.end() && (spec.kind == Kind::integer || spec.kind == Kind::real))
-      value->second = fmt::format("{}", call.parameters.real(spec.name));
+      value->second = number_text(call.parameters.real(spec.name));
   return values;
 }
 

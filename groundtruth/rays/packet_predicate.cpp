@@ -41,8 +41,8 @@ struct Lanes {
 
 using Triangle = std::array<ShearedVertex, 3>;
 
-// Both compute the sums and products of RayPredicate and of triangle_point(), in the same order, so
-// that no bit differs. Locate returns those of the rays which have to be sharpened.
+// A Decide computes the sums and products of RayPredicate, a Locate those of triangle_point(), in
+// the same order, so that no bit differs. A Locate returns which rays have to be sharpened.
 using Decide = void(const Lanes&, const Triangle&, PacketEdges&);
 using Locate = std::uint32_t(const PacketEdges&, std::uint32_t crossed, const double* sharp_from,
                              const Vec3& depths, PacketPredicate::Points&);

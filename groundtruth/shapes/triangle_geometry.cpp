@@ -10,8 +10,6 @@
 namespace pellucid::groundtruth {
 namespace {
 
-/// A slab as wide as a packet of rays is worth a box of its own.
-constexpr double narrowest_slab = packet_width;
 constexpr int most_slabs = 64;
 
 double half_area(const Box3& box) {
@@ -120,7 +118,8 @@ std::uint8_t TriangleGeometry::small_group(std::uint32_t first) const {
   return std::uint8_t(end - first);
 }
 
-/// Halves the slabs as long as that takes away much of what their boxes hold in vain.
+/// Halves the slabs as long as that takes away much of what their boxes hold in vain. One as wide
+/// as a packet of rays is worth a box of its own.
 void TriangleGeometry::add_pieces(std::uint32_t first, std::uint8_t count) {
   constexpr double worth_it = 0.7;  // of the area; a diagonal's halves have 0.5
   Piece piece{first, count, 0, 1};
@@ -128,7 +127,7 @@ void TriangleGeometry::add_pieces(std::uint32_t first, std::uint8_t count) {
   const int axis = longest_axis(whole);
   const double length = whole.max[axis] - whole.min[axis];
   double area = half_area(whole);
-  while (2 * piece.slabs <= most_slabs && length > 2 * piece.slabs * narrowest_slab) {
+  while (2 * piece.slabs <= most_slabs && length > 2 * piece.slabs * packet_width) {
     const Piece halved{first, count, 0, std::uint8_t(2 * piece.slabs)};
     const double halved_area = total_area(halved);
     if (halved_area > worth_it * area) break;

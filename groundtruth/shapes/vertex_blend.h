@@ -20,7 +20,8 @@ struct VertexBlend {
   std::array<double, N> weight;
 
   Fragment fragment(const geometry::Vertices& vertices) const {
-    using Pair = double __attribute__((vector_size(16)));  // the compiler pairs glm's no more
+    // Two channels an instruction, which GCC 12 does not make of glm::dvec4 here.
+    using Pair = double __attribute__((vector_size(16)));
     Pair rg{0, 0}, ba{0, 0};
     for (std::size_t i = 0; i < N; ++i) {
       const glm::vec4& color = vertices.colors[vertex[i]];

@@ -16,7 +16,7 @@ inline Vec3 facet_sine(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// Returns true unless the triangle is a line, but for rounding, or a point, as of particles that
 /// rest at one place or stand on one side of the field's domain.
 inline bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
-  constexpr double rounding = 1e-14;  // of the longest side's square, as measure_quality() has it
+  constexpr double rounding = 1e-14;  // of the longest side's square
   const double ab = magnitude(b - a), ac = magnitude(c - a);
   const double longest = std::max({ab, ac, magnitude(c - b)});
   return magnitude(facet_sine(a, b, c)) * (ab / longest) * (ac / longest) > rounding;

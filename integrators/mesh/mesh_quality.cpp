@@ -6,6 +6,7 @@
 
 #include "geometry/half_edges.h"
 #include "integrators/mesh/disjoint_sets.h"
+#include "integrators/mesh/facet_normal.h"
 
 namespace pellucid::integrators {
 namespace {
@@ -86,7 +87,7 @@ void measure_shapes(const geometry::TriangleMesh& mesh, MeshQuality& quality) {
       longest = std::max(longest, glm::distance(x[k], x[(k + 1) % 3]));
     }
     const double twice_area = glm::length(area);
-    if (!(twice_area > 1e-14 * longest * longest)) ++quality.degenerate_triangles;
+    if (!has_area(x[0], x[1], x[2])) ++quality.degenerate_triangles;
     angles.push_back(smallest);
     aspects.push_back(std::sqrt(0.75) * longest * longest / twice_area);
     if (!mesh.normals.empty())

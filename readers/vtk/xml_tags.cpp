@@ -121,4 +121,12 @@ std::vector<XmlTag> xml_tags_before_data(const std::filesystem::path& file) {
   return tags;
 }
 
+void refuse_attribute(const std::filesystem::path& path, const XmlTag& tag,
+                      std::string_view attribute, const std::string& value,
+                      const std::string& accepted) {
+  throw InputError(fmt::format("{}: not a valid {} file: <{}>: {}=\"{}\"; accepted: {}",
+                               path.string(), path.extension().string(), tag.name, attribute, value,
+                               accepted));
+}
+
 }  // namespace pellucid::readers

@@ -26,4 +26,9 @@ std::vector<XmlTag> xml_tags(const std::filesystem::path& file);
 /// texts between the tags are not kept.
 std::vector<XmlTag> xml_tags_before_data(const std::filesystem::path& file);
 
+/// Throws InputError for an attribute's value that is not what is `accepted`; it names the file.
+[[noreturn]] void refuse_attribute(const std::filesystem::path& path, const XmlTag& tag,
+                                   std::string_view attribute, const std::string& value,
+                                   const std::string& accepted);
+
 }  // namespace pellucid::readers
