@@ -47,7 +47,7 @@ nlohmann::ordered_json list_methods() {
          {"convex hull", row.promises.convex_hull},
          {"fixed memory", row.promises.fixed_memory},
          {"parts add up", row.promises.adds_up},
-         {"draws isosurfaces", row.promises.draws_isosurfaces},
+         {"in double", row.promises.in_double},
          {"optimizes opacity", row.promises.optimizes_opacity},
          {"optimizes vertices", row.promises.optimizes_vertices},
          {"random", row.promises.random},

@@ -10,6 +10,8 @@
 #include "app/commands.h"
 #include "compare/changes/past_run.h"
 #include "core/files/json_text.h"
+#include "core/files/output_file.h"
+#include "view/scenes/saved_camera.h"
 #include "view/site/gate.h"
 #include "view/site/http_server.h"
 #include "view/site/results_files.h"
@@ -20,13 +22,18 @@ namespace pellucid::app {
 namespace {
 
 struct ViewArguments {
-  std::filesystem::path what;
+  std::filesystem::path what, study;
   int port = 0;
 };
 
 view::SiteContent content_of(const ViewArguments& arguments) {
-  if (compare::is_run_folder(arguments.what)) return view::results_content(arguments.what);
-  return {{{arguments.what, true}}, std::nullopt};
+  view::SiteContent content = compare::is_run_folder(arguments.what)
+                                  ? view::results_content(arguments.what)
+                                  : view::SiteContent{{{arguments.what, true}}};
+  if (arguments.study.empty()) return content;
+  view::with_view(arguments.study.string(), read_text(arguments.study), {});  // throws if it can't
+  content.study = arguments.study;
+  return content;
 }
 
 void print_line(const std::string& line) {
@@ -82,11 +89,14 @@ void add_view_command(CLI::App& app, GlobalOptions& globals) {
   command->add_option("--port", arguments->port, "Port of 127.0.0.1; 0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
+  command->add_option("--study", arguments->study,
+                      "Study file to whose views the page's 'add to study' adds a camera");
   command->footer(
       "Prints the page's address, whose random part lets in who has it, and serves until Ctrl-C, "
-      "or until\nthe terminal or the standard input ends. Only a scene that is named here is "
-      "written to, and only\nby the page's 'Save camera'.\n"
-      "Example:\n  pellucid view scenes/tornado.json");
+      "or until\nthe terminal or the standard input ends. Only a scene, and a study, that are "
+      "named here are\nwritten to, and only by the page's 'save camera' and 'add to study'.\n"
+      "Examples:\n  pellucid view scenes/tornado.json\n"
+      "  pellucid view scenes/tornado.json --study mine.json");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { run(*arguments, globals); });

@@ -36,7 +36,7 @@ struct SurfaceRequest {
 };
 
 /// The mesh has unit `normals` and the scalars "s" (on the seed curve), "t" (since the seed),
-/// "time" (t + start_time) and "speed".
+/// "time" (the field's: t + start_time of a path surface, else start_time) and "speed".
 struct IntegratedSurface {
   geometry::TriangleMesh mesh;
   SurfaceStats stats;

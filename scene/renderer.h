@@ -16,6 +16,7 @@
 #include "core/raster.h"
 #include "scene/elements/optimized_opacities.h"
 #include "scene/parts/partial_sums.h"
+#include "scene/parts/scene_part.h"
 #include "scene/scene.h"
 #include "scene/view_depth.h"
 
@@ -151,6 +152,7 @@ struct RenderContext {
   FrameMemory* memory = nullptr;  // along a camera path; has to outlive the renderer
   /// Of the whole, where the scene is a part of one; has to outlive the renderer, as what follows.
   const DepthRange* depths = nullptr;
+  const PartNumber* part = nullptr;  // which: an isosurface stays as it is, see cut_object()
   /// What PartialSums::behind() returned of a part, in the place of opaque objects.
   const Image* behind = nullptr;
 };
@@ -175,9 +177,9 @@ struct Promises {
   /// If not: the largest change of a pixel under shuffled primitives, of up to a thousand layers,
   /// since sums in float take a rounding of 6e-8 for each.
   double order_spread = 0;
-  bool convex_hull = false;        // colours stay in the hull of fragment and background colours
-  bool fixed_memory = false;       // bytes depend on the picture alone, not on the scene
-  bool draws_isosurfaces = false;  // as surfaces of their own; other rows refuse them
+  bool convex_hull = false;   // colours stay in the hull of fragment and background colours
+  bool fixed_memory = false;  // bytes depend on the picture alone, not on the scene
+  bool in_double = false;     // from the crossings to the picture
   /// The method chooses opacities itself where a scene has importance: what it differs by from the
   /// exact composite is meant, no error. Other rows leave importance out.
   bool optimizes_opacity = false;

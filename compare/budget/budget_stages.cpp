@@ -54,12 +54,12 @@ bool is_exact(const MethodCall& call) {
 StageRefinement refine_compositing(const BudgetTools& tools, DrawPlan& plan) {
   if (is_exact(plan.call))
     return {"", fmt::format("{} composites every layer exactly", plan.call.row->name)};
-  plan.call = plan.call.row->promises.draws_isosurfaces ? tools.reference : tools.lists;
+  plan.call = plan.call.row->promises.in_double ? tools.reference : tools.lists;
   return {plan.call.text(), ""};
 }
 
 StageRefinement refine_arithmetic(const BudgetTools& tools, DrawPlan& plan) {
-  if (plan.call.row == tools.reference.row || plan.call.row->promises.draws_isosurfaces)
+  if (plan.call.row == tools.reference.row || plan.call.row->promises.in_double)
     return {"", fmt::format("{} computes in double", plan.call.row->name)};
   plan.call = tools.reference;
   return {fmt::format("{}, in double", plan.call.text()), ""};

@@ -216,13 +216,10 @@ StageRefinement refine_mesh(const BudgetTools& tools, DrawPlan& plan) {
     return meshed_finely(integrator, seed, tools.options.factor);
   });
   const std::vector<json*> meshes = isosurface_meshes(plan.scene);
-  if (!meshes.empty() && plan.call.row->promises.draws_isosurfaces) {
-    for (json* mesh : meshes) (*mesh)["mesh"] = false;
-    finer.insert("the isosurface itself");
-  }
-  if (!finer.empty()) return {listed(finer), ""};
-  return {"", meshes.empty() ? "the scene's geometry is given, not made from a field"
-                             : "the method draws no isosurface but by its mesh"};
+  for (json* mesh : meshes) (*mesh)["mesh"] = false;
+  if (!meshes.empty()) finer.insert("the isosurface itself");
+  if (finer.empty()) return {"", "the scene's geometry is given, not made from a field"};
+  return {listed(finer), ""};
 }
 
 }  // namespace pellucid::compare

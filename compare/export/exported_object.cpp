@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
@@ -82,6 +83,19 @@ void put_light_in(const scene::Scene& scene, ExportedObject& object) {
   object.lit = true;
 }
 
+/// PLY and glTF hold floats, of which the largest is 3.4e38; a scene's doubles may lie beyond.
+void check_floats(const ExportedObject& object) {
+  constexpr double most = std::numeric_limits<float>::max();
+  const auto fits = [](const Vec3& x) {
+    return std::abs(x.x) <= most && std::abs(x.y) <= most && std::abs(x.z) <= most;
+  };
+  if (std::ranges::all_of(object.vertices.positions, fits) && object.radius.largest() <= most)
+    return;
+  throw InputError(
+      "a coordinate, or a radius, is beyond what the files' floats hold; accepted: at most "
+      "3.4e38, as by \"transform\": {\"scale\": …}");
+}
+
 template <class T>
 void append(std::string& out, T value) {
   char bytes[sizeof value];
@@ -141,6 +155,7 @@ ExportedObject exported_object(const scene::Scene& scene, std::size_t index) {
   try {
     ExportedObject object =
         std::visit([](const auto& shape) { return exported(shape); }, given.shape);
+    check_floats(object);
     object.opaque = given.opaque;
     put_light_in(scene, object);
     return object;
@@ -151,8 +166,10 @@ ExportedObject exported_object(const scene::Scene& scene, std::size_t index) {
 
 double float_rounding(const ExportedObject& object) {
   double largest = 0;
-  for (const Vec3& x : object.vertices.positions)
-    largest = std::max(largest, glm::length(x - Vec3(glm::vec3(x))));
+  for (const Vec3& x : object.vertices.positions) {
+    const Vec3 off = x - Vec3(glm::vec3(x));
+    largest = std::max(largest, std::hypot(off.x, off.y, off.z));  // whose squares may be 0
+  }
   return largest;
 }
 

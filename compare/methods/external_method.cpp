@@ -138,9 +138,10 @@ class ExternalRenderer final : public GivenRenderer {
   }
 
   std::string file_or_word(const std::string& word) const {
+    if (word.empty()) return word;  // an argument like others, and no path
     const fs::path path = fs::absolute(command_.base / word);
     std::error_code code;
-    return fs::is_regular_file(path, code) ? path.lexically_normal().string() : word;
+    return fs::is_regular_file(path, code) ? without_dots(path).string() : word;
   }
 
   void add_costs(const fs::path& file, double seconds, scene::RenderStats& stats) {

@@ -66,7 +66,7 @@ class PictureMethod final : public GivenMethod {
   std::string file(std::string_view scene, int view) const {
     const std::string name =
         with_values(picture_.file, {{"scene", std::string(scene)}, {"view", std::to_string(view)}});
-    return (picture_.base / name).lexically_normal().string();
+    return without_dots(picture_.base / name).string();
   }
 
   GivenPicture picture_;
@@ -87,11 +87,18 @@ Image read_given_picture(const std::string& path, const scene::Scene& scene) {
   return image;
 }
 
+// Once from left to right: a value may hold braces, too, as the path of a folder does.
 std::string with_values(std::string text, const std::map<std::string, std::string>& values) {
-  for (const auto& [key, value] : values) {
-    const std::string mark = '{' + key + '}';
-    for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos; at += value.size())
-      text.replace(at, mark.size(), value);
+  for (std::size_t at = 0; (at = text.find('{', at)) != text.npos;) {
+    const std::size_t end = text.find('}', at);
+    if (end == text.npos) break;
+    const auto value = values.find(text.substr(at + 1, end - at - 1));
+    if (value == values.end()) {
+      ++at;
+      continue;
+    }
+    text.replace(at, end + 1 - at, value->second);
+    at += value->second.size();
   }
   return text;
 }

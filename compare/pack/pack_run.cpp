@@ -19,11 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every file that a cell has read, with its content's hash.
+/// Every file that a cell has read, with its content's hash. What was not there, such as an .obj's
+/// materials, has none, and is no file of the package.
 std::map<fs::path, std::string> all_inputs(const PastRun& run) {
   std::map<fs::path, std::string> inputs;
   for (const ResultRow& row : run.rows)
-    for (const auto& [path, hash] : inputs_of(row)) inputs.emplace(path, hash);
+    for (const auto& [path, hash] : inputs_of(row))
+      if (!hash.empty()) inputs.emplace(path, hash);
   return inputs;
 }
 

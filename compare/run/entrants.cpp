@@ -38,7 +38,7 @@ std::optional<std::string> why_left_out(const MethodCall& call, const MethodCall
         "it chooses opacities itself, so that its picture is not to be {}'s; with --opacities all "
         "composite those that one method chooses",
         reference.row->name);
-  if (call.row != reference.row && own.draws_isosurfaces && its.draws_isosurfaces &&
+  if (call.row != reference.row && own.exact_without_isosurfaces && its.exact &&
       !has_isosurface(scene))
     return fmt::format("without an isosurface it draws as {} does", reference.row->name);
   return std::nullopt;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/files/files_read.h"
 #include "core/files/json_node.h"
 #include "core/options/names.h"
 
@@ -24,7 +25,7 @@ std::vector<std::string> files_of(const JsonNode& node) {
 
 std::optional<fs::path> first_missing(const JsonNode& node, const fs::path& folder) {
   for (const std::string& file : files_of(node)) {
-    fs::path path = (folder / file).lexically_normal();
+    fs::path path = without_dots(folder / file);
     std::error_code code;
     if (!fs::exists(path, code)) return path;
   }

@@ -9,6 +9,7 @@
 
 #include "compare/methods/sweep.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "core/options/names.h"
 
 namespace pellucid::compare {
@@ -38,8 +39,7 @@ void place_files(const scene::MethodRow& row, const std::filesystem::path& folde
                  Parameters& parameters) {
   for (const ParameterSpec& spec : row.parameters)
     if (spec.kind == ParameterSpec::Kind::file && parameters.is_set(spec.name))
-      parameters.place_file(spec.name,
-                            (folder / parameters.text(spec.name)).lexically_normal().string());
+      parameters.place_file(spec.name, without_dots(folder / parameters.text(spec.name)).string());
 }
 
 MethodCall make_call(const JsonNode& node, std::string_view name, const RawOptions& options,

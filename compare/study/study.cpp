@@ -16,6 +16,7 @@
 #include "compare/study/read_settings.h"
 #include "compare/study/read_source.h"
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "core/files/json_node.h"
 #include "core/options/names.h"
 #include "core/options/option_table.h"
@@ -91,7 +92,7 @@ void refuse_shared_files(const JsonNode& node, const Study& study) {
 
 /// A scene that is not there, or is something else, is found before hours of work.
 fs::path read_scene_path(const JsonNode& node, const fs::path& base) {
-  fs::path path = (base / node.string()).lexically_normal();
+  fs::path path = without_dots(base / node.string());
   if (!fs::is_regular_file(path))
     node.fail(fmt::format("'{}' is not a file; accepted: a scene file, relative to the study",
                           path.string()));

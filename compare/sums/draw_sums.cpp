@@ -29,8 +29,9 @@ void check_adds_up(const MethodCall& call) {
 
 SumsFile sums_of(const SumsRequest& request, const std::string& fingerprint,
                  const groundtruth::ScenePart& part, const SumsFile* totals) {
-  const auto renderer = request.call.row->make(part.scene, request.call.parameters,
-                                               {.gl = request.gl, .depths = &part.whole.depths});
+  const auto renderer = request.call.row->make(
+      part.scene, request.call.parameters,
+      {.gl = request.gl, .depths = &part.whole.depths, .part = &part.whole.part});
   scene::PartialSums* const sums = renderer->partial_sums();
   SumsFile file;
   file.info = {

@@ -5,6 +5,7 @@
 #define XXH_INLINE_ALL  // the algorithm is all in its header
 #include <xxhash.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <mutex>
@@ -33,10 +34,19 @@ Listeners& listeners() {
 fs::path normal(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
-  return (code ? path : absolute).lexically_normal();
+  return without_dots(code ? path : absolute);
 }
 
 }  // namespace
+
+fs::path without_dots(const fs::path& path) {
+  fs::path normal = path.lexically_normal();
+  if (std::ranges::find(path, fs::path("..")) == path.end()) return normal;
+  std::error_code code;
+  if (!fs::exists(path, code) || fs::equivalent(path, normal, code)) return normal;
+  const fs::path folder = fs::canonical(path.parent_path(), code);
+  return code ? path : folder / path.filename();
+}
 
 FilesRead::FilesRead() {
   const std::lock_guard lock(listeners().mutex);

@@ -56,6 +56,11 @@ class UnnotedReads {
 /// Reports to every FilesRead that lives that `path` is read. read_text() does so by itself.
 void note_read(const std::filesystem::path& path);
 
+/// Returns the path without "." and "..", as it is told in lists and messages. What ".." leads to
+/// behind a link only the file system knows: such a path is absolute, and the links of its folder
+/// are followed.
+std::filesystem::path without_dots(const std::filesystem::path& path);
+
 /// A ContentHashes knows the hash of each file's content, and reads no file twice.
 class ContentHashes {
  public:

@@ -17,7 +17,9 @@
 
 #include "core/error.h"
 #include "core/files/descriptor.h"
+#include "core/files/files_read.h"
 #include "core/machine/stopwatch.h"
+#include "core/parallel.h"
 
 namespace pellucid {
 namespace {
@@ -59,25 +61,45 @@ struct Start {
   ::_exit(127);
 }
 
+/// Waits for the end of the parent, however it ends, and ends the group then: the program's death
+/// signal does not reach what it has started, nor does Ctrl-C on the terminal.
+[[noreturn]] void guard(pid_t group, pid_t parent) {
+  sigset_t all, told;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_BLOCK, &all, nullptr);
+  ::sigemptyset(&told);
+  ::sigaddset(&told, SIGTERM);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  int signal = 0;
+  if (::getppid() == parent) ::sigwait(&told, &signal);
+  ::kill(-group, SIGKILL);
+  ::_exit(0);
+}
+
+/// Whether who has asked, as Python at Ctrl-C, no longer wants the work.
+bool is_cancelled() { return tbb::is_current_task_group_canceling(); }
+
 bool has_ended(pid_t child) {
   siginfo_t about{};
   return ::waitid(P_PID, id_t(child), &about, WEXITED | WNOHANG | WNOWAIT) == 0 &&
          about.si_pid != 0;
 }
 
-/// Waits for the end of the process, at most so long; says whether it has ended.
+/// Waits for the end of the process, at most so long and as long as it is wanted; says whether it
+/// has ended.
 bool ends_within(pid_t child, double seconds) {
   const Descriptor watched(int(::syscall(SYS_pidfd_open, child, 0)));
   const Stopwatch watch;
   for (;;) {
     const double left = seconds - watch.seconds();
     if (left <= 0) return false;
-    // Milliseconds: poll() takes an int. Where the system has no descriptor of a process, it looks
-    // again and again.
-    const double most = watched.fd < 0 ? 10 : 1e6;
+    // Milliseconds. Nothing wakes who waits here when the work is cancelled, nor, where the system
+    // has no descriptor of a process, when it ends: it looks again and again.
+    const double most = watched.fd < 0 ? 10 : 50;
     pollfd entry{watched.fd, POLLIN, 0};
     ::poll(&entry, 1, int(std::min(1e3 * left + 1, most)));
     if (has_ended(child)) return true;
+    if (is_cancelled()) return false;
   }
 }
 
@@ -98,7 +120,7 @@ std::string ProgramRun::failure() const {
 
 fs::path find_program(std::string_view word, const fs::path& base) {
   if (word.find('/') != word.npos) {
-    const fs::path path = fs::absolute(base / word).lexically_normal();
+    const fs::path path = without_dots(fs::absolute(base / word));
     return may_be_run(path) ? path : fs::path();
   }
   const char* path = std::getenv("PATH");
@@ -134,12 +156,19 @@ ProgramRun run_program(const fs::path& program, const std::vector<std::string>& 
     throw WorkError(
         fmt::format("{}: cannot be started: {}", program.string(), std::strerror(code)));
   }
+  const pid_t guardian = ::fork();
+  if (guardian == 0) guard(child, start.parent);
   ProgramRun run;
   run.limit = timeout;
   run.timed_out = !ends_within(child, timeout);
   run.seconds = watch.seconds();
   ::kill(-child, SIGKILL);  // what it has started and left
+  if (guardian > 0) {
+    ::kill(guardian, SIGKILL);
+    reap(guardian);
+  }
   const int status = reap(child);
+  if (is_cancelled()) throw Cancelled();
   if (WIFEXITED(status))
     run.exit_code = WEXITSTATUS(status);
   else

@@ -32,8 +32,9 @@ struct ProgramPlace {
 std::filesystem::path find_program(std::string_view word, const std::filesystem::path& base);
 
 /// Runs the program with these words (the first is its own name), without a shell and without
-/// input, waits for its end, and ends it and all that it has started after `timeout` seconds; it
-/// ends with this process too. Throws WorkError when it cannot be started.
+/// input, waits for its end, and ends it and all that it has started after `timeout` seconds; they
+/// end with this process too. Throws WorkError when it cannot be started, Cancelled when the
+/// tbb::task_group_context of the call is cancelled meanwhile.
 ProgramRun run_program(const std::filesystem::path& program, const std::vector<std::string>& words,
                        const ProgramPlace& place, double timeout);
 

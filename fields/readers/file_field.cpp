@@ -11,7 +11,6 @@
 #include "core/files/output_file.h"
 #include "core/options/lower_case.h"
 #include "core/options/split.h"
-#include "fields/files/periods.h"
 
 namespace pellucid::fields {
 namespace {
@@ -68,7 +67,14 @@ FileOptions parse_options(const PathAndOptions& parts) {
 
 FileOptions in_common(FileOptions options) {
   if (!options.common_array) options.common_array = std::make_shared<std::string>();
+  if (!options.told_periods) options.told_periods = std::make_shared<ToldPeriods>();
   return options;
+}
+
+Periods periods_of(const FileOptions& options, const std::string& file) {
+  Periods periods = parse_periods(options.periodic, file);
+  periods.told = options.told_periods;
+  return periods;
 }
 
 const std::string& wanted_array(const FileOptions& options) {
@@ -154,6 +160,11 @@ std::unique_ptr<VectorField> read_file_scalar(std::string_view text,
         "{}: it has no scalar '{}' beside its velocity; accepted: a field of a file that has", text,
         name));
   FileOptions options = parse_options(parts);
+  // The grid's period is what its velocity tells: a scalar may be alike at both ends by chance.
+  if (parse_periods(options.periodic, std::string(parts.path)).are_told_by_samples()) {
+    options.told_periods = std::make_shared<ToldPeriods>();
+    read_file(base / parts.path, *parts.format, options);
+  }
   options.array = name;
   options.quantity = Quantity::scalar;
   return read_file(base / parts.path, *parts.format, options);

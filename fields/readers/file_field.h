@@ -11,6 +11,7 @@
 
 #include "core/options/option_table.h"
 #include "fields/field.h"
+#include "fields/files/periods.h"
 #include "fields/files/vector_array.h"
 #include "fields/sampled/dense_field.h"
 
@@ -29,10 +30,14 @@ struct FileOptions {
   /// In a field of several files or times: which vectors the first has when `array` is empty, ""
   /// until it is read. The others have to have the same.
   std::shared_ptr<std::string> common_array{};
+  /// The same of periods that samples tell.
+  std::shared_ptr<ToldPeriods> told_periods{};
 };
 
 /// Returns options for each of several files or times: what the first takes by default all take.
 FileOptions in_common(FileOptions options);
+/// Returns what is asked for of periods. Throws InputError that names `file`.
+Periods periods_of(const FileOptions& options, const std::string& file);
 /// Returns the array that is asked for, or was taken before; "" for the default.
 const std::string& wanted_array(const FileOptions& options);
 /// Keeps the name of the vectors that were taken for those that follow; "" where they have none.

@@ -136,9 +136,25 @@ class Maker {
     return period;
   }
 
+  /// Where the last layer equals the first at one time, or of one array, it may do so by chance.
+  /// So a period with a spacing more holds for all, and one that another's last layer contradicts
+  /// is refused.
   double own_period(std::size_t a, const Axis& axis) const {
     const double length = axis.back() - axis.front();
     if (has_cells()) return length;
+    if (!source_.periods.told) return period_by_samples(a, axis);
+    std::optional<double>& told = (*source_.periods.told)[a];
+    if (!told) told = period_by_samples(a, axis);
+    if (*told <= length && !equals_first(a, size_[a] - 1))
+      fail(
+          fmt::format("periodic={0}: the last layer along {0} is not the first again, as it is "
+                      "where the field was read before; accepted: periodic={0}:LENGTH",
+                      axis_names.substr(a, 1)));
+    return *told;
+  }
+
+  double period_by_samples(std::size_t a, const Axis& axis) const {
+    const double length = axis.back() - axis.front();
     const std::string_view name = axis_names.substr(a, 1);
     if (is_constant_along(a))
       fail(

@@ -42,8 +42,9 @@ struct GridSource {
 /// itself a periodic one. Where nothing is said of periods, an x axis of even spacing that goes
 /// once around in degrees, while y stays within ±90, is a longitude; the description says so. A
 /// period without a length is that of the axis where the last layer equals the first (always, of
-/// values in cells), else one spacing more. Throws InputError that names the file for fewer than
-/// two samples along two axes, and for periods that do not fit.
+/// values in cells), else one spacing more, and that of the first of several times or arrays.
+/// Throws InputError that names the file for fewer than two samples along two axes, and for periods
+/// that do not fit.
 template <class Sample>
 std::unique_ptr<VectorField> make_grid_field(GridSource<Sample> source);
 

@@ -54,7 +54,7 @@ std::unique_ptr<VectorField> make_field(const MetaImageHeader& header,
   source.frame = frame_of(header, path);
   source.samples = std::move(samples);
   source.interpolation = options.interpolation;
-  source.periods = parse_periods(options.periodic, path.string());
+  source.periods = periods_of(options, path.string());
   source.file = path.string();
   source.description = fmt::format("{}: {} × {} × {} samples", path.filename().string(),
                                    header.size[0], header.size[1], header.size[2]);
@@ -97,14 +97,14 @@ std::unique_ptr<VectorField> read_meta_image_field(const Path& path, const FileO
     bad_file(path, "cells=constant: its samples are at points; accepted: cells=averaged");
   if (options.quantity == Quantity::scalar)
     bad_file(path, fmt::format("no scalar '{}': it has a velocity alone", options.array));
-  if (!options.array.empty() && options.array != "velocity")
-    bad_file(path,
-             fmt::format("array={}: no such vectors; point arrays of three components: velocity",
-                         options.array));
   const MetaImage image = read_meta_image(path);
   if (image.header.channels != 3)
     bad_file(path, fmt::format("ElementNumberOfChannels = {}; accepted of a field: 3",
                                image.header.channels));
+  if (!options.array.empty() && options.array != "velocity")
+    bad_file(path,
+             fmt::format("array={}: no such vectors; point arrays of three components: velocity",
+                         options.array));
   return make_field(image, options, path);
 }
 

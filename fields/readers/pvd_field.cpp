@@ -103,9 +103,10 @@ std::unique_ptr<VectorField> read_frame(const std::vector<CollectedFile>& entrie
   const auto parts =
       readers::chosen_blocks(std::move(read.parts), of_parts ? options.block : "", path.string());
   const Path& named = entries.size() == 1 ? entries.front().file : path;
-  const std::string note = parts.size() > 1  ? fmt::format(", {} parts merged", parts.size())
-                           : read.blocks > 1 ? fmt::format(", {} blocks merged", read.blocks)
-                                             : "";
+  const std::string note = parts.size() > 1 ? fmt::format(", {} parts merged", parts.size())
+                           : entries.size() == 1 && read.blocks > 1
+                               ? fmt::format(", {} blocks merged", read.blocks)
+                               : "";
   return field_of(readers::merged(parts), options, named, note);
 }
 

@@ -230,11 +230,18 @@ std::unique_ptr<VectorField> read_frame(const SeriesEntry& entry, const Path& pa
     bad_file(path, fmt::format("files[{}]: '{}'; accepted endings: {}, but no series in a series",
                                entry.number, entry.file.filename().string(), file_endings()));
   options.time.clear();  // of the series, not of its files
+  std::unique_ptr<VectorField> field;
   try {
-    return read_file(entry.file, *format, options);
+    field = read_file(entry.file, *format, options);
   } catch (const InputError& error) {
     bad_file(path, fmt::format("files[{}]: {}", entry.number, error.what()));
   }
+  // At a time of the series it would be asked for a time of its own.
+  if (!field->steady())
+    bad_file(path, fmt::format("files[{}]: '{}' has several times of its own; accepted: files of "
+                               "one time each",
+                               entry.number, entry.file.filename().string()));
+  return field;
 }
 
 std::unique_ptr<VectorField> read_series_field(const Path& path, const FileOptions& asked) {

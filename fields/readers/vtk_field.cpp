@@ -142,7 +142,7 @@ std::unique_ptr<VectorField> make_dense_of(Shape shape, vtkDataSet* data, const 
                                         count(0), count(1), count(2), vectors.title);
   return make_grid_field(GridSource<Sample>{
       std::move(shape.axes), copy_samples<Sample>(data, vectors), shape.frame,
-      interpolation_of(vectors, options, path), parse_periods(options.periodic, path.string()),
+      interpolation_of(vectors, options, path), periods_of(options, path.string()),
       vectors.averaged, vectors.quantity, path.string(), std::move(description)});
 }
 

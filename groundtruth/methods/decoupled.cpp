@@ -171,7 +171,7 @@ const scene::MethodRow& decoupled_method() {
       .promises = {.exact_without_importance = true,
                    .order_independent = true,
                    .convex_hull = true,
-                   .draws_isosurfaces = true,
+                   .in_double = true,
                    .optimizes_opacity = true,
                    .edge_shift = 0},
       .bytes_per_pixel = "0; 112 per crossing of a row, and the hierarchy",

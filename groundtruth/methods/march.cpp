@@ -85,7 +85,7 @@ const scene::MethodRow& march_method() {
                    .exact_unless = "stop-below|filter",
                    .order_independent = true,
                    .convex_hull = true,
-                   .draws_isosurfaces = true,
+                   .in_double = true,
                    .edge_shift = 0},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
       .sweep = "step=2|8|16",

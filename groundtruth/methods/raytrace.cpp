@@ -49,7 +49,7 @@ const scene::MethodRow& raytrace_method() {
                    .exact_unless = "precision|stop-below|adaptive",
                    .order_independent = true,
                    .convex_hull = true,
-                   .draws_isosurfaces = true,
+                   .in_double = true,
                    .one_layer_unless = "precision=fast",
                    .edge_shift = 0},
       .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, and the hierarchy",

@@ -15,8 +15,11 @@ constexpr std::size_t growth = 4;
 
 }  // namespace
 
-SurfaceBuilder::SurfaceBuilder(double start_time, bool with_normals, const SeedCurve& curve)
-    : start_time_(start_time), with_normals_(with_normals), curve_(curve) {
+SurfaceBuilder::SurfaceBuilder(const SurfaceRequest& request, bool with_normals)
+    : start_time_(request.start_time),
+      path_(request.path),
+      with_normals_(with_normals),
+      curve_(request.seed) {
   reserve_vertices(first_capacity);
   triangles_.reserve(2 * first_capacity);
 }
@@ -92,7 +95,8 @@ geometry::TriangleMesh SurfaceBuilder::finish() {
   if (with_normals_) fill_missing_normals(positions_, triangles_, normals_);
   geometry::TriangleMesh mesh;
   auto& time = mesh.scalars["time"] = t_;
-  for (double& t : time) t += start_time_;
+  // The field's time, at which attributes are looked up, too: on a stream surface it stands still.
+  for (double& t : time) t = start_time_ + (path_ ? t : 0);
   mesh.positions = std::move(positions_);
   mesh.normals = std::move(normals_);
   mesh.scalars["s"] = std::move(s_);

@@ -7,6 +7,7 @@
 #include "geometry/triangle_mesh.h"
 #include "integrators/front/front_particle.h"
 #include "integrators/paths/seed_curve.h"
+#include "integrators/surface_integrator.h"
 
 namespace pellucid::integrators {
 
@@ -15,8 +16,8 @@ namespace pellucid::integrators {
 /// itself (docs/integrators.md).
 class SurfaceBuilder {
  public:
-  /// `curve` must outlive it.
-  SurfaceBuilder(double start_time, bool with_normals, const SeedCurve& curve);
+  /// `request` must outlive it.
+  SurfaceBuilder(const SurfaceRequest& request, bool with_normals);
 
   std::uint32_t add_vertex(const FrontPoint& point, double s);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
@@ -49,6 +50,7 @@ class SurfaceBuilder {
   void reserve_vertices(std::size_t count);
 
   double start_time_;
+  bool path_;
   bool with_normals_;
   const SeedCurve& curve_;
   std::vector<Vec3> positions_, normals_;

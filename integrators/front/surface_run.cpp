@@ -79,7 +79,7 @@ SurfaceRun::SurfaceRun(const SurfaceRequest& request, const SurfaceSetup& option
     : request_(request),
       options_(options),
       source_(request, options),
-      builder_(request.start_time, options.trajectory.companion != Companion::none, request.seed) {}
+      builder_(request, options.trajectory.companion != Companion::none) {}
 
 std::unique_ptr<Trajectory> SurfaceRun::spawn(double s, double t, double earliest) {
   auto path = std::make_unique<Trajectory>(source_.start(s));

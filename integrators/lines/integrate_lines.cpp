@@ -39,37 +39,63 @@ struct Line {
 
 /// Where vertices go on a trajectory.
 struct Spacing {
-  double step = 0;  // world units; 0: by the turn
-  double turn = 0;  // radians between the directions at two vertices
-  double longest;   // time units
+  double step = 0;      // world units; 0: by the turn
+  double turn = 0;      // radians between the directions at two vertices
+  double longest;       // time units
+  double shortest = 0;  // world units: within a chord of that a turn is none
 };
 
-/// From rest nothing tells how fast it will go: halved until the way there and the turn on its
-/// second half are as short as they should be.
-double next_time_from_rest(Trajectory& path, double t, const Spacing& spacing,
-                           fields::FieldSampler& sampler) {
-  constexpr int halvings = 20;
-  double dt = spacing.longest;
-  for (int i = 0; i < halvings; ++i, dt *= 0.5) {
-    path.reach(t + dt, sampler);
-    dt = std::min(dt, path.time() - t);
-    const FlowPoint middle = path.at(t + 0.5 * dt), end = path.at(t + dt);
-    const double way = glm::distance(path.position_at(t), end.x);
-    const Vec3 before = direction_of(middle.v), after = direction_of(end.v);
-    const double turn = std::atan2(glm::length(glm::cross(before, after)), glm::dot(before, after));
-    if (spacing.step > 0 ? way <= spacing.step : turn <= spacing.turn) break;
+double angle_between(const Vec3& a, const Vec3& b) {
+  const Vec3 from = direction_of(a), to = direction_of(b);
+  return std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
+}
+
+/// The way from t to `end` in what lies between two vertices at most: its chord, or its turns from
+/// look to look. Rest has no direction.
+double part_of_spacing(const Trajectory& path, double t, double end, const Spacing& spacing) {
+  if (spacing.step > 0)
+    return glm::distance(path.position_at(t), path.position_at(end)) / spacing.step;
+  constexpr int looks = 4;
+  constexpr double rounding = 1e-3;  // of the dense output's directions, in turns
+  double turn = 0;
+  Vec3 before = path.at(t).v;
+  for (int i = 1; i <= looks; ++i) {
+    const Vec3 here = path.at(i < looks ? t + (end - t) * i / looks : end).v;
+    turn += angle_between(before, here);
+    before = here;
   }
-  return t + dt;
+  return turn / ((1 + rounding) * spacing.turn);
+}
+
+/// The velocity at one vertex foretells the next one, but a flow may speed up or bend on the way:
+/// shortened until the way is as short, or turns as little, as it should. Where the flow jumps no
+/// way is short enough.
+double next_time_within(Trajectory& path, double t, double dt, int most_tries,
+                        const Spacing& spacing, fields::FieldSampler& sampler) {
+  constexpr double rounding = 1e-9, aim = 0.95;
+  double end = t + dt;
+  for (int i = 0; i < most_tries; ++i) {
+    path.reach(end, sampler);
+    end = std::min(end, path.time());
+    const double part = part_of_spacing(path, t, end, spacing);
+    const double chord = glm::distance(path.position_at(t), path.position_at(end));
+    if (!(part > 1 + rounding) || chord <= spacing.shortest) break;
+    end = t + std::max(0.5, aim / part) * (end - t);
+  }
+  return end;
 }
 
 double next_time(Trajectory& path, double t, const Spacing& spacing,
                  fields::FieldSampler& sampler) {
+  constexpr int tries = 10, tries_from_rest = 20;
   const FlowPoint here = path.at(t);
   const double speed = magnitude(here.v);
-  if (speed == 0) return next_time_from_rest(path, t, spacing, sampler);
-  if (spacing.step > 0) return t + std::min(spacing.step / speed, spacing.longest);
+  // From rest nothing tells how fast it will go.
+  if (speed == 0)
+    return next_time_within(path, t, spacing.longest, tries_from_rest, spacing, sampler);
   const double turning = magnitude(glm::cross(direction_of(here.v), path.acceleration(t))) / speed;
-  return t + std::min(spacing.turn / turning, spacing.longest);
+  const double dt = spacing.step > 0 ? spacing.step / speed : spacing.turn / turning;
+  return next_time_within(path, t, std::min(dt, spacing.longest), tries, spacing, sampler);
 }
 
 Line::Point line_point(const FlowPoint& flow, double t, double time) {
@@ -82,11 +108,15 @@ Line cut(Line line) {
   return line;
 }
 
-Line follow(const TrajectoryOptions& options, const Vec3& seed, const Spacing& spacing,
+Line follow(const TrajectoryOptions& options, const Vec3& seed, Spacing spacing,
             std::uint64_t most_vertices, fields::FieldSampler& sampler) {
+  // Of the way so far: who has come to a sink stays there, and turns about within rounding.
+  constexpr double resolution = 1e-6;
   Line line;
   Trajectory path(options, seed, Vec3(0), sampler);
   const auto add = [&](double t) {
+    if (t > 0)
+      spacing.shortest += resolution * glm::distance(line.points.back().x, path.position_at(t));
     line.points.push_back(line_point(path.at(t), t, options.start_time + (options.path ? t : 0)));
   };
   for (double t = 0; path.exists();) {

@@ -22,11 +22,13 @@
 // A picture's passes are those of one of the first seven families: they never meet each other. Trees of
 // layers meet lists, opacity meets lists and optical depth; trees meet neither locks nor opacity.
 //
-// Texture units are 16 in any stage. Shapes and stage are there in every pass and have the first ones;
-// from 10 on are a method's own, and one method's passes never meet another's.
+// Texture units: OpenGL promises 16 that one stage finds, and 80 in all. Shapes and stage are there in
+// every pass and have the first ones; from 10 to 15 are a method's own, and one method's passes never
+// meet another's. No stage finds all: a program draws one kind of shapes.
 
 const int image_units = 8;
-const int texture_units = 16;
+const int texture_units = 18;
+const int textures_of_stage = 16;
 const int uniform_blocks = 2;
 const int storage_blocks = 2;
 const int atomic_counters = 1;
@@ -74,6 +76,8 @@ const int segment_elements_texture = 4;
 const int solids_texture = 7;
 const int solid_points_texture = 8;
 const int solid_overlaps_texture = 9;
+const int isosurface_pieces_texture = 16;
+const int isosurface_numbers_texture = 17;
 // Stage: what is opaque.
 const int opaque_picture_texture = 5;
 const int opaque_keys_texture = 6;

@@ -26,8 +26,10 @@ void check_limits(const GlContext& context) {
   require(limit(GL_MAX_DRAW_BUFFERS) >= 8, context, "fewer than 8 colour attachments");
   require(limit(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) >= bindings::image_units, context,
           "fewer than 8 images in a fragment shader");
-  require(limit(GL_MAX_TEXTURE_IMAGE_UNITS) >= bindings::texture_units, context,
+  require(limit(GL_MAX_TEXTURE_IMAGE_UNITS) >= bindings::textures_of_stage, context,
           "fewer than 16 textures in a fragment shader");
+  require(limit(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS) >= bindings::texture_units, context,
+          "fewer than 18 units of textures");
   require(limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS) >= 1, context,
           "no storage blocks in a fragment shader");
   require(limit(GL_MAX_FRAGMENT_ATOMIC_COUNTERS) >= 1, context,

@@ -15,13 +15,8 @@ namespace {
 constexpr std::uint64_t most_primitives = (std::uint64_t(1) << 31) / 3;
 constexpr std::uint64_t most_crossings = most_primitives / 2;
 
-void check_shape(const scene::SceneObject& object) {
-  if (std::holds_alternative<scene::Isosurface>(object.shape))
-    throw InputError(fmt::format(
-        "{}: an isosurface: raytrace and march draw it; accepted by this method: meshes, "
-        "lines, points",
-        object.name));
-}
+// Of an isosurface; more than one in a pixel at one depth, to a float, are of neighbouring cells.
+constexpr std::uint64_t crossings_told_apart = std::uint64_t(1) << 24;
 
 struct CountPrimitives {
   std::uint64_t operator()(const geometry::TriangleMesh& mesh) { return mesh.triangles.size(); }
@@ -30,7 +25,7 @@ struct CountPrimitives {
     const bool spheres = points.profile == scene::PointObject::Profile::sphere;
     return (spheres ? 2 : 1) * points.set.positions.size();
   }
-  std::uint64_t operator()(const scene::Isosurface&) { return 0; }  // refused: see check_shape
+  std::uint64_t operator()(const scene::Isosurface&) { return crossings_told_apart; }
 };
 
 /// What Batch::others is, of a kind; `units` of a kind are those passed by.
@@ -47,19 +42,24 @@ std::uint32_t others_of(ShapeKind kind, const Units& units) {
       return units(ShapeKind::sphere);
     case ShapeKind::sphere:
       return units(ShapeKind::disc);
+    case ShapeKind::isosurface:
+    case ShapeKind::fading_isosurface:
+      return 0;
   }
   return 0;
 }
 
-/// Whether an object at that place can be drawn together with the batch before it.
+/// Whether an object at that place can be drawn together with the batch before it; an isosurface,
+/// whose batch is empty yet, with none.
 bool continues(const Batch& batch, const scene::SceneObject& object, const PrimitiveRange& place) {
-  return batch.kind == kind_of(object) && batch.opaque == object.opaque &&
-         batch.first_primitive + batch.count == place.first;
+  return batch.kind == kind_of(object) && batch.kind != ShapeKind::isosurface &&
+         batch.opaque == object.opaque && batch.first_primitive + batch.count == place.first;
 }
 
 }  // namespace
 
 ShapeKind kind_of(const scene::SceneObject& object) {
+  if (std::holds_alternative<scene::Isosurface>(object.shape)) return ShapeKind::isosurface;
   if (const auto* lines = std::get_if<scene::LineObject>(&object.shape))
     return lines->profile == scene::LineObject::Profile::tube ? ShapeKind::tube : ShapeKind::ribbon;
   if (const auto* points = std::get_if<scene::PointObject>(&object.shape))
@@ -96,9 +96,8 @@ std::vector<Batch> make_batches(const scene::Scene& part, std::span<const Primit
   std::int64_t passed = 0;  // triangles, segments and points
   for (std::size_t i = 0; i < part.objects.size(); ++i) {
     const scene::SceneObject& object = part.objects[i];
-    check_shape(object);
     const ShapeKind kind = kind_of(object);
-    const auto n = std::uint32_t(primitive_count(object));
+    const auto n = kind == ShapeKind::isosurface ? 0 : std::uint32_t(primitive_count(object));
     std::uint32_t& first = of_kind[std::size_t(kind)];
     if (batches.empty() || !continues(batches.back(), object, places[i]))
       batches.push_back({kind, object.opaque, places[i].first, places[i].last, first, first, first,

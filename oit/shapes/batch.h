@@ -11,20 +11,31 @@
 namespace pellucid::oit {
 
 /// A ShapeKind says how OpenGL draws a shape: as triangles that are the shape (meshes, ribbons,
-/// discs), or by casting the ray of each pixel at a solid (spheres, tubes).
-enum class ShapeKind { mesh, ribbon, disc, sphere, tube };
+/// discs), or by casting the ray of each pixel: at solids (spheres, tubes), or at the pieces of
+/// isosurfaces, along a ray of degree three or, where levels fade, of a higher one.
+enum class ShapeKind { mesh, ribbon, disc, sphere, tube, isosurface, fading_isosurface };
 
 /// The table holds every kind, in order.
-inline constexpr std::array shape_kinds = {ShapeKind::mesh, ShapeKind::ribbon, ShapeKind::disc,
-                                           ShapeKind::sphere, ShapeKind::tube};
+inline constexpr std::array shape_kinds = {ShapeKind::mesh,
+                                           ShapeKind::ribbon,
+                                           ShapeKind::disc,
+                                           ShapeKind::sphere,
+                                           ShapeKind::tube,
+                                           ShapeKind::isosurface,
+                                           ShapeKind::fading_isosurface};
 
-/// Returns the kind of an object that is no isosurface.
+/// Returns the kind of an object, of an isosurface the first of its two.
 ShapeKind kind_of(const scene::SceneObject& object);
 
-/// Returns whether a kind is drawn by casting rays, and has two crossings a unit: where they enter,
+/// Returns whether a kind is solid, and has two crossings a unit: where they enter,
 /// then where they leave.
 constexpr bool is_solid(ShapeKind kind) {
   return kind == ShapeKind::sphere || kind == ShapeKind::tube;
+}
+
+/// Returns whether a kind is drawn by casting the ray of each pixel.
+constexpr bool is_cast(ShapeKind kind) {
+  return is_solid(kind) || kind == ShapeKind::isosurface || kind == ShapeKind::fading_isosurface;
 }
 
 /// Returns the number of primitives of a unit, which is thinned out as one: two of a segment or a
@@ -34,7 +45,9 @@ constexpr std::uint32_t primitives_of_unit(ShapeKind kind) {
 }
 
 /// Returns the number of triangles of a mesh, of triangles of ribbons (two a segment), of discs, or
-/// of crossings of solids (two a sphere, or a segment of a tube).
+/// of crossings of solids (two a sphere, or a segment of a tube). For an isosurface, whose
+/// crossings depend on the camera (see Isosurfaces), it is how many are told apart where depths are
+/// equal.
 std::uint64_t primitive_count(const scene::SceneObject& object);
 
 /// A PrimitiveRange is an object's place in the order of a scene: the numbers of its first and its
@@ -54,7 +67,7 @@ struct Batch {
   std::uint32_t last_primitive = 0;                   // what would follow it counts as this
   std::uint32_t first_of_kind = 0, last_of_kind = 0;  // likewise, among those of its kind
   std::uint32_t first = 0;                            // in the buffer of its kind
-  std::uint32_t count = 0;
+  std::uint32_t count = 0;                            // 0 of an isosurface until it is cut
   /// What first_of_kind counts, in units, plus this is the number of triangles, segments and points
   /// before it that are transparent.
   std::int64_t passed = 0;
@@ -64,8 +77,8 @@ struct Batch {
 };
 
 /// Returns the batches of a scene whose objects have these places in the order of the scene that
-/// they are a part of, or its own. Throws InputError for shapes that OpenGL does not draw here
-/// (isosurfaces) and as primitive_ranges().
+/// they are a part of, or its own. Each isosurface has a batch. Throws InputError as
+/// primitive_ranges().
 ///@{
 std::vector<Batch> make_batches(const scene::Scene& part, std::span<const PrimitiveRange> places);
 std::vector<Batch> make_batches(const scene::Scene& scene);

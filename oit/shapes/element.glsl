@@ -7,7 +7,9 @@ uniform uint first_of_kind, last_of_kind;  // of what is being drawn, among its 
 
 int primitive_of_kind() { return int(min(first_of_kind + primitive_index(), last_of_kind)); }
 
-#if defined(DISC) || defined(SPHERE)
+#if defined(ISOSURFACE) || defined(FADING_ISOSURFACE)
+int element() { return -1; }  // none: it keeps its opacity, and has no importance
+#elif defined(DISC) || defined(SPHERE)
 #ifdef DISC
 const int primitives_of_point = 1;
 #else

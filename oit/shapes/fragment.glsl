@@ -17,8 +17,8 @@ uvec2 opaque_key() {
 }
 #endif
 
-#ifdef SOLID
-#include "oit/shapes/solid.glsl"
+#ifdef CAST
+#include "oit/shapes/cast.glsl"
 #else
 // Of the primitives that are being drawn.
 uint primitive_index() { return uint(gl_PrimitiveID); }
@@ -43,8 +43,8 @@ bool precedes(uvec2 a, uvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y);
 // |n . v|. See scene.h for the shapes' normals.
 #ifdef LIT
 #include "oit/shapes/lighting.glsl"
-#ifdef SOLID
-float facing() { return solid_facing; }
+#ifdef CAST
+float facing() { return cast_facing; }
 #elif defined(DISC)
 float facing() { return sqrt(1.0 - dot(vertex_corner, vertex_corner)); }
 #else
@@ -99,8 +99,8 @@ Fragment fragment() {
 #ifdef DISC
   if (dot(vertex_corner, vertex_corner) > 1.0) discard;
 #endif
-#ifdef SOLID
-  if (!meet_solid()) discard;
+#ifdef CAST
+  if (!meet()) discard;
 #endif
   // Interpolation may round an opacity or a depth of 1 to just above it.
   Fragment f = Fragment(vertex_color.rgb, clamp(vertex_color.a, 0.0, 1.0),

@@ -46,7 +46,7 @@ class Thinning {
   std::vector<IndexTriangle> triangles_, kept_;
 };
 
-/// Keeps likewise every n-th of what is drawn without indices: discs and solids.
+/// Keeps likewise every n-th of what is drawn without indices: discs and what is cast.
 Batch keep_every(const Batch& batch, std::uint32_t n) {
   const std::uint32_t group = primitives_of_unit(batch.kind), units = batch.count / group;
   const auto passed = std::uint64_t(batch.passed + batch.first_of_kind / group);
@@ -63,7 +63,7 @@ Geometry::Geometry(const Gl& gl, const scene::Scene& scene)
     : Geometry(gl, scene, scene::depth_range(scene), primitive_ranges(scene)) {}
 
 Geometry::Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRange& range,
-                   std::span<const PrimitiveRange> places)
+                   std::span<const PrimitiveRange> places, const scene::PartNumber& number)
     : gl_(gl),
       view_(part, range),
       lighting_(part.lighting),
@@ -73,6 +73,8 @@ Geometry::Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRan
   const auto has = [&](ShapeKind kind) {
     return std::ranges::any_of(batches_, [&](const Batch& b) { return b.kind == kind; });
   };
+  if (has(ShapeKind::isosurface)) isosurfaces_.emplace(gl, part, view_, number);
+  if (isosurfaces_) place_isosurfaces();
   primitive_count_ =
       std::accumulate(batches_.begin(), batches_.end(), std::uint64_t(0),
                       [](std::uint64_t sum, const Batch& batch) { return sum + batch.count; });
@@ -95,6 +97,7 @@ Defines Geometry::defines() const {
   if (view_.projection() == scene::Projection::orthographic)
     defines.emplace_back("ORTHOGRAPHIC", 1);
   if (solids_ && solids_->tapered()) defines.emplace_back("TAPERED", 1);
+  if (isosurfaces_) defines.emplace_back("FADING_DEGREE", isosurfaces_->degree());
   return defines;
 }
 
@@ -105,6 +108,19 @@ std::vector<ShapeKind> Geometry::kinds(bool opaque) const {
                             [&](const Batch& b) { return b.kind == kind && b.opaque == opaque; }))
       kinds.push_back(kind);
   return kinds;
+}
+
+void Geometry::place_isosurfaces() {
+  std::vector<Batch> placed;
+  std::size_t surface = 0;
+  for (const Batch& batch : batches_)
+    if (batch.kind != ShapeKind::isosurface) {
+      placed.push_back(batch);
+    } else {
+      const std::vector<Batch> parts = isosurfaces_->batches(surface++, batch);
+      placed.insert(placed.end(), parts.begin(), parts.end());
+    }
+  batches_ = std::move(placed);
 }
 
 void Geometry::draw_parts(ShapeKind kind, const IndexedVertices& vertices) {
@@ -150,6 +166,7 @@ Resources Geometry::resources() const {
   if (points_) list.add(points_->as_texture(points_texture));
   if (point_importance_) list.add(point_importance_->as_texture(point_importances_texture));
   if (solids_) list.add(solids_->resources());
+  if (isosurfaces_) list.add(isosurfaces_->resources());
   if (elements_) list.add(elements_->resources());
   return list;
 }
@@ -184,7 +201,7 @@ void Geometry::draw_batch(const GeometryProgram& program, const glm::vec2& size,
   if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
   if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);
   if (batch.kind == ShapeKind::disc) draw_discs(of_kind, batch, source.stride_of_points);
-  if (is_solid(batch.kind)) draw_solids(of_kind, batch, source.stride_of_points);
+  if (is_cast(batch.kind)) draw_cast(of_kind, batch, source.stride_of_points);
 }
 
 void Geometry::draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
@@ -202,10 +219,10 @@ void Geometry::draw_discs(const Program& program, const Batch& batch, std::uint3
   gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(3 * batch.count));
 }
 
-void Geometry::draw_solids(const Program& program, const Batch& batch, std::uint32_t stride) const {
+void Geometry::draw_cast(const Program& program, const Batch& batch, std::uint32_t stride) const {
   const std::uint32_t first = batch.first / primitives_of_unit(batch.kind);
-  program.set("first_solid", solids_->first(batch.kind) + first);
-  program.set("stride_of_solids", stride);
+  program.set("first_record", is_solid(batch.kind) ? solids_->first(batch.kind) + first : first);
+  program.set("stride_of_records", stride);
   gl_.BindVertexArray(no_attributes_.id());
   gl_.DrawArrays(GL_TRIANGLES, 0, GLsizei(6 * batch.count));
 }
@@ -220,7 +237,7 @@ Subset Geometry::every(std::uint32_t n) const {
     if (batch.opaque) continue;
     if (batch.kind == ShapeKind::mesh) subset.batches.push_back(meshes.keep(batch, n));
     if (batch.kind == ShapeKind::ribbon) subset.batches.push_back(ribbons.keep(batch, n));
-    if (batch.kind == ShapeKind::disc || is_solid(batch.kind))
+    if (batch.kind == ShapeKind::disc || is_cast(batch.kind))
       subset.batches.push_back(keep_every(batch, n));
   }
   subset.mesh_indices = meshes.buffer(gl_);

@@ -5,7 +5,8 @@
 
 #include "oit/shapes/geometry_program.h"
 #include "oit/shapes/geometry_upload.h"
-#include "oit/shapes/solids.h"
+#include "oit/shapes/isosurface/isosurfaces.h"
+#include "oit/shapes/solid/solids.h"
 
 namespace pellucid::oit {
 
@@ -26,17 +27,19 @@ struct ElementTextures {
   Resources resources() const;  // for reading
 };
 
-/// A Geometry is the scene's meshes, ribbons, discs, spheres and tubes on the OpenGL side.
+/// A Geometry is the scene's meshes, ribbons, discs, spheres, tubes and isosurfaces on the OpenGL
+/// side.
 class Geometry {
  public:
   /// Uploads the scene. Throws as make_batches() does, and as scene::depth_range().
   Geometry(const Gl& gl, const scene::Scene& scene);
   /// Uploads a `part` of a scene whose depths have the `range`, and whose objects have these
-  /// `places` in the order of the scene.
+  /// `places` in the order of the scene; of isosurfaces, which are not cut, what has that `number`.
   Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRange& range,
-           std::span<const PrimitiveRange> places);
+           std::span<const PrimitiveRange> places, const scene::PartNumber& number = {});
 
-  /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC, TAPERED.
+  /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC, TAPERED,
+  /// FADING_DEGREE.
   Defines defines() const;
   /// Returns which kinds there are among the opaque objects, or among the others.
   std::vector<ShapeKind> kinds(bool opaque) const;
@@ -97,7 +100,9 @@ class Geometry {
   void draw_indexed(const IndexedVertices& vertices, const Buffer& indices,
                     const Batch& batch) const;
   void draw_discs(const Program& program, const Batch& batch, std::uint32_t stride) const;
-  void draw_solids(const Program& program, const Batch& batch, std::uint32_t stride) const;
+  void draw_cast(const Program& program, const Batch& batch, std::uint32_t stride) const;
+  /// Puts those of isosurfaces, cut, in the place of their batches.
+  void place_isosurfaces();
   Source everything() const;
 
   const Gl& gl_;
@@ -109,6 +114,7 @@ class Geometry {
   std::optional<IndexedVertices> meshes_, ribbons_;
   std::optional<BufferTexture> points_, point_importance_;
   std::optional<Solids> solids_;
+  std::optional<Isosurfaces> isosurfaces_;
   std::vector<LineRun> lines_;
   const ElementTextures* elements_ = nullptr;
   VertexArray no_attributes_;

@@ -16,7 +16,9 @@ constexpr ShapeShader shape_shaders[] = {{oit_glsl::mesh_vert_glsl, "MESH"},
                                          {oit_glsl::ribbon_vert_glsl, "RIBBON"},
                                          {oit_glsl::disc_vert_glsl, "DISC"},
                                          {oit_glsl::solid_vert_glsl, "SPHERE"},
-                                         {oit_glsl::solid_vert_glsl, "TUBE"}};
+                                         {oit_glsl::solid_vert_glsl, "TUBE"},
+                                         {oit_glsl::isosurface_vert_glsl, "ISOSURFACE"},
+                                         {oit_glsl::isosurface_vert_glsl, "FADING_ISOSURFACE"}};
 
 }  // namespace
 

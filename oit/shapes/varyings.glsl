@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the vertex shaders hand to the fragment shaders. Whoever includes this defines VARYING, as
 // out or in.
-#if defined(SPHERE) || defined(TUBE)
-#define SOLID
+#if defined(SPHERE) || defined(TUBE) || defined(ISOSURFACE) || defined(FADING_ISOSURFACE)
+#define CAST  // by the ray of a pixel
 #endif
 
 // What is interpolated of an importance g: g and 1 - g. Rounding takes 6e-8 from a constant 1, but
 // nothing from a constant 0; energies have a power of 1 - g times weights of up to any size.
 vec2 interpolated_importance(float g) { return vec2(g, 1.0 - g); }
 
-#ifdef SOLID
-layout(location = 0) flat VARYING int vertex_solid;  // see solid.glsl, which has all the others
+#ifdef CAST
+layout(location = 0) flat VARYING int vertex_record;  // see cast.glsl, which has all the others
 #else
 #ifdef DISC
 #define OF_SHAPE flat  // one value for a whole disc

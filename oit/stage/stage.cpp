@@ -28,7 +28,8 @@ Geometry geometry_of(const GlContext& in, const scene::Scene& scene,
   check_size(gl, scene.width, scene.height);
   check_driver(in);
   if (!context.depths) return {gl, scene};
-  return {gl, scene, *context.depths, primitive_ranges(scene)};
+  return {gl, scene, *context.depths, primitive_ranges(scene),
+          context.part ? *context.part : scene::PartNumber()};
 }
 
 Texture texture_of(const Gl& gl, const Image& image) {

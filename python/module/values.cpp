@@ -128,6 +128,9 @@ bool is_mapping(const py::handle& value) {
 }
 
 void refuse_masked(const py::handle& value, std::string_view what) {
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
+    for (const py::handle& item : py::reinterpret_borrow<py::sequence>(value))
+      if (py::isinstance<py::array>(item)) refuse_masked(item, what);  // NumPy drops a row's mask
   if (!py::isinstance<py::array>(value)) return;
   if (!py::module_::import("numpy.ma").attr("is_masked")(value).cast<bool>()) return;
   throw InputError(fmt::format(

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDataSet.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -18,6 +19,7 @@
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtk_netcdf.h>
 
 #include <algorithm>
@@ -32,6 +34,20 @@
 
 namespace pellucid::readers {
 namespace {
+
+/// Longitudes of their own, as of ocean models, jump somewhere from 360 to 0: a cell across would
+/// lie folded over all others, and be found in their place. So would one with a pole inside.
+void hide_folded_cells(vtkDataSet& data) {
+  vtkUnsignedCharArray* marks = data.GetCellGhostArray();
+  for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
+    double box[6];
+    data.GetCellBounds(i, box);
+    if (box[1] - box[0] <= 180) continue;
+    if (!marks) marks = data.AllocateCellGhostArray();
+    const int mark = marks->GetValue(i) | vtkDataSetAttributes::HIDDENCELL;
+    marks->SetValue(i, static_cast<unsigned char>(mark));
+  }
+}
 
 class NetcdfReader : public vtkNetCDFCFReader {
  public:
@@ -65,7 +81,12 @@ class NetcdfReader : public vtkNetCDFCFReader {
   int RequestData(vtkInformation* request, vtkInformationVector** input,
                   vtkInformationVector* output) override {
     if (!vtkNetCDFCFReader::RequestData(request, input, output)) return 0;
-    if (auto* grid = vtkRectilinearGrid::GetData(output)) permute_axes(*grid, order_in_file());
+    if (auto* grid = vtkRectilinearGrid::GetData(output)) {
+      refuse_listed_places();
+      permute_axes(*grid, order_in_file());
+    } else if (auto* cells = vtkDataSet::GetData(output)) {
+      hide_folded_cells(*cells);
+    }
     return 1;
   }
 
@@ -95,6 +116,7 @@ class NetcdfReader : public vtkNetCDFCFReader {
   std::vector<NetcdfChoice> all_choices() {
     std::vector<NetcdfChoice> choices;
     int file = 0;
+    refuse_lost_bounds();
     if (!UpdateMetaData() || nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR) return choices;
     for (int i = 0; i < GetNumberOfVariableArrays(); ++i) {
       const char* const name = GetVariableArrayName(i);
@@ -109,6 +131,25 @@ class NetcdfReader : public vtkNetCDFCFReader {
   static std::string reason_of(const NetcdfChoice& choice) {
     if (!choice.is_number) return "holds no numbers";
     return choice.unread.empty() ? "has other dimensions" : choice.unread;
+  }
+  /// VTK looks for the bounds that a coordinate names, and does not say which one it misses.
+  void refuse_lost_bounds() {
+    int file = 0, count = 0;
+    if (nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR) return;
+    nc_inq_ndims(file, &count);
+    for (int i = 0; i < count; ++i) {
+      char name[NC_MAX_NAME + 1] = {};
+      int id = 0, other = 0;
+      if (nc_inq_dimname(file, i, name) != NC_NOERR || nc_inq_varid(file, name, &id) != NC_NOERR)
+        continue;
+      const std::string bounds = text_attribute(file, id, "bounds");
+      if (!bounds.empty() && nc_inq_varid(file, bounds.c_str(), &other) != NC_NOERR)
+        throw InputError(
+            fmt::format("{}: the coordinate '{}' has its bounds in '{}', which is not "
+                        "there; accepted: none (ncatted -a bounds,{},d,,)",
+                        GetFileName(), name, bounds, name));
+    }
+    nc_close(file);
   }
   /// VTK knows the variables of the root group alone.
   void refuse_groups(int file) {
@@ -150,6 +191,22 @@ class NetcdfReader : public vtkNetCDFCFReader {
     for (const int dimension : dimensions) refuse_packed(file, dimension);
     nc_close(file);
     return order;
+  }
+  /// On a grid along axes VTK has not looked at `coordinates`: samples would be at their numbers.
+  void refuse_listed_places() {
+    int file = 0, id = 0;
+    if (nc_open(GetFileName(), NC_NOWRITE, &file) != NC_NOERR) return;
+    for (int i = 0; i < GetNumberOfVariableArrays(); ++i) {
+      const char* const name = GetVariableArrayName(i);
+      if (!GetVariableArrayStatus(name) || nc_inq_varid(file, name, &id) != NC_NOERR) continue;
+      if (const std::string along = dimension_of_listed_places(file, id); !along.empty())
+        throw InputError(
+            fmt::format("{}: '{}' has its places one by one along '{}', which is not "
+                        "read; accepted: axes, longitudes and latitudes of two "
+                        "dimensions (cdo remapbil makes them)",
+                        GetFileName(), name, along));
+    }
+    nc_close(file);
   }
   /// VTK leaves coordinates as they are in the file.
   void refuse_packed(int file, int dimension) {

@@ -12,6 +12,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMatrix4x4.h>
+#include <vtkNIFTIImageHeader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -84,7 +85,7 @@ class NiftiReader : public vtkNIFTIImageReader {
 
   int RequestData(vtkInformation* request, vtkInformationVector** input,
                   vtkInformationVector* output) override {
-    refuse_times();
+    refuse_more_volumes();
     if (!vtkNIFTIImageReader::RequestData(request, input, output)) return 0;
     vtkImageData* image = vtkImageData::GetData(output);
     if (vtkDataArray* array = image->GetPointData()->GetScalars(); array && is_scaled())
@@ -103,12 +104,17 @@ class NiftiReader : public vtkNIFTIImageReader {
                                    GetRescaleIntercept()));
     return slope() != 1 || GetRescaleIntercept() != 0;
   }
-  void refuse_times() {
+  void refuse_more_volumes() {
     if (GetTimeDimension() > 1)
       throw InputError(
           fmt::format("{}: {} volumes over time; accepted: one, of one number per "
                       "voxel or of vectors along the fifth dimension",
                       GetFileName(), GetTimeDimension()));
+    // VTK takes the first of those, too, in silence; CIFTI has its matrices there.
+    for (int axis = 6; axis <= GetNIFTIHeader()->GetDim(0); ++axis)
+      if (const auto count = GetNIFTIHeader()->GetDim(axis); count > 1)
+        throw InputError(fmt::format("{}: dim[{}] is {}; accepted: 1 (five dimensions at most)",
+                                     GetFileName(), axis, count));
   }
 };
 

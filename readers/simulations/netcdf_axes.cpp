@@ -8,7 +8,10 @@
 #include <vtk_netcdf.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <string_view>
 
 #include "core/options/lower_case.h"
@@ -104,6 +107,26 @@ std::string text_attribute(int file, int variable, const char* name) {
   std::string text(length, '\0');
   if (nc_get_att_text(file, variable, name, text.data()) != NC_NOERR) return {};
   return text.substr(0, text.find('\0'));
+}
+
+std::string dimension_of_listed_places(int file, int variable) {
+  std::map<int, std::set<int>> axes_along;  // a dimension
+  std::istringstream words(text_attribute(file, variable, "coordinates"));
+  for (std::string name; words >> name;) {
+    int id = 0, count = 0, dimension = 0;
+    if (nc_inq_varid(file, name.c_str(), &id) != NC_NOERR ||
+        nc_inq_varndims(file, id, &count) != NC_NOERR || count != 1)
+      continue;
+    nc_inq_vardimid(file, id, &dimension);
+    if (const auto axis = axis_of_attributes(file, name.c_str()))
+      axes_along[dimension].insert(*axis);
+  }
+  for (const auto& [dimension, axes] : axes_along) {
+    char name[NC_MAX_NAME + 1] = {};
+    if (axes.contains(0) && axes.contains(1) && nc_inq_dimname(file, dimension, name) == NC_NOERR)
+      return name;
+  }
+  return {};
 }
 
 AxisOrder axis_order(int file, std::span<const int> dimensions) {

@@ -15,6 +15,11 @@ using AxisOrder = std::array<int, 3>;
 /// none.
 std::string text_attribute(int file, int variable, const char* name);
 
+/// Returns the dimension along which a variable of an open file has its places one by one, where
+/// its attribute `coordinates` names a longitude and a latitude along that dimension alone, as on
+/// unstructured grids; "" where it names none.
+std::string dimension_of_listed_places(int file, int variable);
+
 /// Returns which axes of space up to three dimensions of an open file run along, the first being
 /// the fastest. The coordinate of a dimension says it by the attributes of the CF conventions:
 /// axis, standard_name, units, positive; one without these by its name, where that is a usual one

@@ -76,6 +76,7 @@ bool has_displacements(vtkExodusIIReader& reader) {
 
 /// All results of the nodes and elements, each node where its displacement has it.
 vtkSmartPointer<vtkAlgorithm> make_exodus(const Path& path) {
+  refuse_unread_exodus(path);
   const auto reader = reader_of<vtkExodusIIReader>(path);
   reader->UpdateInformation();
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);

@@ -6,6 +6,7 @@
 #include "readers/simulations/simulation_checks.h"
 
 #include <fmt/format.h>
+#include <vtk_netcdf.h>
 
 #include <algorithm>
 #include <cctype>
@@ -127,6 +128,25 @@ void refuse_divided_foam(const fs::path& path) {
                         "accepted: a case of which reconstructPar has made one",
                         path.string(), name, time));
   }
+}
+
+// Schoof, Yarberry, EXODUS II (SAND92-2137), and ex_large_model() of the library: the attribute
+// file_size is 1 where each variable at nodes is one of the file's own.
+void refuse_unread_exodus(const fs::path& path) {
+  int file = 0, id = 0, is_large = 0;
+  std::size_t count = 0;
+  if (nc_open(path.c_str(), NC_NOWRITE, &file) != NC_NOERR) return;  // VTK complains of it
+  if (nc_inq_dimid(file, "num_nod_var", &id) == NC_NOERR) nc_inq_dimlen(file, id, &count);
+  nc_get_att_int(file, NC_GLOBAL, "file_size", &is_large);
+  const char* const wanted = is_large == 1 ? "vals_nod_var1" : "vals_nod_var";
+  const bool is_there = count == 0 || nc_inq_varid(file, wanted, &id) == NC_NOERR;
+  nc_close(file);
+  if (!is_there)
+    throw InputError(
+        fmt::format("{}: its file_size is {}, but {}, where the values at nodes are "
+                    "by that, is not there; accepted: vals_nod_var1, … where "
+                    "file_size is 1, else vals_nod_var",
+                    path.string(), is_large, wanted));
 }
 
 }  // namespace pellucid::readers

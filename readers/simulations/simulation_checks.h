@@ -27,4 +27,8 @@ void refuse_fortran_numbers(const std::filesystem::path& path);
 /// lay over each other.
 void refuse_several_solution_times(const std::filesystem::path& path);
 
+/// Throws InputError for an Exodus file whose values at nodes are not where the library looks for
+/// them by the file's model, large or not: VTK then leaves its arrays as the memory has them.
+void refuse_unread_exodus(const std::filesystem::path& path);
+
 }  // namespace pellucid::readers

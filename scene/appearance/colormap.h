@@ -47,6 +47,7 @@ class Colormap {
   Vec3 operator()(double x) const;
   /// Returns the first and the last place.
   Vec2 ends() const { return {stops_.front().at, stops_.back().at}; }
+  std::span<const ColorStop> stops() const { return stops_; }
 
  private:
   std::vector<ColorStop> stops_;

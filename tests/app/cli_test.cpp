@@ -95,12 +95,14 @@ TEST_F(UnitCommandLine, WrongScenesAreRefused) {
 /// What only the drawing finds out names the scene's file as what its reading finds does.
 TEST_F(UnitCommandLine, ScenesThatCannotBeDrawnAreRefusedByTheirFile) {
   const std::string head = R"({"format": "pellucid-scene", "version": 1, "resolution": [16, 16], )";
-  for (
-      const char* rest :
-      {R"("camera": {"eye": [0, 0, -5], "target": [0, 0, -9], "fov": 40},
+  write_text(folder_ / "tetrahedron.obj",
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  for (const char* rest :
+       {R"("camera": {"eye": [0, 0, -5], "target": [0, 0, -9], "fov": 40},
            "objects": [{"mesh": "sheet.ply"}]})",
-       R"("objects": [{"points": "sheet.ply", "radius": 1e300}]})",
-       R"("objects": [{"isosurface": {"dataset": "sphere-levels", "scalar": "q", "value": 0.02}}]})"}) {
+        R"("objects": [{"points": "sheet.ply", "radius": 1e300}]})",
+        R"("objects": [{"isosurface": {"dataset": "sphere-levels", "scalar": "q", "value": 0.02,
+           "hole": {"mesh": "tetrahedron.obj", "distance": 0.1}}}]})"}) {
     write_text(scene(), head + rest);
     EXPECT_THAT(refusal(render("linked-list")), HasSubstr("scene.json: ")) << rest;
   }

@@ -91,18 +91,19 @@ constexpr Reading readings[] = {
     {"lines_binlines", ".binlines", "render LINES -m raytrace -o out.exr"},
 };
 
-class PropertyContract : public ::testing::TestWithParam<std::size_t> {
+class UnitContract : public ::testing::Test {
  protected:
   struct Outcome {
     int exit_code;
     std::string err;
   };
 
-  Outcome run(const std::string& arguments) const {
+  Outcome run(const std::string& arguments, const std::string& before = "",
+              const std::string& output = "/dev/null") const {
     const testing::TemporaryFolder beside;
-    const std::string command = "cd " + folder_.path().string() + " && timeout 20 " +
-                                PELLUCID_PROGRAM + " " + arguments + " --quiet > /dev/null 2> " +
-                                (beside / "err").string();
+    const std::string command = "cd " + folder_.path().string() + " && " + before + "timeout 20 " +
+                                PELLUCID_PROGRAM + " " + arguments + " --quiet > " + output +
+                                " 2> " + (beside / "err").string();
     const int status = std::system(command.c_str());
     std::ifstream err(beside / "err");
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
@@ -123,6 +124,8 @@ class PropertyContract : public ::testing::TestWithParam<std::size_t> {
 
   testing::TemporaryFolder folder_;
 };
+
+class PropertyContract : public UnitContract, public ::testing::WithParamInterface<std::size_t> {};
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   if (const auto at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
@@ -157,6 +160,41 @@ TEST_P(PropertyContract, ABadInputIsOneLineThatNamesIt) {
     EXPECT_THAT(outcome.err, HasSubstr(file));
     EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << "an escape reached the terminal";
     EXPECT_EQ(files(), before) << arguments;
+  }
+}
+
+/// What a picture claims of its size is held to its bytes: 69 of a PNG that says 16384².
+TEST_F(UnitContract, APictureThatClaimsAGigabyteIsRefused) {
+  const auto word = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += char(value >> shift & 0xff);
+    return bytes;
+  };
+  const auto chunk = [&](const std::string& content) {  // its first four letters are the kind
+    std::uint32_t sum = 0xffffffff;                     // CRC-32, as ISO 3309 has it
+    for (const char c : content) {
+      sum ^= static_cast<unsigned char>(c);
+      for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320 : 0);
+    }
+    return word(std::uint32_t(content.size()) - 4) + content + word(~sum);
+  };
+  const std::string header = word(16384) + word(16384) + std::string("\x08\x06\0\0\0", 5);
+  write(folder_ / "large.png", "\x89PNG\r\n\x1a\n" + chunk("IHDR" + header) +
+                                   chunk("IDAT" + std::string("\x78\x9c\x03\0\0\0\0\x01", 8)) +
+                                   chunk("IEND"));
+  // Below what the pixels alone would take, 1 GiB.
+  const Outcome outcome = run("compare large.png large.png", "ulimit -v 900000; ");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("large.png"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(UnitContract, AFullStandardOutputIsAnError) {
+  write(folder_ / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const char* arguments : {"list methods", "info mesh.obj --json", "--version"}) {
+    const Outcome outcome = run(arguments, "", "/dev/full");
+    EXPECT_EQ(outcome.exit_code, 1) << arguments << ": " << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
 }
 

@@ -106,6 +106,17 @@ class Exported(unittest.TestCase):
         self.export(PERSPECTIVE, [{"lines": "lines.ply", "radius": 0.1}, {"points": "points.ply", "radius": 0.2}])
         self.assert_draws_the_same(0.1)
 
+    def test_points_that_are_there_twice_and_lines_that_turn_back_or_face_the_eye(self):
+        for corners in ([0, 1, 1, 2, 3], [0, 0, 1, 2, 2], [0, 1, 1, 1, 3], [0, 2, 0, 3], [4, 5, 6, 3]):
+            line = numpy.array([[-1, -0.5, 0], [-0.4, 0.4, 0.3], [0.2, -0.1, -0.2], [0.9, 0.5, 0.1],
+                                [0, 0, -1], [0, 0, 0], [0, 0, 0.5]])[corners]
+            n = len(line)
+            write_ply(self.folder / "lines.ply", numpy.concatenate([line, colors(n)], 1), NAMES, edges=[(i, i + 1) for i in range(n - 1)])
+            for camera in ({"type": "perspective", "eye": [0, 0, 4], "target": [0, 0, 0], "fov": 50},
+                           {"type": "orthographic", "eye": [0, 0, 4], "target": [0, 0, 0], "height": 3}):
+                self.export(camera, [{"lines": "lines.ply", "radius": 0.2}], resolution=[60, 46])
+                self.assert_draws_the_same(0.01)
+
     def test_radii_of_each_point(self):
         line = numpy.stack([numpy.linspace(-1, 1, 30), numpy.sin(numpy.linspace(0, 9, 30)), numpy.cos(numpy.linspace(0, 7, 30))], 1)
         names = [*NAMES, "thickness"]
@@ -205,6 +216,22 @@ class Exported(unittest.TestCase):
         self.assertAlmostEqual(camera["aspectRatio"], 61 / 47)
         matrix = numpy.array(next(node["matrix"] for node in gltf["nodes"] if "camera" in node)).reshape(4, 4).T
         numpy.testing.assert_allclose(matrix @ numpy.array(scene["camera"]["view"]), numpy.eye(4), atol=1e-14)
+
+    def test_what_floats_do_not_hold_is_refused_or_told(self):
+        for scale, code in (1e30, 0), (1e39, 2), (1e200, 2), (1e-200, 0):
+            corners = [[-scale, -scale, 0], [scale, -scale, 0], [0, scale, 0.3 * scale]]
+            (self.folder / "mesh.ply").write_text("\n".join(
+                ["ply", "format ascii 1.0", "element vertex 3", *(f"property double {axis}" for axis in "xyz"), "element face 1",
+                 "property list uchar int vertex_indices", "end_header", *(" ".join(map(repr, x)) for x in corners), "3 0 1 2", ""]))
+            (self.folder / "scene.json").write_text(json.dumps(
+                {"format": "pellucid-scene", "version": 1, "resolution": [8, 8], "objects": [{"mesh": "mesh.ply"}]}))
+            out = self.folder / f"out{scale}"
+            done = subprocess.run([os.environ["PELLUCID_PROGRAM"], "export", self.folder / "scene.json", "-o", out, "--quiet"],
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertEqual(out.exists(), code == 0)
+            if code == 0:
+                self.assertGreater(json.loads((out / "scene.json").read_text())["rounding"], 0)
 
     def test_vtk_reads_the_gltf(self):
         try:

@@ -117,19 +117,24 @@ def unit(vectors):
 
 
 def directions_of(points):
-    """Of a line at its points, by central differences."""
-    steps = numpy.diff(points, axis=0)
-    return numpy.concatenate([steps[:1], points[2:] - points[:-2], steps[-1:]])
+    """Of a line at its points: between the nearest ones that lie elsewhere, one-sided at ends and where it turns back."""
+    directions = []
+    for i, x in enumerate(points):
+        before = next((p for p in points[:i][::-1] if (p != x).any()), x)
+        after = next((p for p in points[i + 1:] if (p != x).any()), x)
+        directions.append(after - (before if (after != before).any() else x))
+    return numpy.array(directions)
 
 
 def ribbon(points, radius, view):
     """The rims of a strip that faces the eye: x ± radius · (t × v) / |t × v|, radius one or each point's."""
     t = directions_of(points)
     # The world is right-handed and this view is not, which turns a product round.
-    across = -numpy.cross(t, points if view.perspective else numpy.broadcast_to([0.0, 0, 1], t.shape))
-    across = unit(across)
-    for i in range(1, len(across)):
-        across[i] *= 1 if across[i] @ across[i - 1] >= 0 else -1
+    v = points if view.perspective else numpy.broadcast_to([0.0, 0, 1], t.shape)
+    across = -numpy.cross(unit(t), unit(v))
+    for i, w in enumerate(across):
+        before = across[i - 1] if i else numpy.array([1.0, 0, 0])
+        across[i] = before if numpy.linalg.norm(w) < 1e-9 else unit(w) * (1 if not i or w @ before >= 0 else -1)
     across *= numpy.reshape(radius, (-1, 1))
     return points - across, points + across
 

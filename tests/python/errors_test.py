@@ -29,6 +29,7 @@ WRONG = {
     "two coordinates": lambda: pellucid.Mesh([[0, 0], [1, 0]], [[0, 1, 1]]),
     "a coordinate that is not finite": lambda: pellucid.Mesh([[NAN, 0, 0]] * 3, [[0, 1, 2]]),
     "ragged vertices": lambda: pellucid.Mesh([[0, 0, 0], [1]], [[0, 1, 2]]),
+    "a list of masked rows": lambda: pellucid.Mesh([np.ma.masked_array(row, [0, 1, 0]) for row in TRIANGLE], [[0, 1, 2]]),
     "complex vertices": lambda: pellucid.Mesh(np.zeros((3, 3), dtype=complex), [[0, 1, 2]]),
     "texts as vertices": lambda: pellucid.Mesh([["a", "b", "c"]] * 3, [[0, 1, 2]]),
     "None as vertices": lambda: pellucid.Mesh(None, [[0, 1, 2]]),

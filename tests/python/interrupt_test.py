@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The interpreter's lock is free while the module works, and Ctrl-C ends the work."""
 
+import json
 import os
 import signal
 import threading
@@ -9,7 +10,7 @@ import time
 import numpy as np
 import pellucid
 import pytest
-from sheets import CAMERA, stack
+from sheets import CAMERA, sheet, stack
 
 
 def long_render():
@@ -46,6 +47,29 @@ def test_ctrl_c_ends_the_work(work):
         work()
     timer.join()
     assert time.monotonic() - begin < 20  # the whole takes minutes
+
+
+def test_ctrl_c_ends_a_study_that_waits_for_a_program(tmp_path):
+    """A program may be given hours; Ctrl-C on the terminal does not reach it."""
+    begun = tmp_path / "begun"
+    sheet(0, (0, 0, 0, 0.5)).save(tmp_path / "sheet.ply")
+    (tmp_path / "scene.json").write_text(json.dumps(
+        {"format": "pellucid-scene", "version": 1, "resolution": [8, 8], "objects": [{"mesh": "sheet.ply"}]}))
+    (tmp_path / "study.json").write_text(json.dumps(
+        {"format": "pellucid-study", "version": 1, "title": "Slow", "scenes": ["scene.json"], "reference": "raytrace",
+         "repeats": 1, "methods": [{"external": "slow", "command": ["sh", "-c", f"touch {begun}; sleep 60 # {{output}}"]}]}))
+
+    def interrupt():
+        while not begun.exists():
+            time.sleep(0.05)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    watcher = threading.Thread(target=interrupt, daemon=True)
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        watcher.start()
+        pellucid.run_study(tmp_path / "study.json", tmp_path / "out")
+    assert time.monotonic() - begin < 30
 
 
 def test_what_a_signals_handler_raises_is_raised():

@@ -49,6 +49,16 @@ TEST_F(UnitGate, RefusesForeignHostsAndOrigins) {
     EXPECT_EQ(status(path, "127.0.0.1:8000", origin), 403) << origin;
 }
 
+// Browsers send "Host: 127.0.0.1" to http://127.0.0.1:80/.
+TEST_F(UnitGate, NoneIsSentOfTheUsualPort) {
+  const Gate gate(token_, 80);
+  const std::string path = "/" + token_ + "/";
+  for (const char* host : {"127.0.0.1", "localhost", "127.0.0.1:80"})
+    EXPECT_FALSE(gate.refuse({"GET", path, host, "http://127.0.0.1", "", ""}).has_value()) << host;
+  for (const char* host : {"127.0.0.1:8000", "evil.example", ""})
+    EXPECT_TRUE(gate.refuse({"GET", path, host, "", "", ""}).has_value()) << host;
+}
+
 TEST_F(UnitGate, NoTwoTokensAreEqual) {
   EXPECT_EQ(token_.size(), 32u);
   EXPECT_NE(token_, random_token());

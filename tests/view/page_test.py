@@ -41,8 +41,8 @@ def make_scene(folder):
 class Server:
     """`pellucid view` of a file or a folder, ended by the end of its standard input."""
 
-    def __init__(self, what):
-        self.process = subprocess.Popen([PROGRAM, "view", what, "--json"], stdin=subprocess.PIPE,
+    def __init__(self, what, *options):
+        self.process = subprocess.Popen([PROGRAM, "view", what, "--json", *options], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.address = json.loads(self.process.stdout.readline())["address"]
         url = urllib.parse.urlparse(self.address)
@@ -73,7 +73,9 @@ class PageTest(unittest.TestCase):
         cls.place = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.place.name)
         cls.scene = make_scene(cls.folder)
-        cls.server = Server(cls.scene)
+        cls.study = cls.folder / "study.json"
+        cls.study.write_text('{ "title": "mine" }')
+        cls.server = Server(cls.scene, "--study", cls.study)
         cls.browser = start_browser()
 
     @classmethod
@@ -212,6 +214,15 @@ class PageTest(unittest.TestCase):
         WebDriverWait(self.browser, 8, 0.02).until(
             lambda _: "--camera eye=" in self.browser.find_element(By.CSS_SELECTOR, ".said").text)
         self.scene.write_text(text)
+
+    def test_the_camera_is_added_to_the_study(self):
+        for count in 1, 2:
+            self.button("add to study").click()
+            WebDriverWait(self.browser, 8, 0.02).until(
+                lambda _: f"view {count} of " in self.browser.find_element(By.CSS_SELECTOR, ".said").text)
+        views = json.loads(self.study.read_text())["views"]
+        self.assertEqual(len(views), 2)
+        self.assertEqual(views[0]["fov"], 30)
 
     def test_everything_has_a_name(self):
         nameless = self.browser.execute_script("""return [...document.querySelectorAll(

@@ -56,6 +56,18 @@ TEST_F(UnitSavedCamera, IsWhatTheSceneIsThenSeenBy) {
   EXPECT_EQ(scene.camera.fov, 30);
 }
 
+TEST_F(UnitSavedCamera, StandsBehindTheOtherViewsOfAStudy) {
+  EXPECT_EQ(
+      with_view("f", R"({"views": [{"eye": [0, 0, 1]} ], "title": "]"})", other_camera()),
+      std::string(R"({"views": [{"eye": [0, 0, 1]},)") + "\n  " + written + R"( ], "title": "]"})");
+  EXPECT_EQ(with_view("f", R"({"views": [ ]})", other_camera()),
+            std::string(R"({"views": [)") + written + R"( ]})");
+  EXPECT_EQ(with_view("f", R"({"title": "views"})", other_camera()),
+            std::string(R"({"views": [)") + written + "],\n  \"title\": \"views\"}");
+  for (const char* text : {R"({"views": 3})", R"({"views": "path"})", "[1]", "{"})
+    EXPECT_THROW(with_view("f", text, other_camera()), InputError) << text;
+}
+
 TEST_F(UnitSavedCamera, LeavesWhatIsNoSceneAlone) {
   for (const char* text : {"[1, 2]", "{\"a\": ", "", "{\"a\": 1} x"})
     EXPECT_THROW(with_camera("f", text, other_camera()), InputError) << text;

@@ -127,6 +127,20 @@ TEST_F(UnitSite, SavesTheCameraIntoTheSceneAndPrintsIt) {
   EXPECT_THAT(printed_, Contains("--camera eye=1,2,3,target=0,0,0,up=0,1,0,fov=30"));
 }
 
+TEST_F(UnitSite, AddsTheCameraToTheStudy) {
+  const nlohmann::json request{{"camera", {{"eye", {1, 2, 3}}, {"fov", 30}}}};
+  EXPECT_THAT(error(post("scene/0/study", request.dump()), 403), HasSubstr("command line"));
+  const fs::path study = folder_ / "study.json";
+  write_text(study, R"({"title": "mine"})");
+  content_.study = study;
+  site_.reset();
+  EXPECT_EQ(posted("scene/0/study", request)["views"], 1);
+  EXPECT_EQ(posted("scene/0/study", request)["views"], 2);
+  const nlohmann::json written = nlohmann::json::parse(read_text(study));
+  EXPECT_EQ(written["views"][1]["eye"], nlohmann::json({1.0, 2.0, 3.0}));
+  EXPECT_EQ(written["title"], "mine");
+}
+
 TEST_F(UnitSite, WritesOnlyWhatWasNamed) {
   content_.scenes[0].may_be_written = false;
   const nlohmann::json request{{"camera", {{"eye", {1, 2, 3}}}}};

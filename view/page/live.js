@@ -36,7 +36,7 @@ class Live {
     document.getElementById("modes").append(...this.buttons);
     document.getElementById("controls").append(methodGroup("first method", this.first, false, () => this.change()),
       methodGroup("second method", this.second, true, () => this.chooseSecond()), ...data.objects.map((object, i) => objectGroup(object, this.objects[i], () => this.change())),
-      cameraGroup({ fit: (side) => this.fit(side), reset: () => this.look(data.camera), save: () => this.save(), print: () => this.print() }),
+      cameraGroup({ fit: (side) => this.fit(side), reset: () => this.look(data.camera), save: () => this.save(), print: () => this.print(), add: () => this.add() }),
       group("picture", sizeGroup(this.settings, () => this.change())));
     this.showModes();
   }
@@ -173,6 +173,13 @@ class Live {
   }
 
   save() { return this.told(async () => `saved to ${(await askJson("save", { camera: this.camera })).saved}`); }
+
+  add() {
+    return this.told(async () => {
+      const { study, views } = await askJson("study", { camera: this.camera });
+      return `view ${views} of ${study}`;
+    });
+  }
 
   print() { return this.told(async () => `--camera ${(await askJson("print", { camera: this.camera })).text}`); }
 

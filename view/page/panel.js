@@ -37,7 +37,7 @@ function cameraGroup(on) {
   const say = (act) => async () => { said.textContent = await act(); };
   const saving = data.may_save ? {} : { disabled: "", title: "only a scene that was named on the command line is written" };
   return group("camera", side, make("div", { class: "buttons" }, button("file's camera", on.reset), button("save camera", say(on.save), saving),
-    button("print camera", say(on.print))), said);
+    button("print camera", say(on.print)), data.study && button("add to study", say(on.add), { title: data.study })), said);
 }
 
 /** The size of the pictures: as large as the window allows, or as the scene file says. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view/scenes/saved_camera.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -72,6 +74,16 @@ std::string text_of(const scene::Camera& camera) {
   return spaced;
 }
 
+/// The text with another camera behind those of the array `views`.
+std::string appended(const std::string& text, const Span& views, bool is_empty,
+                     const scene::Camera& camera) {
+  const std::size_t bracket = views.end - 1;
+  const std::size_t last = text.find_last_not_of(" \t\r\n", bracket - 1);
+  std::string changed = text;
+  changed.insert(last + 1, (is_empty ? "" : ",\n  ") + text_of(camera));
+  return changed;
+}
+
 }  // namespace
 
 std::string with_camera(const std::string& file, const std::string& text,
@@ -88,6 +100,32 @@ std::string with_camera(const std::string& file, const std::string& text,
   if (parse_json(file, changed) != wanted)
     throw WorkError(file + ": its camera cannot be replaced");
   return changed;
+}
+
+std::string with_view(const std::string& file, const std::string& text,
+                      const scene::Camera& camera) {
+  nlohmann::json wanted = parse_json(file, text);
+  if (!wanted.is_object()) throw InputError(file + ": accepted: a study, an object of JSON");
+  const OuterKeys keys(text);
+  nlohmann::json& views = wanted["views"];
+  std::string changed = text;
+  if (views.is_null()) {
+    changed.insert(keys.first_key(), "\"views\": [" + text_of(camera) + "],\n  ");
+  } else if (views.is_array()) {
+    changed = appended(text, *keys.value_of("views"), views.empty(), camera);
+  } else {
+    throw InputError(fmt::format("{}: views: {}; accepted here: a list of cameras, or none", file,
+                                 views.dump()));
+  }
+  views.push_back(nlohmann::json(scene::camera_json(camera)));
+  if (parse_json(file, changed) != wanted) throw WorkError(file + ": its views cannot be added to");
+  return changed;
+}
+
+std::size_t add_view(const std::filesystem::path& file, const scene::Camera& camera) {
+  const std::string changed = with_view(file.string(), read_text(file), camera);
+  write_text(file, changed);
+  return parse_json(file.string(), changed)["views"].size();
 }
 
 void save_camera(const std::filesystem::path& file, const scene::Camera& camera) {

@@ -141,9 +141,10 @@ Answer Site::dispatch(const Question& question, std::string_view path) {
 
 Answer Site::scene_answer(std::size_t i, std::string_view name, const Question& question) {
   static constexpr Endpoint endpoints[] = {
-      {"scene", "GET", &Site::describe}, {"frame", "POST", &Site::frame},
-      {"probe", "POST", &Site::probe},   {"camera", "POST", &Site::camera},
-      {"save", "POST", &Site::save},     {"print", "POST", &Site::print}};
+      {"scene", "GET", &Site::describe},     {"frame", "POST", &Site::frame},
+      {"probe", "POST", &Site::probe},       {"camera", "POST", &Site::camera},
+      {"save", "POST", &Site::save},         {"print", "POST", &Site::print},
+      {"study", "POST", &Site::add_to_study}};
   for (const Endpoint& endpoint : endpoints)
     if (endpoint.name == name) return act(endpoint, i, question);
   if (const auto file = page_file(name); file && question.verb == "GET") return *file;
@@ -171,6 +172,7 @@ Answer Site::describe(std::size_t i, const json&) {
   known["may_save"] = content_.scenes[i].may_be_written;
   known["file"] = content_.scenes[i].file.string();
   known["report"] = content_.results.has_value();
+  if (content_.study) known["study"] = content_.study->string();
   return json_answer(known);
 }
 
@@ -218,6 +220,14 @@ Answer Site::print(std::size_t, const json& body) {
   const std::string text = scene::camera_text(camera);
   print_("--camera " + text);
   return json_answer({{"text", text}, {"camera", scene::camera_json(camera)}});
+}
+
+Answer Site::add_to_study(std::size_t, const json& body) {
+  if (!content_.study)
+    return failure(403, "only a study that was named on the command line is written: --study FILE");
+  const std::size_t views = add_view(*content_.study, read_one_camera(body));
+  print_(fmt::format("{}: view {} added", content_.study->string(), views));
+  return json_answer({{"study", content_.study->string()}, {"views", views}});
 }
 
 }  // namespace pellucid::view

@@ -25,6 +25,7 @@ struct SceneFile {
 struct SiteContent {
   std::vector<SceneFile> scenes;
   std::optional<std::filesystem::path> results = std::nullopt;  // a study's folder with its report
+  std::optional<std::filesystem::path> study = std::nullopt;    // a study file that views go to
 };
 
 /// A Site answers questions that a Gate has let in. Any number of threads may ask; all work is done
@@ -37,6 +38,7 @@ struct SiteContent {
 ///     scene/I/frame            pictures (Painter::frame), scene/I/probe (Painter::probe)
 ///     scene/I/camera           the camera that sees all from a side: the state_keys and "view"
 ///     scene/I/save, …/print    writes a camera into the scene file, or to the terminal
+///     scene/I/study            adds it to the views of the study
 class Site {
  public:
   /// `print` gets lines for the terminal.
@@ -68,6 +70,7 @@ class Site {
   Answer camera(std::size_t i, const nlohmann::json& body);
   Answer save(std::size_t i, const nlohmann::json& body);
   Answer print(std::size_t i, const nlohmann::json& body);
+  Answer add_to_study(std::size_t i, const nlohmann::json& body);
 
   SiteContent content_;
   std::string gl_;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/files/files_read.h"
 #include "core/files/output_file.h"
 #include "geometry/files/obj/mtl_file.h"
 #include "geometry/files/obj/words.h"
@@ -35,6 +36,9 @@ void read_library(const ObjDocument& document, const ObjDocument::Library& libra
     require_file(path);
   } catch (const InputError& error) {
     remarks.push_back(fmt::format("mtllib: {}", error.what()));
+    // The colours are others once it is there. What is no file, such as a pipe, has no content.
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) note_read(path);
     return;
   }
   try {

@@ -6,5 +6,7 @@
 
 void main() {
   Fragment f = fragment();
-  lower_opacity(element(), opacity_by_series(importance(), f.depth));
+  int e = element();
+  if (e < 0) discard;
+  lower_opacity(e, opacity_by_series(importance(), f.depth));
 }

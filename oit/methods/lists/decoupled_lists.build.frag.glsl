@@ -5,7 +5,8 @@
 
 void main() {
   Fragment f = fragment();
-  // A float holds 24 bits of the element's number.
   int e = element();
+  if (e < 0) discard;
+  // A float holds 24 bits of the element's number.
   append_fragment(f, vec4(e / 65536, e % 65536, 0.0, 0.0));
 }

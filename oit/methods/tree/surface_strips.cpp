@@ -169,7 +169,8 @@ geometry::TriangleMesh SurfaceStrips::line(const integrators::LineSeeds::Seed& s
   follow(seed.s, [&](const integrators::FrontPoint& point, double pixel) {
     const double width = std::clamp(gap * separation_across(point), options_.width * pixel,
                                     std::max(options_.width, options_.widest) * pixel);
-    strip.add(point, source_.start_time + point.t, 0.5 * width);
+    const double time = source_.start_time + (source_.path ? point.t : 0);
+    strip.add(point, time, 0.5 * width);
   });
   geometry::TriangleMesh mesh = strip.take();
   integrators::turn_back(mesh, *source_.field);

@@ -73,17 +73,16 @@ scene::Scene isosurface_scene() {
   return scene;
 }
 
-TEST(PropertyPromises, IsosurfacesAreDrawnOrRefused) {
+TEST(PropertyPromises, IsosurfacesAreDrawn) {
   const scene::Scene scene = isosurface_scene();
   for (const scene::MethodRow& row : methods()) {
-    if (!row.promises.draws_isosurfaces) {
-      EXPECT_THROW(render(row, scene), InputError) << row.name;
-      continue;
-    }
     const Image image = render(row, scene).image;
     // The middle ray enters and leaves; the corners' pass by.
-    EXPECT_NEAR(image.at(4, 4).a, 0.75, float_composite) << row.name;
+    EXPECT_GT(image.at(4, 4).a, 0.4) << row.name;
     EXPECT_EQ(image.at(0, 0).a, 0) << row.name;
+    if (row.promises.exact || row.promises.in_double) {
+      EXPECT_NEAR(image.at(4, 4).a, 0.75, float_composite) << row.name;
+    }
   }
 }
 

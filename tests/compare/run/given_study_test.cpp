@@ -233,6 +233,18 @@ TEST_F(UnitGivenStudy, OnePictureForAllScenesIsSaidToBeOne) {
                 Contains(HasSubstr("stands for several scenes: its name has no {scene}")));
 }
 
+/// Words come as they are given, and what stands for a mark is not searched for marks.
+TEST_F(UnitGivenStudy, AWordMayBeEmptyAndAFolderMayHaveBraces) {
+  write_text(folder_ / "mine.sh",
+             "test -z \"$1\" && cp " + (folder_ / "one.exr").string() + " $2\n");
+  StudyOptions options;
+  options.folder = folder_ / "results-{view}-{output}";
+  const Study study = load_study(
+      folder_.study(R"([{"external": "mine", "command": ["sh", "mine.sh", "", "{output}"]}])"),
+      fake_methods());
+  EXPECT_EQ(row_of(run_study(study, options), "one", "mine").error, "");
+}
+
 /// What it does not tell is no bargain.
 TEST_F(UnitGivenStudy, ACommandIsACandidateOfTune) {
   const auto cheapest = [&](const std::string& script, double rmse, Cost cost,

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "core/error.h"
 #include "core/files/output_file.h"
 #include "core/parallel.h"
 #include "tests/support/temporary_folder.h"
@@ -28,6 +31,29 @@ TEST(UnitFilesRead, ListsWhatAnyThreadReadsWhileItLives) {
   EXPECT_EQ(outer.paths().size(), 6u);
   EXPECT_TRUE(outer.paths().contains(folder / "6"));
   EXPECT_FALSE(outer.paths().contains(folder / "0"));
+}
+
+/// Behind a link ".." is not the folder in which the link lies.
+TEST(UnitFilesRead, FollowsLinksBeforeItGoesUp) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "data/scenes");
+  write_text(folder / "data/mesh", "first");
+  fs::create_directory_symlink(folder / "data/scenes", folder / "scenes");
+  const fs::path there = folder / "scenes/../mesh";
+  const fs::path mesh = fs::canonical(folder.path()) / "data" / "mesh";
+  EXPECT_EQ(without_dots(there), mesh);
+  EXPECT_EQ(without_dots(folder / "data/scenes/.././mesh"), folder / "data/mesh");
+  EXPECT_EQ(without_dots("a/../b"), "b");  // nothing is there
+  const ProtectedInputs inputs;
+  const FilesRead files;
+  read_text(there);
+  EXPECT_TRUE(files.paths().contains(mesh));
+  EXPECT_THROW(ProtectedInputs::refuse(folder / "data/mesh"), InputError);
+  const std::string before = ContentHashes().of(*files.paths().begin());
+  EXPECT_EQ(before.size(), 16u);
+  std::ofstream(mesh) << "second";
+  EXPECT_NE(ContentHashes().of(*files.paths().begin()), before);
 }
 
 TEST(UnitContentHashes, AreOfTheContentAlone) {

@@ -2,12 +2,17 @@
 #include "core/machine/program_run.h"
 
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <tbb/task_group.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <thread>
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "core/parallel.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pellucid {
@@ -59,6 +64,46 @@ TEST_F(UnitProgramRun, EndsAProgramAndItsChildrenInTime) {
   EXPECT_TRUE(this->run("(sleep 0.4; touch late) &").succeeded());
   std::this_thread::sleep_for(std::chrono::milliseconds(600));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "late"));
+}
+
+/// A script's programs, too, go with this process, whatever ends it.
+TEST_F(UnitProgramRun, GoesWithThisProcessAndSoDoItsChildren) {
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    std::filesystem::remove(folder_ / "begun");
+    const pid_t here = ::fork();
+    if (here == 0) {
+      run("(sleep 1; touch late) & touch begun; wait");
+      ::_exit(0);
+    }
+    while (!std::filesystem::exists(folder_ / "begun"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // for the guardian
+    ::kill(here, signal);
+    ::waitpid(here, nullptr, 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "late")) << signal;
+  }
+}
+
+TEST_F(UnitProgramRun, IsEndedWhenItsWorkIsCancelled) {
+  tbb::task_group_context context;
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    context.cancel_group_execution();
+  });
+  bool was_cancelled = false;
+  const auto begin = std::chrono::steady_clock::now();
+  tbb::task_group group(context);
+  group.run_and_wait([&] {
+    try {
+      run("sleep 60");
+    } catch (const Cancelled&) {
+      was_cancelled = true;
+    }
+  });
+  later.join();
+  EXPECT_TRUE(was_cancelled);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
 TEST_F(UnitProgramRun, FindsAProgramByItsPathOrOnThePath) {

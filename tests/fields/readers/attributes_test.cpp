@@ -107,6 +107,24 @@ TEST_F(UnitAttributes, OfASeriesAreLinearInTime) {
   EXPECT_TRUE(std::isnan(value(series, "p", inside, 2.5)));
 }
 
+/// Their own samples may be alike at both ends, or all the same.
+TEST_F(UnitAttributes, HaveTheVelocitysPeriod) {
+  const Axes ring{evenly(1, 0.25, 16), evenly(0, 1, 4), evenly(0, 1, 4)};
+  const auto places = crossings(ring);
+  const std::string field =
+      written("ring.vtr",
+              rectilinear(
+                  ring, vectors("U", places,
+                                [](const Vec3& x) {
+                                  return Vec3(1 + 0.5 * std::sin(M_PI / 2 * x.x), 0, 0);
+                                }) +
+                            scalars("p", places, [](const Vec3& x) { return x.x == 2 ? 1. : 0.; }) +
+                            scalars("q", places, [](const Vec3& x) { return x.y; }))) +
+      ":array=U,periodic=x";
+  EXPECT_NEAR(value(field, "p", {6, 1, 1}), 1, 1e-12);
+  EXPECT_NEAR(value(field, "q", {6, 1, 1}), 1, 1e-12);
+}
+
 TEST_F(UnitAttributes, ArraysOfOneNameAreToldApart) {
   const auto corners = crossings(box), cells = crossings(middles(box));
   const std::string field = written(

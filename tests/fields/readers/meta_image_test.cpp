@@ -151,9 +151,10 @@ TEST_F(UnitMetaImage, OtherNumbersOfASampleAreNoVectors) {
   const fs::path path = folder_ / "s.mha";
   std::ofstream(path, std::ios::binary)
       << "NDims = 3\nDimSize = 1 1 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\nab";
-  EXPECT_THAT([&] { make_field(path.string()); },
-              ::testing::ThrowsMessage<InputError>(
-                  HasSubstr("ElementNumberOfChannels = 1; accepted of a field: 3")));
+  for (const char* const array : {"", ":array=MetaImage"})
+    EXPECT_THAT([&] { make_field(path.string() + array); },
+                ::testing::ThrowsMessage<InputError>(
+                    HasSubstr("ElementNumberOfChannels = 1; accepted of a field: 3")));
 }
 
 TEST_F(UnitMetaImage, AxesThatDoNotSpanSpaceAreRefused) {

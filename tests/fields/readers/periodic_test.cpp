@@ -88,6 +88,26 @@ TEST_F(UnitPeriodic, ALastLayerThatIsTheFirstAgainEndsThePeriod) {
   }
 }
 
+/// A pulse that has not reached the ends is alike there, whatever the period.
+TEST_F(UnitPeriodic, TimesOfASeriesHaveOnePeriod) {
+  const auto pulse = [](const Vec3& x) { return Vec3(x.x == 2 ? 1 : 0, 0, 0); };
+  const auto series = [&](const VectorAt& first, const VectorAt& last) {
+    write_bytes(folder_ / "a.vtr", rectilinear(once, vectors("U", crossings(once), first)));
+    write_bytes(folder_ / "b.vtr", rectilinear(once, vectors("U", crossings(once), last)));
+    write_bytes(folder_ / "p.series",
+                R"({"files": [{"name": "a.vtr", "time": 0}, {"name": "b.vtr", "time": 1}]})");
+    return make_field((folder_ / "p.series").string() + ":periodic=x");
+  };
+  // 6 is 2 once around, in a period of 4.
+  EXPECT_NEAR_VEC(velocity_of(*series(wave, pulse), {6, 1, 1}, 1), Vec3(1, 0, 0), 1e-12);
+  try {
+    series(pulse, wave);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("accepted: periodic=x:LENGTH"));
+  }
+}
+
 TEST_F(UnitPeriodic, UnevenSpacingNeedsALength) {
   Axes uneven = once;
   uneven[0] = {0, 0.5, 1.5, 2, 3};

@@ -217,7 +217,9 @@ TEST_F(UnitPieces, PartsOfOneTimeAreMerged) {
   const auto field = read("c.pvd", text);
   EXPECT_TRUE(field->steady());
   expect_both_halves(*field);
-  EXPECT_EQ(status_at(*read("c.pvd", text, ":block=west"), {2, 1, 1}), SampleStatus::outside);
+  const auto west = read("c.pvd", text, ":block=west");
+  EXPECT_EQ(status_at(*west, {2, 1, 1}), SampleStatus::outside);
+  EXPECT_THAT(west->description(), ::testing::Not(HasSubstr("merged")));
 }
 
 TEST_F(UnitPieces, CollectionsOfBlocksHaveTheirBlocks) {

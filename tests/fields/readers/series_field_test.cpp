@@ -157,6 +157,12 @@ TEST_F(UnitSeries, RefusesWhatItCannotRead) {
   EXPECT_THAT(
       complaint(R"({"files": [{"name": "bad.series", "time": 0}, {"name": "1.vti", "time": 1}]})"),
       HasSubstr("no series in a series"));
+  write_bytes(folder_ / "two.pvd",
+              R"(<VTKFile type="Collection"><Collection><DataSet timestep="0" file="0.vti"/>
+                 <DataSet timestep="1" file="1.vti"/></Collection></VTKFile>)");
+  EXPECT_THAT(
+      complaint(R"({"files": [{"name": "two.pvd", "time": 0}, {"name": "1.vti", "time": 1}]})"),
+      HasSubstr("files[0]: 'two.pvd' has several times of its own"));
 }
 
 }  // namespace

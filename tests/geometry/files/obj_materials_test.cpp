@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faces and lines of .obj have the colour and the opacity of their material.
 
+#include <algorithm>
+
+#include "core/files/files_read.h"
 #include "tests/geometry/files/format_files.h"
 
 namespace pellucid::geometry {
@@ -44,6 +47,15 @@ TEST_F(UnitObjMaterials, AFaceHasTheColourAndTheOpacityOfItsMaterial) {
     for (const std::uint32_t corner : mesh.triangles[i])
       EXPECT_EQ(mesh.colors[corner], expected[i]) << i;
   EXPECT_EQ(mesh.positions[mesh.triangles[3][2]], Vec3(0, 0, 1));
+}
+
+/// A study's rows are of it, too: once it is there, they are others.
+TEST_F(UnitObjMaterials, AFileThatIsMissingIsAmongWhatIsRead) {
+  const FilesRead files;
+  mesh_of("mtllib later.mtl\nusemtl m\nf 1 2 3\n");
+  const auto paths = files.paths();
+  EXPECT_TRUE(
+      std::ranges::any_of(paths, [](const auto& p) { return p.filename() == "later.mtl"; }));
 }
 
 TEST_F(UnitObjMaterials, OpacityIsDOrWhatTrLeaves) {

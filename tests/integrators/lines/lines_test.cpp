@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/error.h"
 #include "fields/make_field.h"
@@ -67,6 +68,30 @@ TEST(UnitLines, VerticesKeepTheirDistance) {
     const bool begins = lines.scalars.at("t")[i] == 0;
     const double apart = glm::distance(lines.positions[i], lines.positions[i - 1]);
     EXPECT_TRUE(begins || apart <= 0.05 + 1e-9) << apart;
+  }
+}
+
+TEST(UnitLines, VerticesKeepTheirDistanceWhereTheFlowSpeedsUp) {
+  const auto field = fields::make_field("formula:u=1+5*(tanh(20*(x-1))+1),v=0,w=0");
+  LineRequest request = request_for(*field, 2);
+  request.seeds = {{0, 0, 0}};
+  const auto& x = integrate_lines("stream-lines:step=0.1", request).lines.positions;
+  for (std::size_t i = 1; i < x.size(); ++i)
+    EXPECT_LE(glm::distance(x[i], x[i - 1]), 0.1 + 1e-6) << i;
+}
+
+/// Straight up to x = 1, and in waves from there on.
+TEST(UnitLines, TurnNoFartherWhereTheFlowBendsOnTheWay) {
+  const auto field = fields::make_field("formula:u=1,v=max(0,x-1)*3*cos(6*x),w=0");
+  LineRequest request = request_for(*field, 4);
+  request.seeds = {{0, 0, 0}};
+  const auto& x = integrate_lines("stream-lines:turn=3", request).lines.positions;
+  for (std::size_t i = 2; i < x.size(); ++i) {
+    const Vec3 before = glm::normalize(x[i - 1] - x[i - 2]);
+    const Vec3 after = glm::normalize(x[i] - x[i - 1]);
+    // A chord's direction is one of its way's, which turns by 3 degrees.
+    constexpr double most = 2 * 3.01 * std::numbers::pi / 180;
+    EXPECT_LE(std::acos(std::min(1.0, glm::dot(before, after))), most) << i;
   }
 }
 

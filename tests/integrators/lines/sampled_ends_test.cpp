@@ -163,6 +163,26 @@ TEST(AgreementSampledEnds, AnAccuracyThatIsGivenIsKept) {
   EXPECT_LE(glm::distance(end("1e-7"), end("1e-12")), 1e-7 * 100 * 12);
 }
 
+/// u = 1 and 2 in turn, in cells of width 1 that go on for ever, as of a file's that repeat
+/// themselves.
+class Stripes final : public fields::VectorField {
+ public:
+  std::unique_ptr<fields::FieldSampler> sampler() const override { return inner_.sampler(); }
+  bool steady() const override { return true; }
+  std::optional<double> cell_size() const override { return 1; }
+  std::optional<double> sampling_error() const override { return 1; }
+  std::string description() const override { return "stripes"; }
+
+ private:
+  FunctionField inner_ = everywhere(
+      [](const Vec3& x) { return Vec3(1 + std::abs(std::remainder(std::floor(x.x), 2.)), 0, 0); });
+};
+
+TEST(UnitSampledEnds, CellsOfOneVelocityWithoutAnEndAreFollowedExactly) {
+  // 1 in half a unit of time from 0.5, then 1.5 for each two cells.
+  EXPECT_NEAR(end_of(Stripes(), "stream-lines", {0.5, 0.5, 0.5}, 0.5 + 10 * 1.5).x, 21, 1e-3);
+}
+
 TEST_F(UnitSeriesEnds, WhoStartsAtTheLastTimeIsToldOfTimes) {
   const auto field = series({0.1, 0.3}, {1, 1});
   try {

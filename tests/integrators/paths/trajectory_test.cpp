@@ -8,6 +8,7 @@
 
 #include "fields/make_field.h"
 #include "integrators/paths/counting_sampler.h"
+#include "integrators/paths/trajectory_options.h"
 #include "tests/integrators/test_fields.h"
 
 namespace pellucid::integrators {
@@ -253,6 +254,20 @@ TEST(UnitTrajectory, ScalesOfVelocityAndPlaceDoNotMatter) {
   // A position of 1e7 is known to 2e-9.
   EXPECT_LE(glm::distance(path.at(1).x, far + Vec3(std::cos(1), std::sin(1), 0)), 1e-6);
   EXPECT_LE(sampler.evaluations(), 2000u);
+}
+
+/// To a 300th of a mesh's tolerance, whatever accuracy its particles were given.
+TEST(UnitTrajectory, TheTruthOfSamplesIsNoFinerThanItHasToBe) {
+  TrajectoryOptions options = dopri5(2, 1e-7);
+  options.max_move = 0.5;
+  make_exact(options, 1, 1e-4);
+  EXPECT_NEAR(options.error_floor, 0.03 * 1e-5 / 2, 1e-15);
+  EXPECT_NEAR(options.tolerance, 1e-3 * 0.03 * 1e-5, 1e-18);
+  // Of a formula it is what doubles allow.
+  TrajectoryOptions formula = dopri5(2, 1e-7);
+  make_exact(formula, 1, 1e-4);
+  EXPECT_EQ(formula.error_floor, 0);
+  EXPECT_EQ(formula.tolerance, 1e-13);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces against closed forms, and every row of the table against its promises.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
@@ -166,6 +166,18 @@ TEST(UnitSurface, PathIsNotStream) {
   for (const Vec3& x : stream.surface.mesh.positions) ASSERT_EQ(x.y, 0);
   form.path = true;
   EXPECT_GT(sweep(form, "hultquist").surface.mesh.bounds().max.y, 1.9);
+}
+
+/// There the field stands still, and an attribute is that of the field that was followed.
+TEST(UnitSurface, AStreamSurfaceIsAtItsStartTime) {
+  const ClosedForm form = closed_forms()[4];
+  const auto field = fields::make_field(form.field);
+  const SurfaceRequest request{field.get(), form.seed, 1, 2, false, {}};
+  for (const char* integrator : {"hultquist", "adaptive-front", "fixed-front"}) {
+    const geometry::TriangleMesh mesh = integrate_surface(integrator, request).mesh;
+    EXPECT_THAT(mesh.scalars.at("time"), ::testing::Each(2)) << integrator;
+    EXPECT_THAT(mesh.scalars.at("t"), ::testing::Contains(::testing::Gt(0.5))) << integrator;
+  }
 }
 
 TEST(UnitSurface, StartTimeShiftsTheField) {

@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
-#include "oit/shapes/solid_bounds.h"
-#include "oit/shapes/tube_overlaps.h"
+#include "oit/shapes/solid/solid_bounds.h"
+#include "oit/shapes/solid/tube_overlaps.h"
 #include "scene/view_depth.h"
 #include "tests/support/scenes.h"
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <limits>
+#include <string>
 
 #include "core/files/output_file.h"
 #include "tests/readers/simulations/read_files.h"
@@ -80,6 +81,21 @@ class UnitNifti : public ReadFiles {
     return vtkImageData::SafeDownCast(data)->GetDirectionMatrix()->IsIdentity();
   }
 };
+
+/// As CIFTI has its matrices, along the sixth and the seventh.
+TEST_F(UnitNifti, DimensionsBehindTheFifthAreRefused) {
+  for (const auto axis : {std::int16_t(6), std::int16_t(7)}) {
+    const auto put = [&](Bytes& bytes) {
+      bytes.put(40, axis);
+      bytes.put(40 + 2 * std::size_t(axis), std::int16_t(2));
+    };
+    EXPECT_THAT(complaint(nifti(1, 0, 1, put)),
+                HasSubstr("dim[" + std::to_string(axis) + "] is 2; accepted: 1"));
+  }
+  // What stands behind the number of dimensions says nothing.
+  EXPECT_EQ(complaint(nifti(1, 0, 1, [](Bytes& bytes) { bytes.put(52, std::int16_t(9)); })),
+            "no complaint");
+}
 
 TEST_F(UnitNifti, IsScaled) {
   EXPECT_THAT(values(nifti(0.5f, 0), 3), ElementsAre(0, 0.5, 1));

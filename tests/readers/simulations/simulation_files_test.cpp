@@ -2,6 +2,7 @@
 // What the formats of simulations mean, where VTK's readers by themselves take something else.
 
 #include <fmt/format.h>
+#include <netcdf.h>
 
 #include <map>
 
@@ -78,6 +79,23 @@ TEST_F(UnitSimulationFiles, Plot3dVectorsAreMomentumOverDensity) {
   const auto data = read_vtk_data_set(folder_ / "p.xyz");
   EXPECT_STREQ(data->GetPointData()->GetVectors()->GetName(), "Velocity");
   EXPECT_THAT(active_vector(*data, 7), ElementsAre(0.5, -0.75, 0.25));
+}
+
+/// As meshio 5.0 writes them: without its file_size, but with each value's own variable.
+TEST_F(UnitSimulationFiles, ExodusValuesThatTheLibraryDoesNotFindAreRefused) {
+  const auto path = folder_ / "a.e";
+  for (const bool is_large : {false, true}) {
+    int file = 0, dimension = 0, variable = 0;
+    ASSERT_EQ(nc_create(path.c_str(), NC_CLOBBER, &file), NC_NOERR);
+    nc_def_dim(file, "num_nod_var", 1, &dimension);
+    nc_def_var(file, is_large ? "vals_nod_var" : "vals_nod_var1", NC_DOUBLE, 1, &dimension,
+               &variable);
+    const int size = is_large ? 1 : 0;
+    if (is_large) nc_put_att_int(file, NC_GLOBAL, "file_size", NC_INT, 1, &size);
+    nc_close(file);
+    EXPECT_THAT(complaint(path), HasSubstr(is_large ? "its file_size is 1, but vals_nod_var1,"
+                                                    : "its file_size is 0, but vals_nod_var,"));
+  }
 }
 
 TEST_F(UnitSimulationFiles, BlocksOfEnsightGoldAreReadAndOf6Refused) {

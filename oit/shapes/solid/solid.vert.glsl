@@ -5,15 +5,15 @@
 #include "oit/gl/bindings.glsl"
 #include "oit/shapes/varyings.glsl"
 #include "oit/shapes/view.glsl"
-#include "oit/shapes/solid_record.glsl"
+#include "oit/shapes/solid/solid_record.glsl"
 
-uniform uint first_solid, stride_of_solids;
+uniform uint first_record, stride_of_records;
 
 void main() {
   const int corners[6] = int[](0, 1, 2, 2, 1, 3);
-  vertex_solid = int(first_solid) + gl_VertexID / 12 * int(stride_of_solids);
-  vec4 bounds = uintBitsToFloat(texelFetch(solids, SOLID_TEXELS * vertex_solid));
-  vec2 axis = uintBitsToFloat(texelFetch(solids, SOLID_TEXELS * vertex_solid + 1).xy);
+  vertex_record = int(first_record) + gl_VertexID / 12 * int(stride_of_records);
+  vec4 bounds = uintBitsToFloat(texelFetch(solids, SOLID_TEXELS * vertex_record));
+  vec2 axis = uintBitsToFloat(texelFetch(solids, SOLID_TEXELS * vertex_record + 1).xy);
   int corner = corners[gl_VertexID % 6];
   vec2 p = vec2(corner % 2 == 0 ? bounds.x : bounds.y, corner < 2 ? bounds.z : bounds.w);
   vec2 position = vec2(axis.x * p.x - axis.y * p.y, axis.y * p.x + axis.x * p.y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oit/shapes/solids.h"
+#include "oit/shapes/solid/solids.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "core/error.h"
 #include "oit/gl/bindings.h"
-#include "oit/shapes/solid_bounds.h"
-#include "oit/shapes/tube_overlaps.h"
+#include "oit/shapes/solid/solid_bounds.h"
+#include "oit/shapes/solid/tube_overlaps.h"
 
 namespace pellucid::oit {
 namespace {

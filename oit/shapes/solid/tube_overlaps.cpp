@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oit/shapes/tube_overlaps.h"
+#include "oit/shapes/solid/tube_overlaps.h"
 
 #include <algorithm>
 

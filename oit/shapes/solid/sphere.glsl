@@ -15,10 +15,10 @@ void set_vertex(int point, SolidPoint from) {
 }
 
 // Returns whether there is a fragment.
-bool meet_solid() {
-  int point = int(links_of(vertex_solid).x);
+bool meet() {
+  int point = int(links_of(vertex_record).x);
   SolidPoint center = load_point(point);
-  double radius = radius_of(vertex_solid);
+  double radius = radius_of(vertex_record);
   LocalRay ray = local_ray(pixel_ray_of_target(), center.position);
   dvec2 chord = ball_chord(ray, radius);
   if (!has_chord(chord)) return false;
@@ -26,6 +26,6 @@ bool meet_solid() {
   precise double t = leaves() ? chord.y : chord.x;
   vertex_direction = vec3((ray.offset + t * ray.direction) / radius);
   // At the ends of the chord n . v is half its length over the radius.
-  solid_facing = float(0.5lf * (chord.y - chord.x) / radius);
+  cast_facing = float(0.5lf * (chord.y - chord.x) / radius);
   return set_depth(ray.nearest_depth + t * ray.direction.z);
 }

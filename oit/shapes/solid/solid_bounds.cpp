@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oit/shapes/solid_bounds.h"
+#include "oit/shapes/solid/solid_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,28 +46,48 @@ Vec2 axis_of(const ConeSphere& solid, scene::Projection projection) {
   return length > 0 && length < infinity ? along / length : Vec2(1, 0);
 }
 
+/// The rectangle along `axis` of what `seen` says, an eighth of a pixel wider for what
+/// rasterization rounds, and within the picture.
+template <class Seen>
+PictureRectangle rectangle_along(const Vec2& axis, const ViewSpace& view, const Seen& seen) {
+  const double pixel = std::max(2 / (view.clip_scale().x * view.size().x),
+                                2 / (view.clip_scale().y * view.size().y));
+  // From the middle to a corner, and a pixel for where samples are.
+  const double reach = glm::length(1.0 / view.clip_scale()) + pixel;
+  const auto along = [&](const Vec2& direction) {
+    return glm::clamp(seen(direction) + pixel / 8 * Vec2(-1, 1), -reach, reach);
+  };
+  const PictureRectangle rectangle{along(axis), along({-axis.y, axis.x}), axis};
+  return rectangle.empty() ? PictureRectangle() : rectangle;
+}
+
 }  // namespace
 
 PictureRectangle bounds_in_picture(const ConeSphere& solid, const ViewSpace& view) {
   const auto& [a, b, radius_a, radius_b] = solid;
   const bool parallel = view.projection() == scene::Projection::orthographic;
   if (!(std::max(a.z + radius_a, b.z + radius_b) > 0)) return {};
-  PictureRectangle rectangle;
-  rectangle.axis = axis_of(solid, view.projection());
-  const double pixel = std::max(2 / (view.clip_scale().x * view.size().x),
-                                2 / (view.clip_scale().y * view.size().y));
-  // From the middle to a corner, and a pixel for where samples are.
-  const double reach = glm::length(1.0 / view.clip_scale()) + pixel;
-  const auto along = [&](const Vec2& axis) {
+  return rectangle_along(axis_of(solid, view.projection()), view, [&](const Vec2& axis) {
     const double on_a = glm::dot(axis, Vec2(a)), on_b = glm::dot(axis, Vec2(b));
-    const Vec2 seen = parallel ? Vec2(std::min(on_a - radius_a, on_b - radius_b),
-                                      std::max(on_a + radius_a, on_b + radius_b))
-                               : seen_from_eye({on_a, a.z}, {on_b, b.z}, radius_a, radius_b);
-    return glm::clamp(seen + pixel / 8 * Vec2(-1, 1), -reach, reach);
-  };
-  rectangle.first = along(rectangle.axis);
-  rectangle.second = along({-rectangle.axis.y, rectangle.axis.x});
-  return rectangle.empty() ? PictureRectangle() : rectangle;
+    return parallel ? Vec2(std::min(on_a - radius_a, on_b - radius_b),
+                           std::max(on_a + radius_a, on_b + radius_b))
+                    : seen_from_eye({on_a, a.z}, {on_b, b.z}, radius_a, radius_b);
+  });
+}
+
+PictureRectangle bounds_in_picture(const std::array<Vec3, 8>& corners, const ViewSpace& view) {
+  const bool parallel = view.projection() == scene::Projection::orthographic;
+  const auto [nearest, farthest] = std::ranges::minmax(corners, {}, &Vec3::z);
+  if (!(farthest.z > 0)) return {};
+  return rectangle_along({1, 0}, view, [&](const Vec2& axis) {
+    if (!parallel && !(nearest.z > 0)) return everything;
+    Vec2 seen = nothing;
+    for (const Vec3& corner : corners) {
+      const double at = glm::dot(axis, Vec2(corner)) / (parallel ? 1 : corner.z);
+      seen = {std::min(seen.x, at), std::max(seen.y, at)};
+    }
+    return seen;
+  });
 }
 
 }  // namespace pellucid::oit

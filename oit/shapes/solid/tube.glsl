@@ -103,10 +103,10 @@ void set_vertices(int first, float along) {
 }
 
 // Returns whether there is a fragment.
-bool meet_solid() {
+bool meet() {
   Ray ray = pixel_ray_of_target();
   Segment segment;
-  if (!meet_line(vertex_solid, ray, segment)) return false;
+  if (!meet_line(vertex_record, ray, segment)) return false;
   dvec3 x = segment.ray.offset + segment.t * segment.ray.direction;
   double forwards = (segment.part == BALL_A) == segment.backwards ? 1.0lf : -1.0lf;
   dvec3 from_axis = x;
@@ -115,10 +115,10 @@ bool meet_solid() {
     from_axis -= forwards * segment.frustum.half_axis;
   }
   double along = segment.backwards ? -forwards : forwards;
-  set_vertices(int(links_of(vertex_solid).x), float(0.5lf + 0.5lf * along));
+  set_vertices(int(links_of(vertex_record).x), float(0.5lf + 0.5lf * along));
   double radius = radius_along(segment.frustum.radii, forwards);
   dvec3 normal = radius > 0.0lf ? from_axis / radius : dvec3(0.0lf);  // none at a tip
   vertex_direction = vec3(normal);
-  solid_facing = min(float(abs(dot(normal, segment.ray.direction))), 1.0);
+  cast_facing = min(float(abs(dot(normal, segment.ray.direction))), 1.0);
   return set_depth(leaves() ? segment.depths.y : segment.depths.x);
 }

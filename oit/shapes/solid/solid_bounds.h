@@ -29,5 +29,7 @@ struct PictureRectangle {
 /// eighth of a pixel farther out for what rasterization rounds. It reaches no farther than the
 /// picture does, and is empty where the solid lies beside or behind.
 PictureRectangle bounds_in_picture(const ConeSphere& solid, const ViewSpace& view);
+/// Returns likewise a rectangle around a box of these corners.
+PictureRectangle bounds_in_picture(const std::array<Vec3, 8>& corners, const ViewSpace& view);
 
 }  // namespace pellucid::oit
