@@ -21,14 +21,14 @@ namespace pellucid {
 
 #if defined(__SANITIZE_THREAD__)
 
-/// A TaskFence orders a loop: what happens before the loop's call happens before each task, and
-/// each task happens before the loop's return.
+/// A TaskFence orders a loop: its call comes before each task, and these before it ends or throws.
 class TaskFence {
  public:
   void open() { __tsan_release(&begun_); }
   void enter() { __tsan_acquire(&begun_); }
   void leave() { __tsan_release(&ended_); }
   void join() { __tsan_acquire(&ended_); }
+  ~TaskFence() { join(); }
 
  private:
   char begun_, ended_;  // only their addresses count

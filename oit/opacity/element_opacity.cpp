@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "scene/elements/frame_memory.h"
 
@@ -27,10 +28,9 @@ BufferTexture numbers(const Gl& gl, std::vector<std::uint32_t> of_primitive, std
 /// The memory's elements of a kind, cut where there are none yet.
 std::shared_ptr<const scene::Elements> remembered(
     scene::FrameMemory* memory, std::shared_ptr<const scene::Elements> scene::FrameMemory::*kind,
-    scene::Elements (*cut)(const scene::Scene&, std::size_t), const scene::Scene& scene,
-    int count) {
+    const std::function<scene::Elements()>& cut) {
   if (memory && memory->*kind) return memory->*kind;
-  auto elements = std::make_shared<const scene::Elements>(cut(scene, std::size_t(count)));
+  auto elements = std::make_shared<const scene::Elements>(cut());
   if (memory) memory->*kind = elements;
   return elements;
 }
@@ -49,6 +49,9 @@ const OptionTable<ElementOptions>& element_options() {
               .max = 1e6,
               .unit = "patches",
               .help = "of equal size that all surfaces are cut into, about; each has one opacity"}),
+      choice("distances", &ElementOptions::distances,
+             {{"edges", scene::SurfaceDistance::edges}, {"heat", scene::SurfaceDistance::heat}},
+             "between points of a surface, for patches: along edges, or by the heat method"),
       number("smooth", &ElementOptions::smooth,
              {.min = 0,
               .max = 1000,
@@ -65,10 +68,14 @@ ElementOpacity::ElementOpacity(Stage& stage, const ElementOptions& options)
     : stage_(stage),
       iterations_(options.smooth),
       keep_(float(options.keep)),
-      patches_(remembered(stage.memory(), &scene::FrameMemory::surfaces, scene::surface_elements,
-                          stage.scene(), options.patches)),
-      segments_(remembered(stage.memory(), &scene::FrameMemory::lines, scene::line_elements,
-                           stage.scene(), options.segments)),
+      patches_(remembered(stage.memory(), &scene::FrameMemory::surfaces,
+                          [&] {
+                            return scene::surface_elements(
+                                stage.scene(), std::size_t(options.patches), options.distances);
+                          })),
+      segments_(remembered(
+          stage.memory(), &scene::FrameMemory::lines,
+          [&] { return scene::line_elements(stage.scene(), std::size_t(options.segments)); })),
       points_(count_points(stage.scene())) {
   const Gl& gl = stage.gl();
   const std::size_t first_point = patches_->count() + segments_->count();

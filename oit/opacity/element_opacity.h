@@ -20,7 +20,8 @@ struct ElementOptions {
   int segments = 50000;  // about, of equal length, of all lines
   int patches = 500;     // about, of equal size, of all surfaces
   int smooth = 15;       // iterations of Laplacian smoothing over segments and patches
-  double keep = 0;       // share of the last frame's opacities that stays, along a camera path
+  scene::SurfaceDistance distances = scene::SurfaceDistance::edges;  // of patches
+  double keep = 0;  // share of the last frame's opacities that stays, along a camera path
 
   bool operator==(const ElementOptions&) const = default;
 };

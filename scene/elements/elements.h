@@ -41,16 +41,20 @@ struct Elements {
 /// line.
 Elements line_elements(const Scene& scene, std::size_t segments);
 
+/// A SurfaceDistance says how far points of a surface are apart: along the edges of its triangles,
+/// up to 1.4 times as far as they are on regular grids, or over its triangles by the heat method,
+/// as the paper has it (see geometry::HeatDistances), which takes much longer.
+enum class SurfaceDistance { edges, heat };
+
 /// Cuts the surfaces into about `patches` elements: the Voronoi cells of triangles that are far
 /// from each other (farthest-point sampling); of each piece of surface that hangs together one at
-/// least. Distances are along the edges of the meshes: up to 1.4 times the geodesic ones on regular
-/// grids, which changes the shape of a cell and nothing else. (The paper's are Crane's heat method,
-/// whose sparse solver would be the only one in the program.)
+/// least. Throws InputError for a triangle without an area where heat has to flow through it.
 ///
 /// A vertex mixes the elements within twice the largest distance of a vertex from its own one's
 /// centre, by ((R - d) / (R d))^2 (Franke and Little's weights): continuous, and the element's own
 /// at its centre. The paper leaves the weights to Guenther et al. 2014.
-Elements surface_elements(const Scene& scene, std::size_t patches);
+Elements surface_elements(const Scene& scene, std::size_t patches,
+                          SurfaceDistance distance = SurfaceDistance::edges);
 
 /// Smooths opacities by Laplacian smoothing: an iteration moves each element's opacity half of the
 /// way to the mean of its neighbours'. s of them along a line are a binomial filter of variance

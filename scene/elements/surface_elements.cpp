@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 
 #include "geometry/half_edges.h"
+#include "geometry/heat_distances.h"
 #include "scene/elements/elements.h"
 
 namespace pellucid::scene {
@@ -137,13 +139,14 @@ class EdgeDistances {
 /// The Voronoi cells of the vertices about triangles that are far from each other.
 class Cells {
  public:
-  Cells(const Surface& surface, std::size_t count)
+  Cells(const Surface& surface, std::size_t count, SurfaceDistance distance)
       : surface_(surface),
         around_(surface),
-        distances_(surface, around_),
+        along_edges_(surface, around_),
         cell_(surface.positions.size(), none),
         distance_(surface.positions.size(), infinite),
         seed_cell_(surface.triangles.size(), none) {
+    if (distance == SurfaceDistance::heat) heat_.emplace(surface.positions, surface.triangles);
     seed_components();
     while (seeds_.size() < count && seed_farthest()) {
     }
@@ -156,12 +159,19 @@ class Cells {
     const auto cell = std::uint32_t(seeds_.size());
     seeds_.push_back(triangle);
     seed_cell_[triangle] = cell;
-    distances_.spread(triangle, [&](std::uint32_t vertex, double distance) {
+    spread(triangle, [&](std::uint32_t vertex, double distance) {
       if (!(distance < distance_[vertex])) return false;
       distance_[vertex] = distance;
       cell_[vertex] = cell;
       return true;
     });
+  }
+
+  /// As EdgeDistances::spread().
+  template <class Accept>
+  void spread(std::uint32_t triangle, const Accept& accept) {
+    if (!heat_) return along_edges_.spread(triangle, accept);
+    for (const auto& [vertex, distance] : heat_->from(triangle)) accept(vertex, distance);
   }
 
   void seed_components() {
@@ -206,7 +216,8 @@ class Cells {
 
   const Surface& surface_;
   Neighbourhoods around_;
-  EdgeDistances distances_;
+  EdgeDistances along_edges_;
+  std::optional<geometry::HeatDistances> heat_;
   std::vector<std::uint32_t> cell_;       // of each vertex, the nearest seed's
   std::vector<double> distance_;          // from it
   std::vector<std::uint32_t> seeds_;      // triangles
@@ -243,7 +254,7 @@ void Cells::mix_vertices(Elements& elements) {
   std::vector<std::uint32_t> reached;
   for (std::uint32_t cell = 0; cell < seeds_.size(); ++cell) {
     reached.clear();
-    distances_.spread(seeds_[cell], [&](std::uint32_t vertex, double d) {
+    spread(seeds_[cell], [&](std::uint32_t vertex, double d) {
       if (!(d < reach && d < distance[vertex])) return false;
       if (distance[vertex] == infinite) reached.push_back(vertex);
       distance[vertex] = d;
@@ -278,9 +289,9 @@ Elements Cells::elements() {
 
 }  // namespace
 
-Elements surface_elements(const Scene& scene, std::size_t patches) {
+Elements surface_elements(const Scene& scene, std::size_t patches, SurfaceDistance distance) {
   const Surface surface = gather(scene);
-  return Cells(surface, patches).elements();
+  return Cells(surface, patches, distance).elements();
 }
 
 }  // namespace pellucid::scene

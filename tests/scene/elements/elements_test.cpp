@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "tests/support/scenes.h"
@@ -123,8 +124,15 @@ std::vector<int> sizes(const Elements& e) {
   return sizes;
 }
 
-TEST(PropertyElements, PatchesCoverASurfaceEvenly) {
-  const Elements e = surface_elements(scene_of({{"grid", grid(60)}}), 50);
+class PropertyPatches : public ::testing::TestWithParam<SurfaceDistance> {};
+INSTANTIATE_TEST_SUITE_P(, PropertyPatches,
+                         ::testing::Values(SurfaceDistance::edges, SurfaceDistance::heat),
+                         [](const auto& distance) {
+                           return distance.param == SurfaceDistance::heat ? "heat" : "edges";
+                         });
+
+TEST_P(PropertyPatches, CoverASurfaceEvenly) {
+  const Elements e = surface_elements(scene_of({{"grid", grid(60)}}), 50, GetParam());
   EXPECT_EQ(e.count(), 50u);
   const std::vector<int> triangles = sizes(e);
   EXPECT_EQ(std::accumulate(triangles.begin(), triangles.end(), 0), 7200);
@@ -142,8 +150,8 @@ TEST(PropertyElements, PatchesCoverASurfaceEvenly) {
 }
 
 // A mean changes little from vertex to vertex, and leaves the hull of what it is of nowhere.
-TEST(PropertyElements, VerticesMixPatchesContinuously) {
-  const Elements e = surface_elements(scene_of({{"grid", grid(60)}}), 50);
+TEST_P(PropertyPatches, AreMixedContinuouslyByVertices) {
+  const Elements e = surface_elements(scene_of({{"grid", grid(60)}}), 50, GetParam());
   std::vector<float> opacities(e.count());
   for (std::size_t i = 0; i < opacities.size(); ++i) opacities[i] = float(i % 2);
   const std::vector<float> vertices = vertex_opacities(e, opacities);
@@ -153,6 +161,36 @@ TEST(PropertyElements, VerticesMixPatchesContinuously) {
     EXPECT_LT(std::abs(vertices[30 * 61 + i + 1] - vertices[30 * 61 + i]), 0.5f) << i;
   EXPECT_EQ(vertex_opacities(e, std::vector<float>(e.count(), 0.5f)).size(), 61u * 61);
   for (const float v : vertex_opacities(e, std::vector<float>(e.count(), 0.3f))) EXPECT_EQ(v, 0.3f);
+}
+
+/// How much longer patches are along the grid's diagonals, which are edges, than across these: the
+/// quotient of the mean squares.
+double slant(const geometry::TriangleMesh& mesh, const Elements& e) {
+  const auto middle = [&](std::size_t t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+  };
+  std::vector<Vec3> sums(e.count(), Vec3(0));
+  std::vector<double> counts(e.count());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    sums[e.of_primitive[t]] += middle(t);
+    ++counts[e.of_primitive[t]];
+  }
+  double along = 0, across = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t i = e.of_primitive[t];
+    const Vec3 x = middle(t) - sums[i] / counts[i];
+    along += (x.x + x.y) * (x.x + x.y);
+    across += (x.x - x.y) * (x.x - x.y);
+  }
+  return along / across;
+}
+
+TEST(UnitElements, PatchesByHeatDoNotFollowTheEdges) {
+  const geometry::TriangleMesh mesh = grid(60);
+  const Scene scene = scene_of({{"grid", mesh}});
+  EXPECT_GT(slant(mesh, surface_elements(scene, 50, SurfaceDistance::edges)), 1.3);
+  EXPECT_NEAR(slant(mesh, surface_elements(scene, 50, SurfaceDistance::heat)), 1, 0.2);
 }
 
 TEST(PropertyElements, PiecesThatDoNotHangTogetherShareNothing) {
