@@ -39,7 +39,8 @@ void compare_run_folders(const fs::path& before, const fs::path& after,
     fmt::print("{}\n", json_text(compare::to_json(changes), 1));
   else
     for (const std::string& line : compare::lines_of(changes)) fmt::print("{}\n", line);
-  for (const std::string& warning : changes.warnings) std::cerr << "pellucid: " << warning << '\n';
+  for (const std::string& warning : changes.warnings)  // which names of files are in
+    std::cerr << "pellucid: " << one_line(warning, warning.size() + 1) << '\n';
   if (changes.differ(!options.ignore_times))
     throw WorkError(fmt::format("{} differs from {}", after.string(), before.string()));
 }

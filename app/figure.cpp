@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct FigureArguments {
   fs::path results, output;
-  std::vector<std::string> scenes, crops, numbers;
+  std::vector<std::string> crops, numbers;
   bool table = false;
   std::string width = std::string(compare::figure_widths().front().name);
   compare::FigureRequest request;
@@ -60,7 +60,6 @@ compare::FigureCrop crop_of_text(const std::string& text) {
 
 compare::FigureRequest request_of(const FigureArguments& arguments) {
   compare::FigureRequest request = arguments.request;
-  request.scenes = all_parts(arguments.scenes);
   if (!arguments.numbers.empty()) request.numbers = all_parts(arguments.numbers);
   std::erase(request.numbers, "none");
   for (const std::string& crop : arguments.crops)
@@ -134,7 +133,7 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<st
 
 void add_content_options(CLI::App& command, FigureArguments& arguments) {
   compare::FigureRequest& request = arguments.request;
-  add_list(command, "--scene", arguments.scenes, "Scenes, a line each: NAME[,NAME…]; else all");
+  add_list(command, "--scene", request.scenes, "Scenes, a line each: NAME[,NAME…]; else all");
   add_list(command, "--methods", request.methods,
            "Columns: CALL[,CALL…], or a method's name for all of its calls; else all");
   add_list(command, "--crop", arguments.crops,

@@ -98,10 +98,11 @@ std::vector<SceneOutliers> outliers_of(const Scene& scene, const SceneCore& core
   std::vector<SceneOutliers> all;
   for (const SceneObject& object : scene.objects) {
     SceneOutliers outliers{object.name};
-    for (const Vec3& x : object.vertices().positions)
-      if (!object.is_halo && !core.holds(x)) {
+    const std::vector<Vec3>& x = object.vertices().positions;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (!object.is_halo && is_drawn(object, i) && !core.holds(x[i])) {
         ++outliers.count;
-        outliers.distance = std::max(outliers.distance, glm::length(x - core.center));
+        outliers.distance = std::max(outliers.distance, glm::length(x[i] - core.center));
       }
     if (outliers.count > 0) all.push_back(std::move(outliers));
   }
@@ -132,7 +133,8 @@ Camera core_camera(const Scene& scene, const SceneCore& core, const ViewDirectio
   for (const SceneObject& object : scene.objects) {
     const std::vector<Vec3>& x = object.vertices().positions;
     for (std::size_t i = 0; i < x.size(); ++i)
-      if (!object.is_halo && core.holds(x[i])) fit.add(x[i], object.radii().at(i));
+      if (!object.is_halo && is_drawn(object, i) && core.holds(x[i]))
+        fit.add(x[i], object.radii().at(i));
   }
   return fit.camera();
 }

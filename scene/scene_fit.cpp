@@ -3,9 +3,14 @@
 
 namespace pellucid::scene {
 
+bool is_drawn(const SceneObject& object, std::size_t i) {
+  return !std::holds_alternative<PointObject>(object.shape) || object.radii().at(i) > 0;
+}
+
 void show(const SceneObject& object, CameraFit& fit) {
   const std::vector<Vec3>& x = object.vertices().positions;
-  for (std::size_t i = 0; i < x.size(); ++i) fit.add(x[i], object.radii().at(i));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (is_drawn(object, i)) fit.add(x[i], object.radii().at(i));
 }
 
 Camera fitted_camera(const Scene& scene, const ViewDirection& from) {

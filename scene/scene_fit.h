@@ -6,6 +6,9 @@
 
 namespace pellucid::scene {
 
+/// Returns whether something of an object's vertex may be seen: of a point of radius 0 nothing is.
+bool is_drawn(const SceneObject& object, std::size_t i);
+
 /// Shows a camera that is to be fitted all that is drawn of an object.
 void show(const SceneObject& object, CameraFit& fit);
 

@@ -60,7 +60,7 @@ void print_row(const compare::ResultRow& row) {
 
 void print_warnings(std::span<const compare::ResultRow> rows) {
   for (const std::string& warning : compare::provenance_warnings(rows))
-    std::cerr << "pellucid: " << warning << '\n';
+    std::cerr << "pellucid: " << one_line(warning, warning.size() + 1) << '\n';
 }
 
 void check_complete(std::span<const compare::ResultRow> rows,

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "compare/results/number_json.h"
 
 namespace pellucid::compare {
 namespace {
@@ -35,7 +36,7 @@ json picture_json(const PictureChange& p) {
   if (!p.why_not.empty()) return {{"view", p.view + 1}, {"why_not", p.why_not}};
   return {{"view", p.view + 1},
           {"pixels", p.pixels},
-          {"largest", std::isfinite(p.largest) ? json(p.largest) : json()},
+          {"largest", compare::number_json(p.largest)},
           {"first", {p.x, p.y}},
           {"beyond_rounding", p.beyond_rounding()}};
 }

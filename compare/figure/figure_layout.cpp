@@ -49,6 +49,11 @@ std::vector<SheetBox> inset_boxes(const std::vector<Crop>& crops, const SheetBox
       std::transform_reduce(crops.begin(), crops.end(), 0.0, std::plus(), aspect);
   const double gaps = inset_gap * double(crops.size() - 1);
   const double height = std::min((above.width - gaps) / aspects, above.height);
+  if (!(height > hairline))
+    throw InputError(
+        fmt::format("--crop: {} parts do not fit side by side below a picture {:.0f} mm wide; "
+                    "accepted: fewer, less wide ones, or a larger --width",
+                    crops.size(), above.width / 72 * 25.4));
   double x = above.middle() - (aspects * height + gaps) / 2;
   std::vector<SheetBox> boxes;
   for (const Crop& crop : crops) {

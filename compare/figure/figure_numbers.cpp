@@ -50,7 +50,9 @@ std::vector<TextRun> number_runs(const Column& column, const ResultRow& row,
 
 }  // namespace
 
+/// "flicker" is the change of the error, which no metric has in its name.
 bool is_error(const Column& column) {
+  if (column.name == "flicker") return true;
   return std::ranges::any_of(
       metrics(), [&](const MetricRow& metric) { return column.name.starts_with(metric.name); });
 }

@@ -34,9 +34,15 @@ std::vector<std::string> names_of(std::span<const ResultRow> rows, const Name& n
 
 std::vector<std::string> scenes_of(const PastRun& run, const FigureRequest& request) {
   const auto known = names_of(run.rows, [](const ResultRow& row) { return row.scene; });
-  for (const std::string& scene : request.scenes)
+  std::vector<std::string> scenes;
+  for (const std::string& text : request.scenes)
+    if (holds(known, text))  // a file's name may hold a comma
+      scenes.push_back(text);
+    else
+      for (const std::string_view name : split(text, ',')) scenes.emplace_back(name);
+  for (const std::string& scene : scenes)
     if (!holds(known, scene)) refuse_name("--scene", "scene", scene, known);
-  return request.scenes.empty() ? known : request.scenes;
+  return scenes.empty() ? known : scenes;
 }
 
 /// The rows of a scene, the reference first, as the study has them.

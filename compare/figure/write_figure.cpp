@@ -37,7 +37,7 @@ std::vector<fs::path> write_latex(const fs::path& path, FigureSheet sheet, const
   return {path, beside};
 }
 
-/// \includegraphics takes some characters of a name for commands.
+/// \includegraphics takes some characters of a name for commands, and so does \label.
 void check_name(const fs::path& path) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) || std::string_view("-_+.").find(char(c)) != std::string_view::npos;
@@ -45,7 +45,8 @@ void check_name(const fs::path& path) {
   const std::string stem = path.stem().string();
   if (!std::ranges::all_of(stem, is_plain))
     throw InputError(fmt::format(
-        "{}: LaTeX does not include files of such a name; accepted: letters, digits and -_+.",
+        "{}: LaTeX does not take such a name for a file or a label; accepted: letters, digits and "
+        "-_+.",
         path.string()));
 }
 
@@ -114,6 +115,7 @@ WrittenFigure write_figure_table(const fs::path& path, const PastRun& run,
   if (small_ending(path) != latex_ending)
     throw InputError(fmt::format("{}: ending '{}'; accepted for a table: {}", path.string(),
                                  path.extension().string(), latex_ending));
+  check_name(path);
   if (request.numbers.empty()) throw InputError("--numbers: none; accepted for a table: some");
   WrittenFigure written{{path}, 0, 0, find_figure_rows(run, request), {}};
   const std::vector<ResultRow> rows = rows_in(written.rows);

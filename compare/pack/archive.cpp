@@ -6,6 +6,7 @@
 #include "compare/pack/archive_writer.h"
 #include "core/files/output_file.h"
 #include "core/files/output_folder.h"
+#include "core/options/lower_case.h"
 
 namespace pellucid::compare {
 namespace {
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// The kind of archive that the path's ending is of; nothing for a folder.
 std::optional<ArchiveKind> kind_of(const fs::path& to) {
-  const std::string name = to.filename().string();
+  const std::string name = lower_case(to.filename().string());
   if (name.ends_with(".zip")) return ArchiveKind::zip;
   if (name.ends_with(".tar.gz") || name.ends_with(".tgz")) return ArchiveKind::tar_gz;
   return std::nullopt;
@@ -51,7 +52,7 @@ std::string PackedFile::content() const { return source.empty() ? text : read_te
 std::string package_name(const fs::path& to) {
   std::string name = fs::absolute(to / "").parent_path().filename().string();
   for (const std::string_view ending : {".tar.gz", ".tgz", ".zip"})
-    if (name.ends_with(ending) && name.size() > ending.size())
+    if (lower_case(name).ends_with(ending) && name.size() > ending.size())
       return name.substr(0, name.size() - ending.size());
   return name;
 }

@@ -4,6 +4,9 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
+#include <locale.h>
+
+#include <cstdlib>
 
 #include "core/error.h"
 
@@ -12,6 +15,30 @@ namespace {
 
 struct FreeEntry {
   void operator()(archive_entry* entry) const { archive_entry_free(entry); }
+};
+
+/// While a Utf8Names of a name in UTF-8 lives, the C library takes this thread's texts for that.
+/// libarchive says in an archive what its names are by the locale, which is "C" in this program: a
+/// .zip would say nothing, so that an é is unpacked as two other characters, and a .tar would call
+/// the name binary, of which tar warns.
+class Utf8Names {
+ public:
+  explicit Utf8Names(const std::string& name)
+      : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (!utf8_) return;
+    before_ = uselocale(utf8_);
+    if (std::mbstowcs(nullptr, name.c_str(), 0) == std::size_t(-1)) uselocale(before_);
+  }
+  ~Utf8Names() {
+    if (!utf8_) return;
+    uselocale(before_);
+    freelocale(utf8_);
+  }
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+
+ private:
+  locale_t utf8_, before_ = nullptr;
 };
 
 void set_kind(archive* writer, ArchiveKind kind) {
@@ -48,6 +75,7 @@ void ArchiveWriter::begin(const std::string& path, std::uint64_t size, bool exec
   archive_entry_set_filetype(entry.get(), AE_IFREG);
   archive_entry_set_perm(entry.get(), executable ? 0755 : 0644);
   archive_entry_set_mtime(entry.get(), 0, 0);
+  const Utf8Names names(path);
   check(archive_write_header(writer_.get(), entry.get()));
 }
 

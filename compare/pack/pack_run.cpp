@@ -127,14 +127,18 @@ PackedRun pack_run(const PastRun& run, const Study& study) {
   const std::map<fs::path, std::string> inputs = all_inputs(run);
   check_inputs(inputs);
   check_cells(run, study);
-  const fs::path study_file = fs::absolute(study.file).lexically_normal();
-  std::set<fs::path> all{study_file};
-  for (const auto& [path, hash] : inputs) all.insert(path);
-  for (const fs::path& scene : study.scenes) all.insert(fs::absolute(scene).lexically_normal());
+  const auto place_of = [](const fs::path& file) { return without_dots(fs::absolute(file)); };
+  const fs::path study_file = place_of(study.file);
+  std::set<fs::path> texts{study_file};  // JSON, whatever their names end in
+  for (const fs::path& scene : study.scenes) texts.insert(place_of(scene));
+  for (const auto& [scene, file] : study.reference_scenes) texts.insert(place_of(file));
   for (const LeftOutScene& scene : study.left_out)  // which the study's text names all the same
-    all.insert(fs::absolute(scene.file).lexically_normal());
+    texts.insert(place_of(scene.file));
+  std::set<fs::path> all = texts;
+  for (const auto& [path, hash] : inputs) all.insert(path);
   for (const fs::path& file : all)
-    if (file.extension() == ".json") check_relative(read_json(file), file, inputs);
+    if (texts.contains(file) || file.extension() == ".json")
+      check_relative(read_json(file), file, inputs);
   const fs::path root = common_folder(all);
   PackedRun packed;
   packed.study = "inputs/" + study_file.lexically_relative(root).generic_string();

@@ -12,6 +12,7 @@
 
 #include "compare/cells/cell.h"
 #include "compare/pack/sha256.h"
+#include "compare/report/url_text.h"
 #include "core/files/json_text.h"
 #include "core/machine/build_info.h"
 
@@ -125,10 +126,13 @@ std::string_view media_type(const fs::path& path) {
 
 json id(std::string_view of) { return {{"@id", of}}; }
 
+/// An identifier of RO-Crate is a URI (RO-Crate 1.1, "Encoding file paths").
+json file_id(const PackedFile& file) { return id(url_of(file.path)); }
+
 json ids(const std::vector<PackedFile>& files, std::string_view folder) {
   json list = json::array();
   for (const PackedFile& file : files)
-    if (file.path.starts_with(folder)) list.push_back(id(file.path));
+    if (file.path.starts_with(folder)) list.push_back(file_id(file));
   return list;
 }
 
@@ -144,7 +148,7 @@ Digest digest_of(const PackedFile& file) {
 }
 
 json file_entity(const PackedFile& file, const Digest& digest) {
-  return {{"@id", file.path},
+  return {{"@id", url_of(file.path)},
           {"@type", "File"},
           {"name", fs::path(file.path).filename().string()},
           {"encodingFormat", media_type(file.path)},
@@ -185,10 +189,20 @@ json crate(const PastRun& run, const Study& study, const std::vector<PackedFile>
           {"@graph", graph}};
 }
 
+/// A line of sha256sum: a name with a line's end in it has that, and every backslash, as an escape,
+/// and the line begins with a backslash (GNU coreutils, "md5sum invocation").
+std::string manifest_line(const std::string& path, const Digest& digest) {
+  if (path.find_first_of("\n\r") == std::string::npos)
+    return fmt::format("{}  {}\n", digest.sha256, path);
+  std::string escaped;
+  for (const char c : path)
+    escaped += c == '\n' ? "\\n" : c == '\r' ? "\\r" : c == '\\' ? "\\\\" : std::string(1, c);
+  return fmt::format("\\{}  {}\n", digest.sha256, escaped);
+}
+
 std::string manifest(const std::vector<PackedFile>& files, const std::vector<Digest>& digests) {
   std::string text;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    text += fmt::format("{}  {}\n", digests[i].sha256, files[i].path);
+  for (std::size_t i = 0; i < files.size(); ++i) text += manifest_line(files[i].path, digests[i]);
   return text;
 }
 

@@ -13,6 +13,7 @@
 #include "compare/report/crop.h"
 #include "compare/report/page_texts.h"
 #include "compare/report/source_json.h"
+#include "compare/report/url_text.h"
 #include "compare/results/columns.h"
 #include "compare/results/number_json.h"
 #include "compare/results/provenance.h"
@@ -82,22 +83,6 @@ json intervals_json(const ResultRow& row) {
     if (const auto interval = interval_of(column, row); interval && column.shown.report)
       intervals[column.name] = {interval->low, interval->high};
   return intervals;
-}
-
-/// As a page asks for it: bytes that mean something else in a URL, as '?', '#' and '%' do, are
-/// written by their numbers (RFC 3986, section 2.1).
-std::string url_of(const fs::path& path) {
-  constexpr std::string_view plain = "-._~/=,+";
-  std::string url;
-  for (const char c : path.generic_string()) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') || plain.find(c) != std::string_view::npos;
-    if (is_plain)
-      url += c;
-    else
-      url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return url;
 }
 
 /// A picture of a page of one file stands in it; that of a folder's page beside it.

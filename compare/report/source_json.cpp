@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/files/files_read.h"
 #include "core/files/output_file.h"
 
 namespace pellucid::compare {
@@ -36,7 +37,7 @@ json cost_line_json(const CostLine& line) {
 
 json study_json(const Study& study) {
   json j{{"name", study.name},
-         {"file", std::filesystem::absolute(study.file).lexically_normal().string()},
+         {"file", without_dots(std::filesystem::absolute(study.file)).string()},
          {"title", study.title},
          {"source", study.source},
          {"notes", study.notes}};
@@ -52,7 +53,7 @@ json inputs_json(const Study& study) {
   json inputs = json::array();
   for (const std::filesystem::path& file : files)
     if (std::filesystem::is_regular_file(file))
-      inputs.push_back({{"file", std::filesystem::absolute(file).lexically_normal().string()},
+      inputs.push_back({{"file", without_dots(std::filesystem::absolute(file)).string()},
                         {"text", read_text(file)}});
   return inputs;
 }

@@ -36,7 +36,7 @@ SumsFile sums_of(const SumsRequest& request, const std::string& fingerprint,
   SumsFile file;
   file.info = {
       deep_info(part.scene, request.part, {fingerprint, {}, request.view.without_background}),
-      fs::absolute(request.scene).lexically_normal().string(),
+      without_dots(fs::absolute(request.scene)).string(),
       request.call.text(),
       totals ? 2 : 1,
       sums->phases(),

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/halo.h"
+#include "scene/view/unit_scale.h"
 
 namespace pellucid::compare {
 namespace {
@@ -20,7 +21,7 @@ constexpr double degree = std::numbers::pi / 180;
 struct UpFrame {
   Vec3 east, north, up;
 
-  explicit UpFrame(const Vec3& direction) : up(glm::normalize(direction)) {
+  explicit UpFrame(const Vec3& direction) : up(scene::normalized_or_zero(direction)) {
     Vec3 axis(0);
     int least = 0;
     for (int k = 1; k < 3; ++k)

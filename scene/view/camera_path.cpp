@@ -7,12 +7,13 @@
 #include <glm/gtx/rotate_vector.hpp>
 
 #include "core/error.h"
+#include "scene/view/unit_scale.h"
 
 namespace pellucid::scene {
 
 std::vector<Camera> orbit(const Camera& camera, double degrees, int frames) {
   std::vector<Camera> path;
-  const Vec3 arm = camera.eye - camera.target, axis = glm::normalize(camera.up);
+  const Vec3 arm = camera.eye - camera.target, axis = normalized_or_zero(camera.up);
   for (int i = 0; i < frames; ++i) {
     Camera at = camera;
     at.eye = camera.target + glm::rotate(arm, glm::radians(degrees * i / (frames - 1)), axis);
@@ -44,10 +45,11 @@ std::vector<Camera> between_keys(const std::vector<Camera>& keys, int frames) {
 }
 
 CameraMotion motion(const Camera& from, const Camera& to) {
-  const Vec3 a = glm::normalize(from.target - from.eye), b = glm::normalize(to.target - to.eye);
+  const Vec3 a = normalized_or_zero(from.target - from.eye),
+             b = normalized_or_zero(to.target - to.eye), way = to.eye - from.eye;
   // By sine and cosine: the arc cosine alone loses half of the digits near 0.
   return {glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))),
-          glm::length(to.eye - from.eye)};
+          std::hypot(way.x, way.y, way.z)};
 }
 
 }  // namespace pellucid::scene

@@ -56,6 +56,22 @@ TEST_F(UnitMergeSums, IsThePictureOfTheWholeScene) {
   }
 }
 
+/// The second phase is drawn of the scene's file again: behind a link ".." leads elsewhere than the
+/// text says.
+TEST_F(UnitMergeSums, ASceneBehindALinkIsFoundAgain) {
+  fs::create_directories(folder_ / "sub/below");
+  fs::create_directory(folder_ / "here");
+  fs::create_directory_symlink(folder_ / "sub/below", folder_ / "here/link");
+  write_text(folder_ / "sub/scene.json", read_text(scene()));
+  fs::copy_file(folder_ / "sheet.ply", folder_ / "sub/sheet.ply");
+  ASSERT_EQ(run("render " + path("here/link/../scene.json") +
+                " --quiet -m fourier:bands=3 --partial " + path("sums.exr"))
+                .exit_code,
+            0);
+  const Outcome outcome = merge(path("sums.exr"), "-o " + path("merged.exr"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 TEST_F(UnitMergeSums, TheOrderOfTheFilesDoesNotMatter) {
   const std::string files = draw("weighted-average", "part");
   ASSERT_EQ(merge(files, "-o " + path("a.exr")).exit_code, 0);

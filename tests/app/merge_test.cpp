@@ -71,6 +71,27 @@ TEST_F(UnitMerge, WithoutABackgroundItIsThePictureOfTheWholeToo) {
       HasSubstr("its background is 0,0,0, of " + path("1.exr") + " it is none"));
 }
 
+/// Each file is there as it was, but not where it was.
+TEST_F(UnitMerge, FilesOfOneNameThatHaveChangedPlacesAreAnotherScene) {
+  fs::create_directory(folder_ / "x");
+  fs::create_directory(folder_ / "y");
+  const std::string sheet = read_text(folder_ / "sheet.ply");
+  std::string other = sheet;
+  other.replace(other.find("0.75"), 4, "0.25");
+  write_text(scene(), R"({"format": "pellucid-scene", "version": 1, "resolution": [40, 30],
+    "objects": [{"mesh": "x/m.ply", "color": "red"}, {"mesh": "y/m.ply", "color": "blue"}]})");
+  write_text(folder_ / "x/m.ply", sheet);
+  write_text(folder_ / "y/m.ply", other);
+  // Both parts are drawn with the camera of either: the sheets cover the same triangle.
+  ASSERT_EQ(run(render_part("1/2", "1.exr")).exit_code, 0);
+  write_text(folder_ / "x/m.ply", other);
+  write_text(folder_ / "y/m.ply", sheet);
+  ASSERT_EQ(run(render_part("2/2", "2.exr")).exit_code, 0);
+  EXPECT_THAT(
+      refusal("merge " + path("1.exr") + ' ' + path("2.exr") + " --quiet -o " + path("m.exr")),
+      HasSubstr("its content of the scene is"));
+}
+
 TEST_F(UnitMerge, WhatIsForNumPyIsNotCalledDamaged) {
   ASSERT_EQ(run(render_part("1/2", "1.exr")).exit_code, 0);
   ASSERT_EQ(run(render_part("2/2", "2.npz")).exit_code, 0);

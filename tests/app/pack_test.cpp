@@ -99,6 +99,44 @@ TEST_F(UnitPack, TheCrateListsEveryFile) {
   EXPECT_EQ(shell("cd p && sha256sum --check --quiet manifest.sha256"), 0);
 }
 
+/// A blank and a '%' are none of a URI's characters, and a line's end none of a manifest's.
+TEST_F(UnitPack, NamesMayHaveAnyCharacters) {
+  write_text(folder_ / "a b\n50%.json", read_text(scene()));
+  write_text(folder_ / "studies" / "s.json",
+             R"({"format": "pellucid-study", "version": 1, "scenes": ["../a b\n50%.json"],
+                 "reference": "raytrace", "methods": ["weighted-average"], "repeats": 1})");
+  fs::remove_all(folder_ / "results");
+  ASSERT_EQ(run("study " + file("studies/s.json") + " --quiet -o " + file("results")).exit_code, 0);
+  ASSERT_EQ(run(pack("p") + " --quiet").exit_code, 0);
+  EXPECT_EQ(shell("cd p && sha256sum --check --quiet manifest.sha256"), 0);
+  EXPECT_THAT(read_text(folder_ / "p/ro-crate-metadata.json"),
+              HasSubstr(R"("@id": "inputs/a%20b%0A50%25.json")"));
+}
+
+/// A scene is one by what is in it, not by how its name ends.
+TEST_F(UnitPack, AnAbsolutePathIsSeenInAnySceneFile) {
+  write_text(folder_ / "scene.txt", R"({"format": "pellucid-scene", "version": 1,
+    "resolution": [9, 9], "objects": [{"mesh": ")" +
+                                        file("sheet.ply") + R"("}]})");
+  write_text(folder_ / "studies" / "s.json",
+             R"({"format": "pellucid-study", "version": 1, "scenes": ["../scene.txt"],
+                 "reference": "raytrace", "methods": ["weighted-average"], "repeats": 1})");
+  fs::remove_all(folder_ / "results");
+  ASSERT_EQ(run("study " + file("studies/s.json") + " --quiet -o " + file("results")).exit_code, 0);
+  EXPECT_THAT(refusal(pack("p.zip")), AllOf(HasSubstr("scene.txt: names "), HasSubstr("absolute")));
+}
+
+/// What ".." leads to behind a link is not what is written before it.
+TEST_F(UnitPack, AStudyBehindALinkIsFound) {
+  fs::create_directory(folder_ / "here");
+  fs::create_directory(folder_ / "studies/sub");
+  fs::create_directory_symlink(folder_ / "studies/sub", folder_ / "here/sub");
+  fs::remove_all(folder_ / "results");
+  ASSERT_EQ(run("study " + file("here/sub/../s.json") + " --quiet -o " + file("results")).exit_code,
+            0);
+  EXPECT_EQ(run(pack("p") + " --quiet").exit_code, 0);
+}
+
 TEST_F(UnitPack, AnInputThatIsGoneOrAnotherIsOneLine) {
   write_text(folder_ / "sheet.ply", read_text(folder_ / "sheet.ply") + "\n");
   EXPECT_THAT(refusal(pack("p.zip")), AllOf(HasSubstr("sheet.ply"), HasSubstr("other content")));
@@ -113,6 +151,17 @@ TEST_F(UnitPack, AnotherStudyIsNotThatOfTheResults) {
   EXPECT_THAT(refusal(pack("p.zip")), HasSubstr("is not what"));
   EXPECT_THAT(refusal("pack " + file("studies") + " -o " + file("p.zip")),
               HasSubstr("has no results.json"));
+}
+
+/// A warning says names as a file has them.
+TEST_F(UnitPack, WarningsOfRunsAreALineEach) {
+  ASSERT_EQ(shell("cp -r results after"), 0);
+  const fs::path results = folder_ / "after/results.json";
+  nlohmann::json json = nlohmann::json::parse(read_text(results));
+  for (nlohmann::json& row : json["rows"]) row["machine"]["commit"] = "one\ntwo";
+  write_text(results, json.dump());
+  EXPECT_THAT(run("compare " + file("results") + " " + file("after")).err,
+              HasSubstr(R"(one\ntwo)"));
 }
 
 TEST_F(UnitPack, TwoRunsCompareAsTheirExitCodesSay) {

@@ -88,8 +88,9 @@ class Workflow(unittest.TestCase):
         (self.folder / name).write_text(json.dumps({**SCENE, "objects": [{"mesh": "sheet.ply"}]}))
 
     def test_what_has_changed_beneath_a_study_is_computed_again(self):
-        self.add_mesh_scene("{mesh}.json")  # braces, which Snakemake takes for a wildcard
-        self.study(["weighted-average"], scenes=("one.json", "{mesh}.json"))
+        # Braces, which Snakemake takes for a wildcard, and what Python takes for the end of a line.
+        self.add_mesh_scene("{mesh}\u2028.json")
+        self.study(["weighted-average"], scenes=("one.json", "{mesh}\u2028.json"))
         self.assertEqual(self.run_workflow().returncode, 0)
         (self.folder / "sheet.ply").write_text(SHEET.replace("0 1 0 0.75", "0 0.5 0 0.25"))
         row = self.folder / "cells/cells/one/raytrace.json"

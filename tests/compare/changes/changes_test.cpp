@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "compare/changes/change_texts.h"
 #include "compare/changes/changes_page.h"
 #include "compare/changes/number_changes.h"
 #include "compare/changes/picture_changes.h"
@@ -150,6 +151,16 @@ TEST(UnitPictureChange, BitsDecideAndNotANumberEqualsItself) {
   EXPECT_FALSE(picture_change(a, b).has_value());
   b.at(0, 0).r = 1;
   EXPECT_EQ(picture_change(a, b).value().largest, std::numeric_limits<double>::infinity());
+}
+
+/// Against what is no number; null would say that nobody knows.
+TEST(UnitPictureChange, AnInfiniteDifferenceIsSaidSo) {
+  PictureChange change;
+  change.pixels = 1;
+  change.largest = std::numeric_limits<double>::infinity();
+  RunChanges changes;
+  changes.cells.push_back({"s/m", CellChange::Kind::changed, {}, {change}, {}});
+  EXPECT_EQ(to_json(changes)["cells"][0]["pictures"][0]["largest"], "inf");
 }
 
 /// Two runs of a study of two scenes and two methods.

@@ -62,6 +62,35 @@ TEST(UnitFigureRows, AMethodsNameStandsForAllItsCalls) {
   EXPECT_EQ(rows[1].rows[3].scene, "b");
 }
 
+TEST(UnitFigureRows, ASceneMayHaveACommaInItsName) {
+  FigureRun run;
+  for (ResultRow& row : run.run().rows)
+    if (row.scene == "b") row.scene = "a,b";
+  FigureRequest request;
+  request.scenes = {"a,b", "a"};
+  const auto rows = find_figure_rows(run.run(), request);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].scene, "a,b");
+  EXPECT_EQ(rows[1].scene, "a");
+  for (ResultRow& row : run.run().rows)
+    if (row.scene == "a,b") row.scene = "b";
+  request.scenes = {"a,b"};
+  EXPECT_EQ(find_figure_rows(run.run(), request).size(), 2u);
+}
+
+/// It is the change of an error, which the reference does not have.
+TEST(UnitFigureNumbers, TheReferenceDoesNotFlicker) {
+  FigureRun run;
+  for (ResultRow& row : run.run().rows)
+    row.measures = {{"flicker", "Flicker", "", row.reference ? 0 : 0.125, Better::lower}};
+  FigureRequest request;
+  request.numbers = {"flicker"};
+  const std::vector<FigureNumbers> numbers = read_figure(run.run(), request).strips[0].numbers;
+  EXPECT_THAT(texts_of(numbers[0].errors), ElementsAre("reference"));
+  EXPECT_TRUE(numbers[0].costs.empty());
+  EXPECT_THAT(texts_of(numbers[1].errors), ElementsAre("Flicker 0.125*"));
+}
+
 TEST(UnitFigureNumbers, TheBestIsBoldAndTheReferenceHasCostsAlone) {
   FigureRun run;
   const FigureContent content = read_figure(run.run(), {});

@@ -150,6 +150,8 @@ TEST_F(UnitFigureFiles, OtherEndingsAndNamesAreRefused) {
   EXPECT_THROW(draw("f"), InputError);
   EXPECT_THROW(draw("a b.tex"), InputError);
   EXPECT_NO_THROW(draw("a b.svg"));
+  // A label ends where its '%' begins a comment.
+  EXPECT_THROW(write_figure_table(run_.file("50%.tex"), run_.run(), {}, {}, "command"), InputError);
   EXPECT_THROW(width_of_text("ieeee"), InputError);
   EXPECT_THROW(width_of_text("19"), InputError);
   EXPECT_THROW(width_of_text("nan"), InputError);

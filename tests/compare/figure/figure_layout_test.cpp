@@ -93,6 +93,14 @@ TEST(UnitFigureLayout, InsetsBesideEachOtherAreOfOneHeight) {
   EXPECT_NEAR(two.x - one.right(), 2, 1e-9);
 }
 
+/// 60 gaps of 2 are wider than a column of 97.
+TEST(UnitFigureLayout, MoreInsetsThanFitAreRefused) {
+  FigureRun run;
+  FigureRequest request = with_crop({0, 0, 10, 10});
+  request.crops.resize(60, request.crops.front());
+  EXPECT_THROW(sheet_of(run, request), InputError);
+}
+
 TEST(UnitFigureLayout, TheScaleStandsWhereTheReferenceHasNoMap) {
   FigureRun run;
   FigureRequest request;

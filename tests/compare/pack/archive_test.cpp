@@ -62,6 +62,38 @@ TEST_F(UnitArchive, PythonUnpacksAZip) {
   expect_all_in(folder_ / "name");
 }
 
+/// In whatever locale the program runs: bit 11 of a .zip's flags says that names are UTF-8, a .tar
+/// says so by saying nothing else (POSIX, pax), and names that are none are kept as they are.
+TEST_F(UnitArchive, NamesAreUtf8) {
+  files_.push_back({.path = "d\u00e9j\u00e0 \u2013 1.txt", .text = "vu"});
+  write_package(folder_ / "p.zip", "name", files_);
+  write_package(folder_ / "p.tar.gz", "name", files_);
+  const auto python = [&](const std::string& text) {
+    write_text(folder_ / "t.py", text);
+    return std::system(("cd " + folder_.path().string() + " && /usr/bin/python3 t.py").c_str());
+  };
+  EXPECT_EQ(
+      python("import zipfile\n"
+             "i = [i for i in zipfile.ZipFile('p.zip').infolist()"
+             " if i.filename.endswith('1.txt')][0]\n"
+             "assert i.filename == 'name/d\\u00e9j\\u00e0 \\u2013 1.txt', ascii(i.filename)\n"),
+      0);
+  EXPECT_EQ(python("import tarfile\n"
+                   "assert all('hdrcharset' not in i.pax_headers for i in"
+                   " tarfile.open('p.tar.gz').getmembers())\n"),
+            0);
+  files_.back().path = "\xff.txt";
+  write_package(folder_ / "p.tar.gz", "name", files_);
+  expect_unpacked("rm -rf name && tar xzf p.tar.gz");
+}
+
+/// As all other endings.
+TEST_F(UnitArchive, CapitalLettersAreTheSameEnding) {
+  write_package(folder_ / "P.ZIP", "name", files_);
+  EXPECT_TRUE(fs::is_regular_file(folder_ / "P.ZIP"));
+  EXPECT_EQ(package_name("x/P.Tar.GZ"), "P");
+}
+
 TEST_F(UnitArchive, AFolderIsReplacedOnlyByItsLike) {
   write_package(folder_ / "p", "name", files_);
   expect_all_in(folder_ / "p");

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "compare/views/contact_sheet.h"
+#include "scene/view/unit_scale.h"
 
 namespace pellucid::compare {
 namespace {
@@ -54,12 +55,15 @@ TEST(UnitViewScore, LayersBehindTooMuchAreHidden) {
 }
 
 TEST(UnitRankViews, SidesLieEvenlyAroundTheSphereBelowTheCaps) {
-  for (const Vec3& up : {Vec3(0, 1, 0), Vec3(0, 0, 2), Vec3(1, -2, 3)}) {
+  // Of `up` the direction counts: squares of the last two are infinite, and 0.
+  for (const Vec3& up : {Vec3(0, 1, 0), Vec3(0, 0, 2), Vec3(1, -2, 3), 1e200 * Vec3(1, -2, 3),
+                         1e-200 * Vec3(1, -2, 3)}) {
     Vec3 sum(0);
     for (const SphereView& view : sphere_views(200, up)) {
       const Vec3 toward = view.direction.toward_eye;
       EXPECT_NEAR(glm::length(toward), 1, 1e-12);
-      EXPECT_NEAR(glm::dot(toward, glm::normalize(up)), std::sin(view.elevation * degree), 1e-12);
+      EXPECT_NEAR(glm::dot(toward, scene::normalized_or_zero(up)),
+                  std::sin(view.elevation * degree), 1e-12);
       EXPECT_LT(std::abs(view.elevation), 70);
       sum += toward;
     }

@@ -31,6 +31,20 @@ TEST(UnitCameraPath, AnOrbitGoesRoundTheTargetCounterclockwise) {
   }
 }
 
+/// Of `up` the direction counts, whose square may be no number; a turn has no size either.
+TEST(UnitCameraPath, LengthsDoNotMatter) {
+  const Camera unit{.eye = {3, 2, 1}, .target = {1, 2, 1}, .up = {0, 0, 1}};
+  for (const double length : {1e200, 1e-200}) {
+    Camera camera = unit;
+    camera.up *= length;
+    EXPECT_EQ(orbit(camera, 90, 4)[3].eye, orbit(unit, 90, 4)[3].eye) << length;
+    const Camera before{.eye = {0, 0, length}, .target = {0, 0, 0}},
+        after{.eye = {length, 0, 0}, .target = {0, 0, 0}};
+    EXPECT_NEAR(motion(before, after).degrees, 90, 1e-13) << length;
+    EXPECT_NEAR(motion(before, after).distance / length, std::numbers::sqrt2, 1e-15) << length;
+  }
+}
+
 TEST(UnitCameraPath, KeysArePassedAtEqualSteps) {
   const Camera a{.eye = {0, 0, 5}, .fov = 40}, b{.eye = {2, 0, 5}, .fov = 60},
       c{.eye = {2, 4, 5}, .target = {1, 0, 0}, .fov = 60};

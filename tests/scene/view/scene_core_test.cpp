@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/scene_fit.h"
+
 namespace pellucid::scene {
 namespace {
 
@@ -57,6 +59,23 @@ TEST(UnitSceneCore, WhatLiesFarAwayIsNamedAndNotSeen) {
       core_camera(scene_of({points_at(row_of_points(), 0.1)}), core, view_directions()[6]);
   EXPECT_NEAR(glm::length(camera.eye - alone.eye), 0, 1e-12);
   EXPECT_LT(glm::length(camera.eye), 4);
+}
+
+/// A point of radius 0 is not drawn: neither camera looks for it, and nobody names it.
+TEST(UnitSceneCore, PointsOfRadiusZeroDoNotWidenTheView) {
+  std::vector<Vec3> places = row_of_points();
+  const Scene alone = scene_of({points_at(places, 0.1)});
+  std::vector<double> radii(places.size(), 0.1);
+  places.emplace_back(0, 1e6, 0);
+  radii.push_back(0);
+  SceneObject object = points_at(places, 0.1);
+  std::get<PointObject>(object.shape).radius = Radii(radii);
+  const Scene scene = scene_of({object});
+  EXPECT_EQ(fitted_camera(scene).eye, fitted_camera(alone).eye);
+  const SceneCore core = scene_core(scene);
+  EXPECT_TRUE(core.outliers.empty());
+  EXPECT_EQ(core_camera(scene, core, view_directions()[0]).eye,
+            core_camera(alone, core, view_directions()[0]).eye);
 }
 
 TEST(UnitSceneCore, WhatIsNearlyTransparentHardlyCounts) {
