@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace pellucid::fields {
 namespace {
@@ -38,6 +39,15 @@ void BoxPolynomial::append_coefficients(int degree, std::vector<double>& out) co
     out.push_back(p.c_[p.index(i, j, k)] /
                   (binomial(degree, i) * binomial(degree, j) * binomial(degree, k)));
   });
+}
+
+BoxPolynomial on_lattice(BoxPolynomial line) {
+  constexpr double rounding = 1e-10;  // lattice coordinates up to 1e4 carry 1e-12 each
+  line.for_each([&](int i, int j, int k) {
+    double& end = line.c_[line.index(i, j, k)];
+    if (std::abs(end - std::round(end)) < rounding) end = std::round(end);
+  });
+  return line;
 }
 
 BoxPolynomial BoxPolynomial::elevated(int axis) const {  // times t + (1 - t)

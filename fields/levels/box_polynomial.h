@@ -21,6 +21,9 @@ class BoxPolynomial {
 
   /// Returns the largest of its degrees along the axes.
   int degree() const;
+  /// Returns a lattice coordinate within a cell, with an end that rounding put beside one of the
+  /// cell's faces on it: pieces on both sides of a face then have the same numbers there.
+  friend BoxPolynomial on_lattice(BoxPolynomial line);
   /// Appends Bernstein's coefficients, (degree + 1)³ of them, x fastest; the first and the last are
   /// the values at the first and the last corner. `degree` is at least degree().
   void append_coefficients(int degree, std::vector<double>& out) const;

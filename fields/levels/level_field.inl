@@ -3,6 +3,12 @@
 
 namespace pellucid::fields {
 
+/// A lattice coordinate within a cell; BoxPolynomial has one of its own.
+template <class T>
+const T& on_lattice(const T& s) {
+  return s;
+}
+
 template <class T>
 T LevelField::trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double kept) const {
   const ScalarLevel& level = levels_[cell.level];
@@ -53,7 +59,7 @@ LevelSum<T> LevelField::sum(std::span<const LatticeCell> cells, const std::array
     const ScalarLevel& level = levels_[cell.level];
     std::array<T, 3> s;
     for (int axis = 0; axis < 3; ++axis)
-      s[axis] = (x[axis] - level.origin[axis]) / level.width - double(cell.low[axis]);
+      s[axis] = on_lattice((x[axis] - level.origin[axis]) / level.width - double(cell.low[axis]));
     if (hat()) {
       add_hats(cell, s, kept, out);
       continue;

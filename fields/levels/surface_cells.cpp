@@ -12,6 +12,12 @@ bool inside(const Box3& part, const Box3& whole) {
   return whole.contains(part.min) && whole.contains(part.max);
 }
 
+/// Without touching its faces.
+bool within(const Box3& part, const Box3& whole) {
+  return glm::all(glm::greaterThan(part.min, whole.min)) &&
+         glm::all(glm::lessThan(part.max, whole.max));
+}
+
 bool touch(const Box3& a, const Box3& b) {
   return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
 }
@@ -46,10 +52,15 @@ class CellPicker {
       if (inside(box, field_.domain(finer))) return false;
     Range range;
     range.extend(field_.levels()[cell.level], cell, cell);
-    const bool alone = inside(box, field_.region(cell.level).alone);
+    // A reconstruction that jumps may cross the value on the region's faces, and rounding says to
+    // which side a point on one belongs: the other levels' samples count there, too.
+    const bool alone = within(box, field_.region(cell.level).alone);
     const std::size_t count = alone ? cell.level : field_.levels().size();
+    // Faces of two levels may be an ulp apart where they are meant to be one.
+    const double rounding = 1e-8 * field_.levels().front().width;
+    const Box3 around{box.min - rounding, box.max + rounding};
     for (std::uint32_t other = 0; other < count; ++other)
-      if (other != cell.level && touch(box, field_.region(other).support))
+      if (other != cell.level && touch(around, field_.region(other).support))
         range.extend(field_.levels()[other], field_.cell_at(other, box.min),
                      field_.cell_at(other, box.max));
     return range.low <= value_ && value_ <= range.high;

@@ -2,6 +2,7 @@
 #include "fields/levels/surface_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/parallel.h"
 #include "fields/levels/box_polynomial.h"
@@ -34,18 +35,16 @@ class PieceCutter {
   void add(const LatticeCell& cell) {
     const Box3 box = cell_box(field_, cell);
     for (int axis = 0; axis < 3; ++axis) cuts_[axis] = {box.min[axis], box.max[axis]};
+    const Box3 around{box.min - rounding(), box.max + rounding()};
     bool alone = true;
     for (std::uint32_t other = 0; other < field_.levels().size(); ++other)
-      if (other != cell.level && meet(box, field_.region(other).support) &&
+      if (other != cell.level && meet(around, field_.region(other).support) &&
           !(other > cell.level && is_within(box, field_.region(cell.level).alone))) {
         alone = false;
         cut(other, box);
       }
     if (alone) return add_piece(box);
-    for (std::vector<double>& planes : cuts_) {
-      std::sort(planes.begin(), planes.end());
-      planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-    }
+    for (std::vector<double>& planes : cuts_) merge(planes);
     for_each_part([&](const Box3& part) {
       if (!is_finest(cell.level, part)) return;
       add_piece(part);
@@ -69,6 +68,19 @@ class PieceCutter {
         add(face);
       for (int i = low[axis]; i <= high[axis] + 1; ++i) add(level.origin[axis] + level.width * i);
     }
+  }
+
+  /// Planes of two levels that rounding alone keeps apart are one: the middle of what lies between
+  /// them may be beyond both, and a jump would be on each.
+  bool is_same(double a, double b) const { return std::abs(a - b) <= rounding(); }
+  double rounding() const { return 1e-8 * field_.levels().front().width; }
+  void merge(std::vector<double>& planes) const {
+    std::sort(planes.begin(), planes.end());
+    const double last = planes.back();  // of the cell
+    planes.erase(std::unique(planes.begin(), planes.end(),
+                             [&](double a, double b) { return is_same(a, b); }),
+                 planes.end());
+    planes.back() = last;
   }
 
   template <class Call>
@@ -112,6 +124,8 @@ class PieceCutter {
   /// the coarser one has the face, whose cell is among those of the surface (see surface_cells()).
   void add_jump(const LatticeCell& cell, const Box3& part, int axis, bool above) {
     const double face = above ? part.max[axis] : part.min[axis];
+    // Hats do not jump: where none reaches, both sides differ by rounding alone.
+    if (field_.reconstruction().kind == Reconstruction::hat) return;
     if (!is_face_of_level(axis, face)) return;
     Vec3 beyond = middle(part);
     beyond[axis] = face + (above ? 1e-6 : -1e-6) * field_.levels().front().width;
@@ -168,7 +182,7 @@ class PieceCutter {
       const Box3 domain = field_.domain(level), support = field_.region(level).support;
       for (const double face :
            {domain.min[axis], domain.max[axis], support.min[axis], support.max[axis]})
-        if (face == plane) return true;
+        if (is_same(face, plane)) return true;
     }
     return false;
   }

@@ -80,7 +80,8 @@ PointLattice lattice_of(vtkDataSet& data, const fs::path& path) {
 /// The lattice's own width. Throws InputError where cells are no cubes.
 double width_of(const PointLattice& lattice, const fs::path& path) {
   const Vec3& step = lattice.step;
-  const double width = (step.x + step.y + step.z) / 3;
+  // The mean; exactly the step where all are equal, which (0.2 + 0.2 + 0.2) / 3 is not.
+  const double width = step.x + ((step.y - step.x) + (step.z - step.x)) / 3;
   for (int a = 0; a < 3; ++a)
     if (!(std::abs(step[a] - width) <= cube_rounding * width))
       bad_file(path,

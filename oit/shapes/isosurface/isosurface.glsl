@@ -164,17 +164,6 @@ void polynomial_along(Piece piece, Stretch s, int first, out double b[MOST_ROOTS
   for (int m = 1; m < 3 * n; ++m) b[m] /= binomial(3 * n, m);
 }
 
-// Where no hat reaches, Σ w (f - value) is 0 as well, and has there the sign that it has next to it.
-void leave_zeros(int n, inout double b[MOST_ROOTS + 1]) {
-  double largest = 0.0lf;
-  for (int i = 0; i <= n; ++i) largest = max(largest, abs(b[i]));
-  double least = 1e-10lf * largest;  // of rounding alone
-  for (int i = n; i >= 0 && abs(b[0]) <= least; --i)
-    if (abs(b[n - i]) > least) b[0] = b[n - i] < 0.0lf ? -least : least;
-  for (int i = 0; i <= n && abs(b[n]) <= least; ++i)
-    if (abs(b[n - i]) > least) b[n] = b[n - i] < 0.0lf ? -least : least;
-}
-
 // Bernstein's polynomials of degree n at t, and their derivatives.
 void bernstein(int n, double t, out double values[ROW], out double slopes[ROW]) {
   values[0] = 1.0lf;
@@ -204,6 +193,28 @@ dvec4 polynomial_at(Piece piece, dvec3 place, int first) {
                dvec4(x[i] * y[j] * z[k], dx[i] * y[j] * z[k], x[i] * dy[j] * z[k],
                      x[i] * y[j] * dz[k]);
   return sum / dvec4(1.0lf, piece.high - piece.low);
+}
+
+// Where no hat reaches an end of a stretch, Σ w (f - value) is 0 there as well, and has the sign that it
+// has next to it. Elsewhere a 0 is the surface.
+void leave_zeros(Piece piece, Stretch s, inout double b[MOST_ROOTS + 1]) {
+  const double least_weight = 1e-10lf;  // of rounding alone
+  int n = 3 * piece.degree, weights = piece.numbers + numbers_of_polynomial(piece);
+  double largest = 0.0lf;
+  for (int i = 0; i <= n; ++i) largest = max(largest, abs(b[i]));
+  double least = 1e-10lf * largest;
+  if (abs(b[0]) <= least && polynomial_at(piece, s.from, weights).x <= least_weight)
+    for (int i = 1; i <= n; ++i)
+      if (abs(b[i]) > least) {
+        b[0] = b[i] < 0.0lf ? -least : least;
+        break;
+      }
+  if (abs(b[n]) <= least && polynomial_at(piece, s.to, weights).x <= least_weight)
+    for (int i = n - 1; i >= 0; --i)
+      if (abs(b[i]) > least) {
+        b[n] = b[i] < 0.0lf ? -least : least;
+        break;
+      }
 }
 
 #ifdef LIT
@@ -258,7 +269,7 @@ bool meet() {
   } else {
     double b[MOST_ROOTS + 1];
     polynomial_along(piece, s, piece.numbers, b);
-    if (piece.weighted) leave_zeros(3 * piece.degree, b);
+    if (piece.weighted) leave_zeros(piece, s, b);
     root = sign_change(b, 3 * piece.degree, piece.crossing);
     if (root < 0.0lf) return false;
   }

@@ -19,8 +19,10 @@ ScaleNumbers numbers_of(const scene::Isosurface::OtherScalar& scalar) {
   if (low == high) return {step, unit, offset - low, 0};
   if (scalar.scale == scene::Scale::logarithmic)
     return {logarithmic, unit / low, offset / low, std::log(high) - std::log(low)};
-  const double at_0 = scene::fraction_of(offset, scalar.range);
-  return {linear, scene::fraction_of(samples.value(1), scalar.range) - at_0, at_0, 0};
+  // Not a difference of fractions: beside large numbers a unit is nothing.
+  const double width = high - low;
+  const double factor = std::isfinite(width) ? unit / width : unit / 2 / (high / 2 - low / 2);
+  return {linear, factor, scene::fraction_of(offset, scalar.range), 0};
 }
 
 void append_stops(const scene::Isosurface::Coloring& coloring, std::vector<double>& stops) {

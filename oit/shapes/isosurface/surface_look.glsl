@@ -10,13 +10,21 @@ const double FAR_BEYOND = 1e30lf;  // the range
 bool is_colored(int surface) { return number(surface + LOOK_COLOR_SCALE) != SCALE_NONE; }
 bool is_faded(int surface) { return number(surface + LOOK_FADING_SCALE) != SCALE_NONE; }
 
+// The logarithm of a number above 0, to a float, of any size that a double has.
+double logarithm(double x) {
+  uvec2 bits = unpackDouble2x32(x);
+  int exponent = int(bits.y >> 20u) - 1023;
+  double mantissa = packDouble2x32(uvec2(bits.x, (bits.y & 0xfffffu) | 0x3ff00000u));  // 1 … 2
+  return double(log(float(mantissa))) + double(exponent) * 0.693147180559945309lf;
+}
+
 // Of a scale's range; see scene::fraction_of(). `scalar` is as it is kept.
 double fraction_of(int scale, double scalar) {
   double kind = number(scale), at = number(scale + 1) * scalar + number(scale + 2);
   double length = number(scale + 3);  // of the range
   if (kind == SCALE_LINEAR) return at;
   if (kind == SCALE_LOGARITHMIC)  // `at` is over the range's first end
-    return at > 0.0lf ? double(log(float(at))) / length : -sign(length) * FAR_BEYOND;
+    return at > 0.0lf ? logarithm(at) / length : -sign(length) * FAR_BEYOND;
   return at == 0.0lf ? 0.0lf : sign(at) * FAR_BEYOND;  // a range of no width
 }
 

@@ -132,6 +132,24 @@ TEST_P(PropertyIsosurface, ValuesOutOfRangeHaveNoSurface) {
   EXPECT_TRUE(surface_cells(field, -100).empty());
 }
 
+/// 9 at the fine box's upper face in a coarse level of -1: what jumps across the value are no
+/// samples of one cell. Widths and places that are no sums of a few powers of two put a point on a
+/// face to either side.
+TEST(UnitIsosurface, AJumpBetweenCellsThatDoNotTakeTheValueIsCrossed) {
+  const fields::LevelField field(
+      {sampled(Vec3(-0.85, -0.82, -0.86), 0.2, 9, [](const Vec3&) { return -1; }),
+       sampled(Vec3(-0.4, -0.37, -0.41), 0.1, 9, [](const Vec3& x) { return 10 * x.x + 5; })},
+      fields::find_reconstruction("trilinear"));
+  for (const double value : {1.5, 2.01, 4.5})
+    for (int i = 0; i < 49; ++i) {
+      const double y = -0.3 + 0.09 * (i % 7), z = -0.31 + 0.09 * (i / 7);
+      for (const WorldRay& ray :
+           {WorldRay{Vec3(3, y, z), Vec3(-1, 0, 0)}, WorldRay{Vec3(-3, y, z), Vec3(1, 0, 0)},
+            WorldRay{Vec3(3, 1.1 * y, z), Vec3(-1, -0.01 * y, 0.02)}})
+        EXPECT_EQ(exact_crossings(field, value, ray).size(), 2u) << value << ' ' << y << ' ' << z;
+    }
+}
+
 TEST(UnitIsosurface, ASphereIsEnteredAndLeft) {
   const auto distance = [](const Vec3& x) { return glm::length(x - 4.0); };
   const fields::LevelField field({sampled(Vec3(0), 0.125, 65, distance)},
