@@ -154,6 +154,8 @@ class Seeds:
                              "lines.binlines": "binlines/version1"}.items():
             shutil.copy(TESTS.parent / "fuzz" / "corpus" / target, self.folder / name)
         write_trx(self.folder / "lines.trx")
+        # Of OpenVDB's PointDataGrid<NullCodec>, 24 points of a density, which no writer in Python makes.
+        shutil.copy(TESTS / "soak" / "points.vdb", self.folder / "points.vdb")
         self.write_by_others()
         self.write_snapshot()
         for name in ("a.exr", "a.png"):

@@ -71,6 +71,8 @@ TEST_F(UnitVtkFile, WhatIsRightIsRead) {
 TEST_F(UnitVtkFile, ACrashIsAComplaint) {
 #if defined(__SANITIZE_ADDRESS__)
   const char* const crashed = "its reader ended with code 1";  // by the sanitizer, before a signal
+#elif defined(__SANITIZE_THREAD__)
+  const char* const crashed = "its reader ended with code 66";
 #else
   const char* const crashed = "its reader crashed";
 #endif

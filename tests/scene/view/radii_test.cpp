@@ -81,9 +81,12 @@ TEST(UnitRadii, APointOfRadiusZeroHasNoDepth) {
 }
 
 TEST(UnitRadii, AFittedCameraSeesEachBall) {
-  const Scene scene = scene_of(points({0, 0.5, 0}, PointObject::Profile::sphere));
-  const Camera camera = fitted_camera(scene, view_directions()[6]);  // from the front
-  EXPECT_NEAR(camera.height * 15 / 16, 2, 1e-12);                    // from x = 0 to x = 2
+  const auto seen = [](const std::vector<double>& radii) {
+    const Scene scene = scene_of(points(radii, PointObject::Profile::sphere));
+    return fitted_camera(scene, view_directions()[6]).height * 15 / 16;  // from the front
+  };
+  EXPECT_NEAR(seen({0.25, 0.5, 0.25}), 2.5, 1e-12);  // from x = -0.25 to x = 2.25
+  EXPECT_NEAR(seen({0, 0.5, 0}), 1, 1e-12);          // a ball of radius 0 is none
 }
 
 TEST(UnitRadii, ARibbonIsAsWideAsItsRadiusAtEachPoint) {
