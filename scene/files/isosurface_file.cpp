@@ -23,11 +23,21 @@
 namespace pellucid::scene {
 namespace {
 
-/// What a surface is drawn of.
-struct LevelData {
-  std::vector<fields::FileLevels> scalars;  // the surface's own first
-  std::string origin;                       // the names of the data, for messages
-};
+/// What a surface is drawn of, its own scalar first.
+using LevelData = std::vector<fields::FileLevels>;
+
+std::vector<JsonNode> files_of(const JsonNode& node) {
+  const JsonNode file = node["file"];
+  return file.is_array() ? file.elements() : std::vector{file};
+}
+
+/// The names of the data, as the scene has them.
+std::string names_of(const JsonNode& node) {
+  if (node.has("dataset")) return node["dataset"].string();
+  std::vector<std::string> names;
+  for (const JsonNode& file : files_of(node)) names.push_back(file.string());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
 LevelData generate(const JsonNode& node, std::span<const std::string> scalars) {
   const JsonNode dataset = node["dataset"];
@@ -35,12 +45,11 @@ LevelData generate(const JsonNode& node, std::span<const std::string> scalars) {
   LevelData data;
   for (const std::string& scalar : scalars) {
     fields::FileLevels made;
-    made.levels = at_place(data.scalars.empty() ? node["scalar"] : node,
+    made.levels = at_place(data.empty() ? node["scalar"] : node,
                            [&] { return fields::scalars_of(velocity, scalar); });
     made.range = fields::sample_range(made.levels);
-    data.scalars.push_back(std::move(made));
+    data.push_back(std::move(made));
   }
-  data.origin = dataset.string();
   return data;
 }
 
@@ -56,21 +65,15 @@ void read_file(const std::filesystem::path& path, const JsonNode& node,
                std::span<const std::string> scalars, LevelData& data) {
   const std::string velocity = node.has("velocity") ? node["velocity"].string() : "";
   for (std::size_t i = 0; i < scalars.size(); ++i)
-    append(fields::read_levels(path, scalars[i], velocity, read_time(node)), data.scalars[i]);
+    append(fields::read_levels(path, scalars[i], velocity, read_time(node)), data[i]);
 }
 
 LevelData read_files(const JsonNode& node, const std::filesystem::path& folder,
                      std::span<const std::string> scalars) {
-  const JsonNode file = node["file"];
-  LevelData data;
-  data.scalars.resize(scalars.size());
-  for (fields::FileLevels& scalar : data.scalars) scalar.range = fields::sample_range({});
-  std::vector<std::string> names;
-  for (const JsonNode& name : file.is_array() ? file.elements() : std::vector{file}) {
-    names.push_back(name.string());
+  LevelData data(scalars.size());
+  for (fields::FileLevels& scalar : data) scalar.range = fields::sample_range({});
+  for (const JsonNode& name : files_of(node))
     at_place(name, [&] { read_file(folder / name.string(), node, scalars, data); });
-  }
-  data.origin = fmt::format("{}", fmt::join(names, ", "));
   return data;
 }
 
@@ -143,10 +146,9 @@ class IsosurfaceReader {
                        "velocity", "time"});
     Isosurface surface;
     surface.value = node_["value"].number(-any, any);
-    LevelData data = read_levels();
-    std::vector<fields::FileLevels>& scalars = data.scalars;
+    LevelData scalars = read_levels();
     fields::FileLevels& own = scalars.front();
-    refuse_value(surface.value, own, data.origin);
+    refuse_value(surface.value, own);
     surface.field = field_on(rounded(std::move(own.levels), surface.value), std::move(own.gaps));
     surface.corners = corners_of(surface.field->bounds());
     for (const fields::FileLevels& scalar : scalars) add_remarks(scalar, surface.corners.remarks);
@@ -183,13 +185,13 @@ class IsosurfaceReader {
   }
 
   /// What no value reaches would be an empty picture, and what leaves a narrow band a false one.
-  void refuse_value(double value, const fields::FileLevels& data, const std::string& origin) const {
+  void refuse_value(double value, const fields::FileLevels& data) const {
     const bool reached = value >= data.range.x && value <= data.range.y;
     if (reached && !data.gaps.contains(value)) return;
     node_["value"].fail(
         fmt::format("{}; accepted: {}, {} of {} of {}", value, data.gaps.accepted(data.range),
                     data.gaps.empty() ? "the range" : "where the surface stays in the narrow band",
-                    node_["scalar"].string(), origin));
+                    node_["scalar"].string(), names_of(node_)));
   }
 
   /// What is true of the file, and not of the scalar, is said once.
@@ -240,7 +242,7 @@ std::variant<Isosurface, geometry::TriangleMesh> read_isosurface(
     const JsonNode& node, const std::filesystem::path& folder, const Appearance& appearance,
     std::string& how) {
   Isosurface surface = IsosurfaceReader(node, folder, appearance).read();
-  how = describe(*surface.field, node["scalar"].string());
+  how = names_of(node) + ": " + describe(*surface.field, node["scalar"].string());
   for (const std::string& remark : surface.corners.remarks) how += "; " + remark;
   if (!node.has("mesh") || !node["mesh"].boolean()) return surface;
   geometry::TriangleMesh mesh = at_place(node, [&] { return mesh_of(surface); });
