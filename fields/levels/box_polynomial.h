@@ -41,7 +41,8 @@ class BoxPolynomial {
   using Degrees = std::array<int, 3>;
 
   std::size_t index(int i, int j, int k) const {
-    return std::size_t(i + (degrees_[0] + 1) * (j + (degrees_[1] + 1) * k));
+    const auto wide = std::size_t(degrees_[0]) + 1, high = std::size_t(degrees_[1]) + 1;
+    return std::size_t(i) + wide * (std::size_t(j) + high * std::size_t(k));
   }
   /// Returns the same polynomial, of one degree more along an axis.
   BoxPolynomial elevated(int axis) const;

@@ -48,12 +48,12 @@ Range product(const Range& a, const Range& b) {
 /// How the surface's polynomial changes from one end of a piece to the other along an axis: a
 /// multiple of its derivative there, whose Bernstein coefficients are differences.
 Range change_along(int axis, const SurfacePiece& piece, std::span<const double> numbers) {
-  const int n = piece.degree + 1;
-  const int step = axis == 0 ? 1 : axis == 1 ? n : n * n;
+  const std::size_t n = std::size_t(piece.degree) + 1;
+  const std::size_t step = axis == 0 ? 1 : axis == 1 ? n : n * n;
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (int i = 0; i < int(piece.count()); ++i) {
+  for (std::size_t i = 0; i < piece.count(); ++i) {
     if (i / step % n == n - 1) continue;
-    const double change = numbers[std::size_t(i + step)] - numbers[std::size_t(i)];
+    const double change = numbers[i + step] - numbers[i];
     range = {std::min(range.low, change), std::max(range.high, change)};
   }
   return range;

@@ -64,7 +64,8 @@ PictureRectangle rectangle_along(const Vec2& axis, const ViewSpace& view, const 
 }  // namespace
 
 PictureRectangle bounds_in_picture(const ConeSphere& solid, const ViewSpace& view) {
-  const auto& [a, b, radius_a, radius_b] = solid;
+  const Vec3 &a = solid.a, &b = solid.b;
+  const double radius_a = solid.radius_a, radius_b = solid.radius_b;
   const bool parallel = view.projection() == scene::Projection::orthographic;
   if (!(std::max(a.z + radius_a, b.z + radius_b) > 0)) return {};
   return rectangle_along(axis_of(solid, view.projection()), view, [&](const Vec2& axis) {
@@ -77,10 +78,14 @@ PictureRectangle bounds_in_picture(const ConeSphere& solid, const ViewSpace& vie
 
 PictureRectangle bounds_in_picture(const std::array<Vec3, 8>& corners, const ViewSpace& view) {
   const bool parallel = view.projection() == scene::Projection::orthographic;
-  const auto [nearest, farthest] = std::ranges::minmax(corners, {}, &Vec3::z);
-  if (!(farthest.z > 0)) return {};
+  double nearest = infinity, farthest = -infinity;  // view depths
+  for (const Vec3& corner : corners) {
+    nearest = std::min(nearest, corner.z);
+    farthest = std::max(farthest, corner.z);
+  }
+  if (!(farthest > 0)) return {};
   return rectangle_along({1, 0}, view, [&](const Vec2& axis) {
-    if (!parallel && !(nearest.z > 0)) return everything;
+    if (!parallel && !(nearest > 0)) return everything;
     Vec2 seen = nothing;
     for (const Vec3& corner : corners) {
       const double at = glm::dot(axis, Vec2(corner)) / (parallel ? 1 : corner.z);
