@@ -52,9 +52,11 @@ class CellPicker {
       if (inside(box, field_.domain(finer))) return false;
     Range range;
     range.extend(field_.levels()[cell.level], cell, cell);
-    // A reconstruction that jumps may cross the value on the region's faces, and rounding says to
+    // Where `trilinear` jumps it may cross the value on the region's faces, and rounding says to
     // which side a point on one belongs: the other levels' samples count there, too.
-    const bool alone = within(box, field_.region(cell.level).alone);
+    const Box3& region = field_.region(cell.level).alone;
+    const bool jumps = field_.reconstruction().kind == Reconstruction::trilinear;
+    const bool alone = jumps ? within(box, region) : inside(box, region);
     const std::size_t count = alone ? cell.level : field_.levels().size();
     // Faces of two levels may be an ulp apart where they are meant to be one.
     const double rounding = 1e-8 * field_.levels().front().width;
