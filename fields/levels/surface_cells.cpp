@@ -4,22 +4,15 @@
 #include <algorithm>
 
 #include "core/parallel.h"
+#include "fields/levels/level_boxes.h"
 
 namespace pellucid::fields {
 namespace {
-
-bool inside(const Box3& part, const Box3& whole) {
-  return whole.contains(part.min) && whole.contains(part.max);
-}
 
 /// Without touching its faces.
 bool within(const Box3& part, const Box3& whole) {
   return glm::all(glm::greaterThan(part.min, whole.min)) &&
          glm::all(glm::lessThan(part.max, whole.max));
-}
-
-bool touch(const Box3& a, const Box3& b) {
-  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
 }
 
 /// Smallest and largest sample.
@@ -49,18 +42,16 @@ class CellPicker {
   bool picks(const LatticeCell& cell) const {
     const Box3 box = cell_box(field_, cell);
     for (std::uint32_t finer = 0; finer < cell.level; ++finer)
-      if (inside(box, field_.domain(finer))) return false;
+      if (is_inside(box, field_.domain(finer))) return false;
     Range range;
     range.extend(field_.levels()[cell.level], cell, cell);
     // Where `trilinear` jumps it may cross the value on the region's faces, and rounding says to
     // which side a point on one belongs: the other levels' samples count there, too.
     const Box3& region = field_.region(cell.level).alone;
     const bool jumps = field_.reconstruction().kind == Reconstruction::trilinear;
-    const bool alone = jumps ? within(box, region) : inside(box, region);
+    const bool alone = jumps ? within(box, region) : is_inside(box, region);
     const std::size_t count = alone ? cell.level : field_.levels().size();
-    // Faces of two levels may be an ulp apart where they are meant to be one.
-    const double rounding = 1e-8 * field_.levels().front().width;
-    const Box3 around{box.min - rounding, box.max + rounding};
+    const Box3 around = with_rounding(field_, box);
     for (std::uint32_t other = 0; other < count; ++other)
       if (other != cell.level && touch(around, field_.region(other).support))
         range.extend(field_.levels()[other], field_.cell_at(other, box.min),

@@ -6,18 +6,11 @@
 
 #include "core/parallel.h"
 #include "fields/levels/box_polynomial.h"
+#include "fields/levels/level_boxes.h"
 #include "fields/levels/surface_cells.h"
 
 namespace pellucid::fields {
 namespace {
-
-bool meet(const Box3& a, const Box3& b) {  // also in a face
-  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
-}
-
-bool is_within(const Box3& part, const Box3& whole) {
-  return whole.contains(part.min) && whole.contains(part.max);
-}
 
 /// Whether 0, which counts as inside, is between the coefficients: what they are of takes no value
 /// beyond theirs.
@@ -35,11 +28,11 @@ class PieceCutter {
   void add(const LatticeCell& cell) {
     const Box3 box = cell_box(field_, cell);
     for (int axis = 0; axis < 3; ++axis) cuts_[axis] = {box.min[axis], box.max[axis]};
-    const Box3 around{box.min - rounding(), box.max + rounding()};
+    const Box3 around = with_rounding(field_, box);
     bool alone = true;
     for (std::uint32_t other = 0; other < field_.levels().size(); ++other)
-      if (other != cell.level && meet(around, field_.region(other).support) &&
-          !(other > cell.level && is_within(box, field_.region(cell.level).alone))) {
+      if (other != cell.level && touch(around, field_.region(other).support) &&
+          !(other > cell.level && is_inside(box, field_.region(cell.level).alone))) {
         alone = false;
         cut(other, box);
       }
@@ -72,8 +65,7 @@ class PieceCutter {
 
   /// Planes of two levels that rounding alone keeps apart are one: the middle of what lies between
   /// them may be beyond both, and a jump would be on each.
-  bool is_same(double a, double b) const { return std::abs(a - b) <= rounding(); }
-  double rounding() const { return 1e-8 * field_.levels().front().width; }
+  bool is_same(double a, double b) const { return std::abs(a - b) <= face_rounding(field_); }
   void merge(std::vector<double>& planes) const {
     std::sort(planes.begin(), planes.end());
     const double last = planes.back();  // of the cell
@@ -139,11 +131,11 @@ class PieceCutter {
     const double depth = part.max[axis] - part.min[axis];
     box.min[axis] = face;
     box.max[axis] = face + depth;
-    add_jump(box, axis, above ? inner : outer, above ? outer : inner);
+    add_face(box, axis, above ? inner : outer, above ? outer : inner);
   }
 
   /// The face is the box's lower one; `below` and `above` are what take part on its sides.
-  void add_jump(const Box3& box, int axis, std::span<const LatticeCell> below,
+  void add_face(const Box3& box, int axis, std::span<const LatticeCell> below,
                 std::span<const LatticeCell> above) {
     SurfacePiece piece{box, 1, axis, false, out_.numbers.size()};
     const auto lower = sum_over(field_, below, box, value_);

@@ -17,6 +17,7 @@
 #include "integrators/lines/line_directions.h"
 #include "integrators/lines/line_options.h"
 #include "integrators/lines/seeds_extent.h"
+#include "integrators/lines/vertex_spacing.h"
 #include "integrators/paths/counting_sampler.h"
 #include "integrators/paths/magnitude.h"
 #include "integrators/paths/seed_place.h"
@@ -37,67 +38,6 @@ struct Line {
   bool is_cut = false;  // it would have had more points than it may have
 };
 
-/// Where vertices go on a trajectory.
-struct Spacing {
-  double step = 0;      // world units; 0: by the turn
-  double turn = 0;      // radians between the directions at two vertices
-  double longest;       // time units
-  double shortest = 0;  // world units: within a chord of that a turn is none
-};
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  const Vec3 from = direction_of(a), to = direction_of(b);
-  return std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
-}
-
-/// The way from t to `end` in what lies between two vertices at most: its chord, or its turns from
-/// look to look. Rest has no direction.
-double part_of_spacing(const Trajectory& path, double t, double end, const Spacing& spacing) {
-  if (spacing.step > 0)
-    return glm::distance(path.position_at(t), path.position_at(end)) / spacing.step;
-  constexpr int looks = 4;
-  constexpr double rounding = 1e-3;  // of the dense output's directions, in turns
-  double turn = 0;
-  Vec3 before = path.at(t).v;
-  for (int i = 1; i <= looks; ++i) {
-    const Vec3 here = path.at(i < looks ? t + (end - t) * i / looks : end).v;
-    turn += angle_between(before, here);
-    before = here;
-  }
-  return turn / ((1 + rounding) * spacing.turn);
-}
-
-/// The velocity at one vertex foretells the next one, but a flow may speed up or bend on the way:
-/// shortened until the way is as short, or turns as little, as it should. Where the flow jumps no
-/// way is short enough.
-double next_time_within(Trajectory& path, double t, double dt, int most_tries,
-                        const Spacing& spacing, fields::FieldSampler& sampler) {
-  constexpr double rounding = 1e-9, aim = 0.95;
-  double end = t + dt;
-  for (int i = 0; i < most_tries; ++i) {
-    path.reach(end, sampler);
-    end = std::min(end, path.time());
-    const double part = part_of_spacing(path, t, end, spacing);
-    const double chord = glm::distance(path.position_at(t), path.position_at(end));
-    if (!(part > 1 + rounding) || chord <= spacing.shortest) break;
-    end = t + std::max(0.5, aim / part) * (end - t);
-  }
-  return end;
-}
-
-double next_time(Trajectory& path, double t, const Spacing& spacing,
-                 fields::FieldSampler& sampler) {
-  constexpr int tries = 10, tries_from_rest = 20;
-  const FlowPoint here = path.at(t);
-  const double speed = magnitude(here.v);
-  // From rest nothing tells how fast it will go.
-  if (speed == 0)
-    return next_time_within(path, t, spacing.longest, tries_from_rest, spacing, sampler);
-  const double turning = magnitude(glm::cross(direction_of(here.v), path.acceleration(t))) / speed;
-  const double dt = spacing.step > 0 ? spacing.step / speed : spacing.turn / turning;
-  return next_time_within(path, t, std::min(dt, spacing.longest), tries, spacing, sampler);
-}
-
 Line::Point line_point(const FlowPoint& flow, double t, double time) {
   return {flow.x, t, time, magnitude(flow.v)};
 }
@@ -108,7 +48,7 @@ Line cut(Line line) {
   return line;
 }
 
-Line follow(const TrajectoryOptions& options, const Vec3& seed, Spacing spacing,
+Line follow(const TrajectoryOptions& options, const Vec3& seed, VertexSpacing spacing,
             std::uint64_t most_vertices, fields::FieldSampler& sampler) {
   // Of the way so far: who has come to a sink stays there, and turns about within rounding.
   constexpr double resolution = 1e-6;
@@ -125,7 +65,7 @@ Line follow(const TrajectoryOptions& options, const Vec3& seed, Spacing spacing,
     path.release(t);
     // The first step's own acceleration is not known before it is made.
     path.reach(std::nextafter(t, options.duration), sampler);
-    const double wanted = next_time(path, t, spacing, sampler);
+    const double wanted = next_vertex_time(path, t, spacing, sampler);
     path.reach(wanted, sampler);
     const double next = std::min(wanted, path.time());
     if (!(next > t)) break;
@@ -251,7 +191,7 @@ IntegratedLines run_all(const LineRequest& request, const SteppingOptions& stepp
   return result;
 }
 
-Spacing spacing_of(const LineRequest& request, const FollowingOptions& options) {
+VertexSpacing spacing_of(const LineRequest& request, const FollowingOptions& options) {
   constexpr double radians = 0.017453292519943295769;
   return {positive("step", options.step, 0), radians * options.turn, request.duration / 20};
 }
@@ -259,7 +199,7 @@ Spacing spacing_of(const LineRequest& request, const FollowingOptions& options) 
 template <bool path>
 IntegratedLines run_following(const LineRequest& request, const Parameters& parameters) {
   const FollowingOptions options = following_options().read(parameters);
-  const Spacing spacing = spacing_of(request, options);
+  const VertexSpacing spacing = spacing_of(request, options);
   return run_all(request, options.stepping, path, options.max_vertices,
                  [&](const TrajectoryOptions& trajectory, const Vec3& seed,
                      std::uint64_t most_vertices, fields::FieldSampler& sampler) {
