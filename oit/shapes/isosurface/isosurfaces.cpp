@@ -29,8 +29,6 @@ static_assert(sizeof(Record) == 80);
 
 constexpr std::uint64_t most_crossings = (std::uint64_t(1) << 31) / 6;  // of a draw call
 
-bool is_fading(const SurfacePiece& piece) { return piece.degree > 1; }
-
 /// What the numbers of a polynomial lie between.
 struct Range {
   double low = 0, high = 0;
@@ -96,8 +94,10 @@ class Collector {
     for (const Vec3& axis : {frame.right, frame.up, frame.forward}) append(unit * axis);
   }
 
-  /// `part` chooses among its cells, `index` being the object's in the scene.
-  void add(const scene::Isosurface& surface, std::size_t index, const scene::PartNumber& part) {
+  /// `part` chooses among its cells, `index` being the object's in the scene. Returns the number of
+  /// crossings of pieces of degree one, which come first.
+  std::size_t add(const scene::Isosurface& surface, std::size_t index,
+                  const scene::PartNumber& part) {
     std::vector<const fields::LevelField*> others;
     if (surface.coloring) others.push_back(surface.coloring->scalar.field.get());
     if (surface.fading) others.push_back(surface.fading->scalar.field.get());
@@ -110,9 +110,15 @@ class Collector {
         std::span(cells).subspan(share.begin, share.end - share.begin), others);
     const std::size_t first = numbers.size();
     numbers.insert(numbers.end(), pieces.numbers.begin(), pieces.numbers.end());
-    for (const bool fading : {false, true})
+    const auto add_all = [&](bool fading) {
+      const std::size_t before = records.size();
       for (const SurfacePiece& piece : pieces.pieces)
-        if (is_fading(piece) == fading) add(piece, first + piece.first, look);
+        if ((piece.degree > 1) == fading) add(piece, first + piece.first, look);
+      return records.size() - before;
+    };
+    const std::size_t plain = add_all(false);
+    add_all(true);
+    return plain;
   }
 
   std::vector<Record> records;
@@ -165,18 +171,15 @@ Isosurfaces::Isosurfaces(const Gl& gl, const scene::Scene& scene, const ViewSpac
                         "this method: a hole of a ball (center, radius)",
                         object.name));
       const std::size_t first = records.size();
-      collector.add(*surface, i, object.opaque ? scene::PartNumber() : part);
+      const std::size_t plain =
+          collector.add(*surface, i, object.opaque ? scene::PartNumber() : part);
       if (records.size() >= most_crossings)
         throw InputError(
             fmt::format("{}: {} crossings of cells; accepted by this method: fewer than {}; "
                         "raytrace draws it",
                         object.name, records.size(), most_crossings));
-      const auto fading =
-          std::find_if(records.begin() + std::ptrdiff_t(first), records.end(),
-                       [](const Record& record) { return (record.degree & 0xff) > 1; });
-      const auto before = std::uint32_t(fading - records.begin());
-      runs_.push_back({std::uint32_t(first), std::uint32_t(before - first),
-                       std::uint32_t(records.size()) - before});
+      runs_.push_back({std::uint32_t(first), std::uint32_t(plain),
+                       std::uint32_t(records.size() - first - plain)});
     }
   degree_ = collector.degree;
   if (records.empty()) collector.records.emplace_back();  // a buffer texture is not empty

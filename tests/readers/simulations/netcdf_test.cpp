@@ -245,17 +245,18 @@ TEST_F(UnitNetcdf, VariablesInGroupsAreSaidToBeThere) {
   EXPECT_THAT(complaint(""), HasSubstr("its variables are in groups, 'flow' is the first of 1"));
 }
 
+void put_text(int file, int variable, const char* name, const std::string& text) {
+  nc_put_att_text(file, variable, name, text.size(), text.c_str());
+}
+
 /// As of ocean models: longitudes and latitudes of two dimensions, which go through 360 once.
 TEST_F(UnitNetcdf, CellsAcrossTheJumpOfLongitudesAreHidden) {
   int file = 0, ids[2] = {}, lon = 0, lat = 0, sst = 0;
   ASSERT_EQ(nc_create(path_.c_str(), NC_CLOBBER, &file), NC_NOERR);
   nc_def_dim(file, "j", 2, &ids[0]), nc_def_dim(file, "i", 4, &ids[1]);
-  const auto put = [&](int variable, const char* name, const std::string& text) {
-    nc_put_att_text(file, variable, name, text.size(), text.c_str());
-  };
-  nc_def_var(file, "lon", NC_DOUBLE, 2, ids, &lon), put(lon, "units", "degrees_east");
-  nc_def_var(file, "lat", NC_DOUBLE, 2, ids, &lat), put(lat, "units", "degrees_north");
-  nc_def_var(file, "sst", NC_DOUBLE, 2, ids, &sst), put(sst, "coordinates", "lon lat");
+  nc_def_var(file, "lon", NC_DOUBLE, 2, ids, &lon), put_text(file, lon, "units", "degrees_east");
+  nc_def_var(file, "lat", NC_DOUBLE, 2, ids, &lat), put_text(file, lat, "units", "degrees_north");
+  nc_def_var(file, "sst", NC_DOUBLE, 2, ids, &sst), put_text(file, sst, "coordinates", "lon lat");
   nc_enddef(file);
   const double lons[] = {350, 358, 6, 14, 352, 359, 8, 16}, lats[] = {0, 0, 0, 0, 9, 9, 9, 9};
   nc_put_var_double(file, lon, lons), nc_put_var_double(file, lat, lats);
@@ -273,16 +274,15 @@ TEST_F(UnitNetcdf, PlacesOneByOneAreRefused) {
   int file = 0, ids[2] = {}, clon = 0, clat = 0, salt = 0;
   ASSERT_EQ(nc_create(path_.c_str(), NC_CLOBBER, &file), NC_NOERR);
   nc_def_dim(file, "depth", 2, &ids[0]), nc_def_dim(file, "ncells", 3, &ids[1]);
-  const auto put = [&](int variable, const char* name, const std::string& text) {
-    nc_put_att_text(file, variable, name, text.size(), text.c_str());
-  };
-  nc_def_var(file, "clon", NC_DOUBLE, 1, ids + 1, &clon), put(clon, "standard_name", "longitude");
-  nc_def_var(file, "clat", NC_DOUBLE, 1, ids + 1, &clat), put(clat, "standard_name", "latitude");
+  nc_def_var(file, "clon", NC_DOUBLE, 1, ids + 1, &clon),
+      put_text(file, clon, "standard_name", "longitude");
+  nc_def_var(file, "clat", NC_DOUBLE, 1, ids + 1, &clat),
+      put_text(file, clat, "standard_name", "latitude");
   nc_def_var(file, "S", NC_DOUBLE, 2, ids, &salt);
   nc_close(file);
   EXPECT_EQ(complaint("S"), "no complaint");
   nc_open(path_.c_str(), NC_WRITE, &file);
-  nc_redef(file), put(salt, "coordinates", "clon clat");
+  nc_redef(file), put_text(file, salt, "coordinates", "clon clat");
   nc_close(file);
   EXPECT_THAT(complaint("S"), HasSubstr("'S' has its places one by one along 'ncells'"));
 }
