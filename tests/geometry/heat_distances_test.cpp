@@ -8,32 +8,14 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "tests/support/woven_mesh.h"
 
 namespace pellucid::geometry {
 namespace {
 
-struct Woven {
-  std::vector<Vec3> positions;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
+using pellucid::testing::woven_mesh;
 
-/// n × n squares of two triangles over [0, 1]², placed by `at`.
-template <class At>
-Woven woven(std::uint32_t n, const At& at) {
-  Woven made;
-  for (std::uint32_t j = 0; j <= n; ++j)
-    for (std::uint32_t i = 0; i <= n; ++i)
-      made.positions.push_back(at(double(i) / n, double(j) / n));
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
-      made.triangles.push_back({a, a + 1, b + 1});
-      made.triangles.push_back({a, b + 1, b});
-    }
-  return made;
-}
-
-std::map<std::uint32_t, double> from(const Woven& surface, std::uint32_t triangle) {
+std::map<std::uint32_t, double> from(const TriangleMesh& surface, std::uint32_t triangle) {
   std::map<std::uint32_t, double> distances;
   for (const auto& [vertex, d] : HeatDistances(surface.positions, surface.triangles).from(triangle))
     distances[vertex] = d;
@@ -41,7 +23,7 @@ std::map<std::uint32_t, double> from(const Woven& surface, std::uint32_t triangl
 }
 
 TEST(UnitHeatDistances, OnAPlaneAreThoseOfThePlane) {
-  const Woven plane = woven(60, [](double x, double y) { return Vec3(x, y, 0); });
+  const TriangleMesh plane = woven_mesh(60, [](double x, double y) { return Vec3(x, y, 0); });
   const std::uint32_t middle = 2 * (30 * 60 + 30);
   const auto distances = from(plane, middle);
   ASSERT_EQ(distances.size(), plane.positions.size());
@@ -54,7 +36,7 @@ TEST(UnitHeatDistances, OnAPlaneAreThoseOfThePlane) {
 
 /// Rolled up to half a cylinder: the way over it is not the chord.
 TEST(UnitHeatDistances, FollowASurfaceThatIsBent) {
-  const Woven roll = woven(60, [](double x, double y) {
+  const TriangleMesh roll = woven_mesh(60, [](double x, double y) {
     return Vec3(std::cos(std::numbers::pi * x), std::sin(std::numbers::pi * x), y);
   });
   const auto distances = from(roll, 0);
@@ -63,7 +45,7 @@ TEST(UnitHeatDistances, FollowASurfaceThatIsBent) {
 }
 
 TEST(UnitHeatDistances, ReachThePieceAndNothingElse) {
-  Woven two = woven(4, [](double x, double y) { return Vec3(x, y, 0); });
+  TriangleMesh two = woven_mesh(4, [](double x, double y) { return Vec3(x, y, 0); });
   const auto first = std::uint32_t(two.positions.size());
   for (const Vec3& x : {Vec3(5, 0, 0), Vec3(6, 0, 0), Vec3(5, 3, 0)}) two.positions.push_back(x);
   two.triangles.push_back({first, first + 1, first + 2});
@@ -74,7 +56,7 @@ TEST(UnitHeatDistances, ReachThePieceAndNothingElse) {
 }
 
 TEST(UnitHeatDistances, ATriangleWithoutAnAreaIsRefused) {
-  Woven flat = woven(2, [](double x, double y) { return Vec3(x, y, 0); });
+  TriangleMesh flat = woven_mesh(2, [](double x, double y) { return Vec3(x, y, 0); });
   flat.positions[4] = flat.positions[0];
   EXPECT_THROW(HeatDistances(flat.positions, flat.triangles), InputError);
 }

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "tests/support/scenes.h"
+#include "tests/support/woven_mesh.h"
 
 namespace pellucid::scene {
 namespace {
@@ -103,19 +104,8 @@ TEST(UnitElements, SmoothingALineIsABinomialFilter) {
   EXPECT_EQ(constant, std::vector<float>(101, 0.3f));
 }
 
-/// n x n squares of two triangles over [0, 1]^2.
 geometry::TriangleMesh grid(std::uint32_t n) {
-  geometry::TriangleMesh mesh;
-  for (std::uint32_t j = 0; j <= n; ++j)
-    for (std::uint32_t i = 0; i <= n; ++i)
-      mesh.positions.emplace_back(double(i) / n, double(j) / n, 0);
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
-      mesh.triangles.push_back({a, a + 1, b + 1});
-      mesh.triangles.push_back({a, b + 1, b});
-    }
-  return mesh;
+  return testing::woven_mesh(n, [](double x, double y) { return Vec3(x, y, 0); });
 }
 
 std::vector<int> sizes(const Elements& e) {
