@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy
 
-from exported_scene import cells, columns, read_ply
+from exported_scene import cells, columns, read_ply, ribbon_triangles
 
 DEEPEST = 256  # POV-Ray allows no more
 
@@ -42,28 +42,6 @@ def mesh(positions, triangles, colors, opaque):
     return (f"mesh2{{vertex_vectors{{{len(positions)},{','.join(map(vector, positions))}}}"
             f"texture_list{{{len(unique)},{' '.join(texture(rgba, opaque) for rgba in unique)}}}"
             f"face_indices{{{len(triangles)},{faces}}}}}")
-
-
-def ribbon_directions(line, eye, forward):
-    """t × v at each point of a line, made units, each on the side of the one before."""
-    tangents = line[numpy.minimum(numpy.arange(len(line)) + 1, len(line) - 1)] - line[numpy.maximum(numpy.arange(len(line)) - 1, 0)]
-    across = numpy.cross(tangents, forward if eye is None else line - eye)
-    across /= numpy.linalg.norm(across, axis=1)[:, None]
-    for i in range(1, len(across)):
-        across[i] *= 1 if across[i] @ across[i - 1] >= 0 else -1
-    return across
-
-
-def ribbons(vertices, segments, radius, eye, forward, opaque):
-    x, colors, ids = columns(vertices, "x", "y", "z").astype(float), columns(vertices, "red", "green", "blue", "alpha"), vertices["line"]
-    w = numpy.zeros_like(x)
-    for line in numpy.unique(ids):
-        if (ids == line).sum() > 1:
-            w[ids == line] = radius[ids == line, None] * ribbon_directions(x[ids == line], eye, forward)
-    sides, n = numpy.concatenate([x - w, x + w]), len(x)
-    a, b = segments.astype(int).T
-    triangles = numpy.concatenate([numpy.stack([a, a + n, b + n], -1), numpy.stack([a, b + n, b], -1)])
-    return mesh(sides, triangles, numpy.concatenate([colors, colors]), opaque)
 
 
 def frustum(a, b, radius_a, radius_b):
@@ -110,7 +88,7 @@ def shape_of(thing, scene, folder):
         return points(vertices, radius, forward, thing["profile"], opaque)
     if thing["profile"] == "tube":
         return tubes(vertices, joined, radius, opaque)
-    return ribbons(vertices, joined, radius, numpy.array(camera["eye"]) if "fov" in camera else None, forward, opaque)
+    return mesh(*ribbon_triangles(vertices, joined, radius, numpy.array(camera["eye"]) if "fov" in camera else None, forward), opaque)
 
 
 def camera_of(scene):

@@ -15,6 +15,7 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <system_error>
 
 #include "app/commands.h"
 #include "app/manual/manual_options.h"
@@ -113,6 +114,8 @@ int run(int argc, char** argv) {
     return complain(error, input_wrong);
   } catch (const WorkError& error) {
     return complain(error, work_failed);
+  } catch (const std::system_error& error) {  // of what fmt prints, where it is not printed
+    return error.code() == std::errc::broken_pipe ? done : complain(error, work_failed);
   } catch (const std::bad_alloc&) {
     std::cerr << "pellucid: out of memory\n";
     return work_failed;

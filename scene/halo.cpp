@@ -73,6 +73,7 @@ void place_halos(Scene& scene) {
     SceneObject halo{scene.objects[i].name + ", halo", HaloBuilder(*lines, scene).build(),
                      scene.objects[i].opaque};
     halo.is_halo = true;
+    halo.lighting = scene.objects[i].lighting;
     scene.objects.insert(scene.objects.begin() + std::ptrdiff_t(++i), std::move(halo));
   }
 }

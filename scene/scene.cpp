@@ -63,6 +63,15 @@ Box3 Scene::bounds() const {
   return box;
 }
 
+std::optional<Lighting> common_lighting(const Scene& scene) {
+  if (scene.objects.empty()) return scene.lighting;
+  const Lighting first = lighting_of(scene, scene.objects[0]);
+  const bool differ = std::ranges::any_of(scene.objects, [&](const SceneObject& object) {
+    return lighting_of(scene, object) != first;
+  });
+  return differ ? std::nullopt : std::optional(first);
+}
+
 bool has_importance(const Scene& scene) {
   return std::ranges::any_of(scene.objects, [](const SceneObject& object) {
     return !object.opaque &&

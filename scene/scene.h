@@ -77,13 +77,14 @@ struct FlowSource {
 };
 
 /// A SceneObject is one thing of the scene, ready to be drawn: colours are always filled in,
-/// normals of a mesh where the scene is lit.
+/// normals of a mesh where it is lit.
 struct SceneObject {
   std::string name;  // where it comes from, for messages and the report
   std::variant<geometry::TriangleMesh, LineObject, PointObject, Isosurface> shape;
   bool opaque = false;  // hides what lies behind it, whatever its alpha; context of the others
   std::optional<FlowSource> source = std::nullopt;
-  bool is_halo = false;  // made by place_halos()
+  bool is_halo = false;                             // made by place_halos()
+  std::optional<Lighting> lighting = std::nullopt;  // its own; none: the scene's
 
   const geometry::Vertices& vertices() const;
   geometry::Vertices& vertices() {
@@ -122,6 +123,15 @@ struct Scene : SceneView {
   /// Returns the box of all objects, in world units.
   Box3 bounds() const;
 };
+
+/// Returns how an object is lit in a view.
+inline Lighting lighting_of(const SceneView& view, const SceneObject& object) {
+  return object.lighting.value_or(view.lighting);
+}
+/// Returns how all objects are lit; nothing where they differ.
+std::optional<Lighting> common_lighting(const Scene& scene);
+/// Returns whether any object is lit.
+inline bool is_lit(const Scene& scene) { return common_lighting(scene) != Lighting::none; }
 
 /// Returns whether any transparent object has importance: without, no opacity is optimized.
 bool has_importance(const Scene& scene);

@@ -43,6 +43,7 @@ nlohmann::ordered_json describe(const scene::SceneObject& object) {
                               {"bounds", {{"min", json_of(box.min)}, {"max", json_of(box.max)}}},
                               {"opaque", object.opaque},
                               {"scalars", scalars_of(object)}};
+  if (object.lighting) json["lighting"] = name_of(*object.lighting);
   if (object.radii().largest() > 0) json["radius"] = radius_of(object);
   if (!object.vertices().remarks.empty()) json["remarks"] = object.vertices().remarks;
   if (!range.arrays.empty()) {

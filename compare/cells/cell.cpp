@@ -158,6 +158,7 @@ std::string cell_fingerprint(const Cell& cell, const MethodCall& reference,
   for (const scene::PixelSampling& sampling : cell.further_samplings)
     hash.add(scene::describe(sampling));
   hash.add(fmt::format("{} {} {}", timing.min, timing.max, timing.relative.value_or(0)));
+  if (timing.seconds) hash.add(fmt::format("seconds {}", *timing.seconds));
   hash.add(context.gl);
   for (const std::string& measure : cell.measures) hash.add(measure);
   hash.add(text_of(cell.views));

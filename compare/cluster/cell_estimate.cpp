@@ -71,7 +71,8 @@ double seconds_of_pictures(const SceneSize& size, const TimingRule& timing,
       known ? known->seconds.median : seconds_per_sample * size.pixels * size.samples;
   const double first = known ? known->first_frame_seconds() : picture;
   const int repeats = known ? std::max(known->repeats, timing.min) : timing.min;
-  return first + repeats * picture;
+  const double timed = repeats * picture;
+  return first + (timing.seconds ? std::min(timed, std::max(*timing.seconds, picture)) : timed);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Json camera_json(const scene::Camera& camera, const CameraMatrices& matrices) {
 }
 
 Json object_json(const ExportedObject& object, const scene::SceneObject& given,
-                 const std::string& file) {
+                 scene::Lighting lighting, const std::string& file) {
   const bool wide = object.kind != "triangles", one = wide && !object.radius.vary();
   return {{"file", file},
           {"name", given.name},
@@ -50,6 +50,7 @@ Json object_json(const ExportedObject& object, const scene::SceneObject& given,
           {"radius", one ? Json(object.radius.largest()) : Json()},
           {"profile", wide ? Json(object.profile) : Json()},
           {"opaque", object.opaque},
+          {"lighting", name_of(lighting)},
           {"lit", object.lit},
           {"vertices", object.vertices.positions.size()},
           {"count", object.count()}};
@@ -91,7 +92,8 @@ void export_scene(const scene::Scene& scene, const fs::path& folder, const Expor
     objects.push_back(exported_object(scene, i));
     const std::string file = fmt::format("object-{}.ply", i);
     write_exported_ply(folder / file, objects.back());
-    json["objects"].push_back(object_json(objects.back(), scene.objects[i], file));
+    const scene::Lighting lighting = scene::lighting_of(scene, scene.objects[i]);
+    json["objects"].push_back(object_json(objects.back(), scene.objects[i], lighting, file));
     rounding = std::max(rounding, float_rounding(objects.back()));
   }
   json["rounding"] = rounding;

@@ -67,16 +67,16 @@ bool has_flat_triangles(const ExportedObject& object) {
 /// The colour in the light before it is cut off at 1, which would not be linear over a triangle.
 bool is_cut_off(const Vec3& color) { return color.r == 1 || color.g == 1 || color.b == 1; }
 
-void put_light_in(const scene::Scene& scene, ExportedObject& object) {
-  object.lit = scene.lighting == scene::Lighting::none;
+void put_light_in(const scene::Scene& scene, scene::Lighting lighting, ExportedObject& object) {
+  object.lit = lighting == scene::Lighting::none;
   const bool parallel = scene.camera.projection == scene::Projection::orthographic;
   if (object.lit || !parallel || !has_flat_triangles(object)) return;
   const Vec3 forward = scene::camera_frame(scene.camera).forward;
   std::vector<Rgba> colors = object.vertices.colors;
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const Vec3 lit =
-        scene::lit(scene.lighting, Vec3(colors[i]), facing(object.vertices.normals[i], forward));
-    if (scene.lighting == scene::Lighting::phong && is_cut_off(lit)) return;
+        scene::lit(lighting, Vec3(colors[i]), facing(object.vertices.normals[i], forward));
+    if (lighting == scene::Lighting::phong && is_cut_off(lit)) return;
     colors[i] = Rgba(lit, colors[i].a);
   }
   object.vertices.colors = std::move(colors);
@@ -157,7 +157,7 @@ ExportedObject exported_object(const scene::Scene& scene, std::size_t index) {
         std::visit([](const auto& shape) { return exported(shape); }, given.shape);
     check_floats(object);
     object.opaque = given.opaque;
-    put_light_in(scene, object);
+    put_light_in(scene, scene::lighting_of(scene, given), object);
     return object;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", given.name, error.what()));

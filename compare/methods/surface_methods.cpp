@@ -146,7 +146,8 @@ class SurfaceMethod : public scene::Renderer {
     if (object_.source->attributes)
       integrators::carry(*object_.source->attributes, surface.mesh.positions, surface.mesh);
     scene::apply_appearance(object_.source->appearance, surface.mesh);
-    if (scene_.lighting != scene::Lighting::none) scene::ensure_normals(surface.mesh);
+    if (scene::lighting_of(scene_, object_) != scene::Lighting::none)
+      scene::ensure_normals(surface.mesh);
     object_.shape = std::move(surface.mesh);
     return surface.stats;
   }

@@ -14,7 +14,8 @@ std::string milliseconds(const std::optional<double>& ms) {
 }
 
 std::string megabytes(const std::optional<double>& bytes) {
-  return bytes ? fmt::format("{:.1f}", *bytes / 1e6) : "–";
+  if (!bytes) return "–";
+  return *bytes >= 1e6 ? fmt::format("{:.1f}", *bytes / 1e6) : fmt::format("{:.2g}", *bytes / 1e6);
 }
 
 /// What marks the bottleneck.

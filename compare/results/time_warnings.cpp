@@ -71,8 +71,8 @@ void add_unsettled(std::span<const ResultRow> rows, std::vector<std::string>& wa
   const auto open = names_where(rows, [](const ResultRow& row) { return row.settled == false; });
   if (!open.empty())
     warnings.push_back(
-        fmt::format("{} of {} rows reached the most repeats that `timing` allows before the "
-                    "interval of their time was as narrow as it asks: {}.",
+        fmt::format("{} of {} rows reached the most repeats, or the seconds, that `timing` allows "
+                    "before the interval of their time was as narrow as it asks: {}.",
                     open.size(), rows.size(), some_of(open)));
 }
 

@@ -11,15 +11,17 @@
 
 namespace pellucid::compare {
 
-/// {"relative": 0.05, "min": 5, "max": 50}. Fewer than five times have no interval.
+/// {"relative": 0.05, "min": 5, "max": 50, "seconds": 60}. Fewer than five times have no interval.
 TimingRule read_timing(const JsonNode& node, int repeats) {
-  node.accept_keys({"relative", "min", "max"});
+  node.accept_keys({"relative", "min", "max", "seconds"});
   constexpr int fewest = 5, usual_most = 50;
   TimingRule rule{std::max(fewest, repeats), usual_most, 0.05};
   if (node.has("relative")) rule.relative = node["relative"].number(0.001, 1);
   if (node.has("min")) rule.min = node["min"].integer(fewest, max_repeats);
   rule.max = std::max(rule.max, rule.min);
   if (node.has("max")) rule.max = node["max"].integer(rule.min, max_repeats);
+  constexpr double a_day = 86400;
+  if (node.has("seconds")) rule.seconds = node["seconds"].number(0, a_day);
   return rule;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <vector>
 
 namespace pellucid::compare {
@@ -33,7 +34,9 @@ bool is_settled(std::span<const double> seconds, const TimingRule& rule) {
 }
 
 bool is_over(std::span<const double> seconds, const TimingRule& rule) {
-  return seconds.size() >= std::size_t(rule.max) || is_settled(seconds, rule);
+  if (seconds.size() >= std::size_t(rule.max) || is_settled(seconds, rule)) return true;
+  if (!rule.seconds || seconds.empty()) return false;
+  return std::accumulate(seconds.begin(), seconds.end(), seconds.back()) > *rule.seconds;
 }
 
 }  // namespace pellucid::compare

@@ -9,11 +9,13 @@
 namespace pellucid::compare {
 
 /// A TimingRule says how often a picture is timed: `min` times and, where a width is asked for, on
-/// until the interval of the median is so narrow, at most `max` times.
+/// until the interval of the median is so narrow, at most `max` times, and no more often than fits
+/// into so many `seconds`.
 struct TimingRule {
   int min = 3, max = 3;
   /// The largest distance from the median to either end of its interval, as a part of the median.
   std::optional<double> relative = std::nullopt;
+  std::optional<double> seconds = std::nullopt;  // all of a cell's times together, but for the first
 };
 
 /// Returns the rule of a fixed number of repeats.
@@ -36,7 +38,8 @@ Spread spread_of(std::span<const double> seconds, const TimingRule& rule);
 /// and there are `min`.
 bool is_settled(std::span<const double> seconds, const TimingRule& rule);
 
-/// Says whether timing ends here: it is settled, or there are `max`.
+/// Says whether timing ends here: it is settled, there are `max`, or another time, as long as the
+/// last one, would exceed the `seconds`.
 bool is_over(std::span<const double> seconds, const TimingRule& rule);
 
 }  // namespace pellucid::compare

@@ -89,9 +89,8 @@ class Raytracer : public TurningRaytracer {
     if (options_.stop_below > 0)
       lines.push_back(fmt::format("rays end where less than {} shows: no pixel errs by more",
                                   options_.stop_below));
-    lines.push_back(scene_.lighting == scene::Lighting::none
-                        ? "no normals: the scene is not lit"
-                        : "normals: the scene is lit from the eye");
+    lines.push_back(scene::is_lit(scene_) ? "normals: objects are lit from the eye"
+                                          : "no normals: nothing is lit");
     return lines;
   }
 

@@ -63,7 +63,9 @@ void RayByRayGeometry::cross(std::uint32_t k, const RayPacket& packet, std::uint
 std::unique_ptr<CrossingGeometry> make_geometry(const scene::SceneObject& object,
                                                 std::uint32_t index, const GeometryContext& context,
                                                 const CrossingGeometry* before) {
-  return std::visit(Maker{object.opaque, index, context, before}, object.shape);
+  GeometryContext of_object = context;
+  of_object.lighting = object.lighting.value_or(context.lighting);
+  return std::visit(Maker{object.opaque, index, of_object, before}, object.shape);
 }
 
 }  // namespace pellucid::groundtruth

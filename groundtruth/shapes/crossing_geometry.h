@@ -95,11 +95,12 @@ class RayByRayGeometry : public CrossingGeometry {
                      std::vector<Crossing>& crossings) const = 0;
 };
 
-/// A GeometryContext is what the geometries of a scene have in common. It has to outlive them.
+/// A GeometryContext is what the geometries of a scene have in common. What it refers to has to
+/// outlive them.
 struct GeometryContext {
   const ViewFrame& frame;
   const scene::Camera& camera;
-  scene::Lighting lighting;
+  scene::Lighting lighting;                // of objects that have none of their own
   std::optional<MarchOptions> march = {};  // isosurfaces are marched; else crossed exactly
   double stop_below = 0;  // a march ends where less than this share shows through its surface
   std::vector<scene::Isosurface::Ball> stops = {};  // where marches end: see MarchOptions::dilate

@@ -11,7 +11,7 @@
   X(Enable, ENABLE) X(Disable, DISABLE) X(Finish, FINISH) X(Viewport, VIEWPORT)                 \
   X(DebugMessageCallback, DEBUGMESSAGECALLBACK) X(MemoryBarrier, MEMORYBARRIER)                 \
   X(BlendFunci, BLENDFUNCI) X(BlendEquationi, BLENDEQUATIONI) X(Enablei, ENABLEI)               \
-  X(Disablei, DISABLEI) X(DepthFunc, DEPTHFUNC)                                                 \
+  X(Disablei, DISABLEI) X(DepthFunc, DEPTHFUNC) X(Scissor, SCISSOR)                             \
   X(CreateShader, CREATESHADER) X(ShaderSource, SHADERSOURCE) X(CompileShader, COMPILESHADER)   \
   X(GetShaderiv, GETSHADERIV) X(GetShaderInfoLog, GETSHADERINFOLOG)                             \
   X(DeleteShader, DELETESHADER) X(CreateProgram, CREATEPROGRAM) X(AttachShader, ATTACHSHADER)   \

@@ -170,6 +170,14 @@ void Framebuffer::bind() const {
   const Gl& gl = name_.gl();
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, id());
   gl.Viewport(0, 0, width_, height_);
+  gl.Disable(GL_SCISSOR_TEST);
+}
+
+void Framebuffer::bind(const Rows& rows) const {
+  const Gl& gl = name_.gl();
+  bind();
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(0, rows.first, width_, rows.count);
 }
 
 void Framebuffer::check_complete() const {
@@ -179,6 +187,7 @@ void Framebuffer::check_complete() const {
 }
 
 void Framebuffer::clear(int index, const glm::vec4& texel) const {
+  name_.gl().Disable(GL_SCISSOR_TEST);
   name_.gl().ClearNamedFramebufferfv(id(), GL_COLOR, index, &texel.x);
 }
 
@@ -187,6 +196,7 @@ void Framebuffer::clear_all(float value) const {
 }
 
 void Framebuffer::clear_depth(float value) const {
+  name_.gl().Disable(GL_SCISSOR_TEST);
   name_.gl().ClearNamedFramebufferfv(id(), GL_DEPTH, 0, &value);
 }
 

@@ -161,6 +161,11 @@ class BufferTexture {
   GLenum format_ = 0;
 };
 
+/// Rows are some that follow each other, of a picture from its top.
+struct Rows {
+  int first, count;
+};
+
 /// A Framebuffer has colour attachments 0, 1, … in the order given, and a depth texture as the
 /// depth attachment; all are of one size, which is the viewport where it is bound. A constructor
 /// throws WorkError when the driver cannot draw into them.
@@ -183,8 +188,12 @@ class Framebuffer {
   GLuint id() const { return name_.id(); }
   int attachments() const { return attachments_; }
   glm::vec2 size() const { return {width_, height_}; }  // pixels
-  /// Draws into the whole of it from here on.
+  /// Draws into the whole of it from here on, or into some of its rows alone.
+  ///@{
   void bind() const;
+  void bind(const Rows& rows) const;
+  ///@}
+  /// Clears the whole of attachment `index`.
   void clear(int index, const glm::vec4& texel) const;
   /// Clears attachment `index` to `value` in every component.
   void clear(int index, float value) const { clear(index, glm::vec4(value)); }

@@ -49,7 +49,7 @@ Pass::Pass(const Framebuffer& into, std::initializer_list<Blend> list, Resources
 }
 
 void Pass::begin(const Gl& gl) const {
-  target->bind();
+  rows ? target->bind(*rows) : target->bind();
   for (int i = 0; i < target->attachments(); ++i) set_blend(gl, GLuint(i), blends[std::size_t(i)]);
   set_depth_test(gl, depth_test);
 #ifndef NDEBUG

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 
 #include "oit/gl/gl_objects.h"
 #include "oit/gl/resources.h"
@@ -35,12 +36,20 @@ struct Pass {
   Pass(const Framebuffer& into, std::initializer_list<Blend> list, Resources bound = {},
        DepthTest test = DepthTest::off);
 
+  /// Returns the same pass that draws into some rows of the target alone.
+  Pass in(const Rows& some) const {
+    Pass pass = *this;
+    pass.rows = some;
+    return pass;
+  }
+
   void begin(const Gl& gl) const;
 
   const Framebuffer* target;    // has to outlive it
   std::array<Blend, 8> blends;  // OpenGL promises so many attachments
   Resources resources;
   DepthTest depth_test;
+  std::optional<Rows> rows = std::nullopt;  // of the target; none: all
 };
 
 }  // namespace pellucid::oit

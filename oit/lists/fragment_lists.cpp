@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "oit_glsl.h"
 
@@ -35,9 +37,10 @@ const FragmentLists::Consumer::LongListPrograms& FragmentLists::Consumer::long_l
   return *long_lists_;
 }
 
-FragmentLists::FragmentLists(Stage& stage, std::string_view method)
+FragmentLists::FragmentLists(Stage& stage, std::string_view method, const ListOptions& options)
     : stage_(stage),
       method_(method),
+      most_(most_nodes(stage.gl())),
       heads_(stage.target("list heads", GL_R32UI)),
       node_count_(stage.gl(), sizeof(std::uint32_t)),
       longest_(stage.gl(), sizeof(std::uint32_t)),
@@ -48,20 +51,53 @@ FragmentLists::FragmentLists(Stage& stage, std::string_view method)
 }
 
 void FragmentLists::reserve() {
-  query_.begin();
-  stage_.draw_geometry({no_targets_, {Blend::replace}}, count_);
-  const std::uint64_t fragments = query_.end();
-  if (fragments == pool_.nodes && reserved()) return;
+  bands_.clear();
+  cut({0, stage_.height()});
+  const std::uint64_t nodes = std::ranges::max(bands_, {}, &Band::fragments).fragments;
+  if (nodes == pool_.nodes && pool_.bytes() > 0) return;
   pool_ = {};  // the old pool is gone before the new one is there
-  pool_ = make_fragment_pool(stage_.gl(), method_, fragments);
+  pool_ = make_fragment_pool(stage_.gl(), method_, nodes);
   stage_.record("list nodes", pool_.bytes());
 }
 
-void FragmentLists::build(const GeometryProgram& program) const {
+void FragmentLists::cut(const Rows& rows) {
+  query_.begin();
+  stage_.draw_geometry(Pass(no_targets_, {Blend::replace}).in(rows), count_);
+  const std::uint64_t fragments = query_.end();
+  if (fragments <= most_) {
+    bands_.push_back({rows, fragments});
+    return;
+  }
+  if (rows.count == 1)
+    throw WorkError(
+        fmt::format("{}: a row of the picture has {} fragments, but {} are kept at "
+                    "once; draw a narrower picture",
+                    method_, fragments, most_));
+  const int half = rows.count / 2;
+  cut({rows.first, half});
+  cut({rows.first + half, rows.count - half});
+}
+
+std::uint64_t FragmentLists::fragments() const {
+  std::uint64_t sum = 0;
+  for (const Band& band : bands_) sum += band.fragments;
+  return sum;
+}
+
+std::string FragmentLists::describe() const {
+  if (bands_.empty()) return "list nodes: none before the first picture counts its fragments";
+  if (bands_.size() == 1)
+    return fmt::format("list nodes: {}, as many as were counted", pool_.nodes);
+  return fmt::format("list nodes: {} for {} fragments, which {} bands of rows take in turn",
+                     pool_.nodes, fragments(), bands_.size());
+}
+
+void FragmentLists::build(const GeometryProgram& program, const Band& band) const {
   heads_.clear(0);
   node_count_.clear(0);
   const Resource counter = node_count_.as_atomic_counter(bindings::node_counter);
-  stage_.draw_geometry({no_targets_, {Blend::replace}, lists() + counter}, program);
+  const Pass pass(no_targets_, {Blend::replace}, lists() + counter);
+  stage_.draw_geometry(pass.in(band.rows), program);
   finish_stores();
 }
 
@@ -69,10 +105,11 @@ Resources FragmentLists::lists() const {
   return pool_.resources() + heads_.as_image(bindings::heads_image);
 }
 
-void FragmentLists::consume(Consumer& consumer, const Framebuffer& target) const {
+void FragmentLists::consume(Consumer& consumer, const Framebuffer& target, const Band& band) const {
   longest_.clear(0);
   const Resource longest_block = longest_.as_storage_block(bindings::longest_storage);
-  const Pass pass(target, {Blend::replace}, lists() + longest_block + consumer.resources_);
+  const Pass pass =
+      Pass(target, {Blend::replace}, lists() + longest_block + consumer.resources_).in(band.rows);
   stage_.draw_screen(pass, consumer.resolve_);
   finish_stores();
   if (const std::uint32_t longest = longest_.read_word(0)) consume_long(longest, consumer, pass);
@@ -91,7 +128,7 @@ void FragmentLists::consume_long(std::uint32_t longest, Consumer& consumer,
 
 void FragmentLists::consume_deep(std::uint32_t longest, const Consumer::LongListPrograms& programs,
                                  const Pass& pass) const {
-  const Pass merging(no_targets_, {Blend::replace}, lists());
+  const Pass merging = Pass(no_targets_, {Blend::replace}, lists()).in(*pass.rows);
   for (std::uint32_t length = 1; length < longest; length *= 2) {
     programs.merge.set("length_of_runs", int(length));
     stage_.draw_screen(merging, programs.merge);

@@ -22,6 +22,9 @@ struct FragmentPool {
 /// largest texture buffer holds fewer.
 FragmentPool make_fragment_pool(const Gl& gl, std::string_view method, std::uint64_t nodes);
 
+/// Returns how many nodes the driver's largest texture buffer holds.
+std::uint64_t most_nodes(const Gl& gl);
+
 /// Throws WorkError "METHOD: the picture has COUNT WHAT, …" when that is more than a texture buffer
 /// holds, texel 0 aside.
 void check_texel_count(const Gl& gl, std::string_view method, std::uint64_t count,

@@ -21,6 +21,15 @@ void grow(const Gl& gl, GLenum format, std::uint64_t bytes, BufferTexture& textu
   texture = std::move(larger);
 }
 
+/// Whether layers are lit after their fragments are merged, where the rule asks for it.
+bool lights_layers(const scene::Scene& scene) {
+  if (!scene::common_lighting(scene))
+    throw InputError(
+        "average=attributes: a layer may be of objects that are lit otherwise; accepted: one "
+        "\"lighting\" for all objects, or average=color");
+  return scene::is_lit(scene);
+}
+
 }  // namespace
 
 const OptionTable<LayerRule>& layer_rule_options() {
@@ -54,8 +63,7 @@ Epsilon epsilon_of(const LayerRule& rule, const scene::DepthRange& range) {
 
 LayerTrees::LayerTrees(Stage& stage, double epsilon2, const LayerRule& rule)
     : stage_(stage),
-      has_normals_(rule.average == LayerAverage::attributes &&
-                   stage.scene().lighting != scene::Lighting::none),
+      has_normals_(rule.average == LayerAverage::attributes && lights_layers(stage.scene())),
       heads_(stage.target("list heads", GL_R32UI)),
       trees_(stage.target("trees", GL_RG32UI)),
       fragment_count_(stage.gl(), sizeof(std::uint32_t)),

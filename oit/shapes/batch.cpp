@@ -49,11 +49,12 @@ std::uint32_t others_of(ShapeKind kind, const Units& units) {
   return 0;
 }
 
-/// Whether an object at that place can be drawn together with the batch before it; an isosurface,
-/// whose batch is empty yet, with none.
-bool continues(const Batch& batch, const scene::SceneObject& object, const PrimitiveRange& place) {
-  return batch.kind == kind_of(object) && batch.kind != ShapeKind::isosurface &&
-         batch.opaque == object.opaque && batch.first_primitive + batch.count == place.first;
+/// Whether an object that starts a batch at `place` can be drawn together with the one before it;
+/// an isosurface, whose batch is empty yet, with none.
+bool continues(const Batch& batch, const Batch& object, const PrimitiveRange& place) {
+  return batch.kind == object.kind && batch.kind != ShapeKind::isosurface &&
+         batch.opaque == object.opaque && batch.lighting == object.lighting &&
+         batch.first_primitive + batch.count == place.first;
 }
 
 }  // namespace
@@ -99,9 +100,18 @@ std::vector<Batch> make_batches(const scene::Scene& part, std::span<const Primit
     const ShapeKind kind = kind_of(object);
     const auto n = kind == ShapeKind::isosurface ? 0 : std::uint32_t(primitive_count(object));
     std::uint32_t& first = of_kind[std::size_t(kind)];
-    if (batches.empty() || !continues(batches.back(), object, places[i]))
-      batches.push_back({kind, object.opaque, places[i].first, places[i].last, first, first, first,
-                         0, passed - units(kind), others_of(kind, units)});
+    const Batch own{kind,
+                    object.opaque,
+                    scene::lighting_of(part, object),
+                    places[i].first,
+                    places[i].last,
+                    first,
+                    first,
+                    first,
+                    0,
+                    passed - units(kind),
+                    others_of(kind, units)};
+    if (batches.empty() || !continues(batches.back(), own, places[i])) batches.push_back(own);
     batches.back().count += n;
     batches.back().last_primitive = places[i].last;
     first += n;

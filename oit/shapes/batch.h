@@ -63,6 +63,7 @@ std::vector<PrimitiveRange> primitive_ranges(const scene::Scene& scene);
 struct Batch {
   ShapeKind kind = ShapeKind::mesh;
   bool opaque = false;
+  scene::Lighting lighting = scene::Lighting::none;
   std::uint32_t first_primitive = 0;                  // in the order of the scene, see scene.h
   std::uint32_t last_primitive = 0;                   // what would follow it counts as this
   std::uint32_t first_of_kind = 0, last_of_kind = 0;  // likewise, among those of its kind

@@ -66,7 +66,7 @@ Geometry::Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRan
                    std::span<const PrimitiveRange> places, const scene::PartNumber& number)
     : gl_(gl),
       view_(part, range),
-      lighting_(part.lighting),
+      lighting_(scene::common_lighting(part)),
       batches_(make_batches(part, places)),
       uniforms_(Buffer::writable(gl, sizeof(ViewSpace::Uniforms))),
       no_attributes_(gl) {
@@ -94,6 +94,7 @@ Defines Geometry::defines() const {
   Defines defines;
   if (lighting_ != scene::Lighting::none) defines.emplace_back("LIT", 1);
   if (lighting_ == scene::Lighting::phong) defines.emplace_back("PHONG", 1);
+  if (!lighting_) defines.emplace_back("LIT_BY_OBJECT", 1);
   if (view_.projection() == scene::Projection::orthographic)
     defines.emplace_back("ORTHOGRAPHIC", 1);
   if (solids_ && solids_->tapered()) defines.emplace_back("TAPERED", 1);
@@ -197,6 +198,7 @@ void Geometry::draw_batch(const GeometryProgram& program, const glm::vec2& size,
   of_kind.set_if_used("last_of_kind", batch.last_of_kind);
   of_kind.set_if_used("others", batch.others);
   of_kind.set_if_used("target_size", size);
+  of_kind.set_if_used("lighting", int(batch.lighting));
   if (elements_) of_kind.set_if_used("first_point_element", elements_->first_point);
   if (batch.kind == ShapeKind::mesh) draw_indexed(*meshes_, *source.mesh_indices, batch);
   if (batch.kind == ShapeKind::ribbon) draw_indexed(*ribbons_, *source.ribbon_indices, batch);

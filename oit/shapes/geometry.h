@@ -38,8 +38,8 @@ class Geometry {
   Geometry(const Gl& gl, const scene::Scene& part, const scene::DepthRange& range,
            std::span<const PrimitiveRange> places, const scene::PartNumber& number = {});
 
-  /// Returns the defines that the geometry shaders need: LIT, PHONG, ORTHOGRAPHIC, TAPERED,
-  /// FADING_DEGREE.
+  /// Returns the defines that the geometry shaders need: LIT, PHONG, LIT_BY_OBJECT, ORTHOGRAPHIC,
+  /// TAPERED, FADING_DEGREE.
   Defines defines() const;
   /// Returns which kinds there are among the opaque objects, or among the others.
   std::vector<ShapeKind> kinds(bool opaque) const;
@@ -107,7 +107,7 @@ class Geometry {
 
   const Gl& gl_;
   ViewSpace view_;
-  scene::Lighting lighting_;
+  std::optional<scene::Lighting> lighting_;  // of all objects; nothing: by object
   std::vector<Batch> batches_;
   std::uint64_t primitive_count_ = 0;
   Buffer uniforms_;

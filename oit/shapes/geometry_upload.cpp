@@ -140,10 +140,12 @@ IndexedVertices upload_meshes(const Gl& gl, const scene::Scene& scene, const Vie
     append(clipped, all, out);
   });
   describe_vertices(result);
-  if (scene.lighting == scene::Lighting::none) return result;
+  if (!scene::is_lit(scene)) return result;
   result.directions = Buffer::filled<glm::vec3>(gl, n.vertices, [&](glm::vec3* out) {
     for_each<geometry::TriangleMesh>(scene, [&](const geometry::TriangleMesh& mesh) {
       for (const Vec3& normal : mesh.normals) *out++ = view.direction(normal);
+      // One without, among others, is not lit.
+      if (mesh.normals.empty()) out = std::fill_n(out, mesh.positions.size(), glm::vec3(0));
     });
     for (const ClippedVertex& vertex : clipped.vertices) *out++ = view.direction(vertex.direction);
   });
@@ -181,7 +183,7 @@ IndexedVertices upload_ribbons(const Gl& gl, const scene::Scene& scene, const Vi
     append(clipped, all, out);
   });
   describe_vertices(result);
-  if (scene.lighting == scene::Lighting::none) return result;
+  if (!scene::is_lit(scene)) return result;
   upload_ribbon_directions(gl, scene, view, result);
   return result;
 }

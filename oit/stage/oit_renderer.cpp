@@ -14,9 +14,8 @@ namespace pellucid::oit {
 namespace {
 
 std::string describe_lighting(const scene::Scene& scene) {
-  if (scene.lighting == scene::Lighting::none)
-    return "lighting: left out, the scene is unlit; no normals are uploaded";
-  return "lighting: from the eye; normals are uploaded";
+  return scene::is_lit(scene) ? "lighting: from the eye; normals are uploaded"
+                              : "lighting: left out, nothing is lit; no normals are uploaded";
 }
 
 std::string describe_samples(const scene::Scene& scene) {

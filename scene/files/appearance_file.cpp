@@ -101,6 +101,11 @@ Vec3 read_rgb(const JsonNode& node) {
   return rgb;
 }
 
+Lighting read_lighting(const JsonNode& node) {
+  return Lighting(std::ranges::find(lighting_names, node.one_of(lighting_names)) -
+                  lighting_names.begin());
+}
+
 Appearance read_appearance(const JsonNode& node, const std::filesystem::path& folder) {
   Appearance appearance;
   if (node.has("color")) {

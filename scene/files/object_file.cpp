@@ -45,14 +45,14 @@ class ObjectReader {
         std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return node_.has(k.key); });
     std::vector<std::string_view> of_kinds,
         keys{"name",   "color",   "opacity", "importance", "opaque",
-             "radius", "profile", "halo",    "transform"};
+             "radius", "profile", "halo",    "transform",  "lighting"};
     for (const Kind& k : kinds) of_kinds.push_back(k.key);
     keys.insert(keys.end(), of_kinds.begin(), of_kinds.end());
     node_.accept_keys(keys);
     if (std::ranges::count_if(of_kinds, [&](auto key) { return node_.has(key); }) != 1)
       node_.fail(fmt::format("accepted: exactly one of the keys {}", fmt::join(of_kinds, ", ")));
     object_.name = node_.has("name") ? node_["name"].string() : node_.place();
-    if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
+    read_look();
     (this->*kind->read)(node_[kind->key]);
     if (node_.has("transform")) place(node_["transform"]);
     apply();
@@ -66,7 +66,7 @@ class ObjectReader {
     if (asks_percentiles_of_file()) return read();  // the vertices may repeat its values
     if (asks_attributes_of_field(object)) return read();
     object_ = std::move(object);
-    if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
+    read_look();
     if (auto* lines = std::get_if<LineObject>(&object_.shape))
       draw(geometry::LineSet(std::move(lines->set)));
     if (auto* points = std::get_if<PointObject>(&object_.shape))
@@ -83,6 +83,11 @@ class ObjectReader {
     void (ObjectReader::*read)(const JsonNode&);
   };
   static const std::array<Kind, 6> kinds;
+
+  void read_look() {
+    if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
+    if (node_.has("lighting")) object_.lighting = read_lighting(node_["lighting"]);
+  }
 
   // What is drawn of what was read, with the width that its kind has.
 

@@ -31,10 +31,11 @@ struct ObjectContext {
 SceneObject read_object(const JsonNode& node, const ObjectContext& context);
 
 /// Draws an object otherwise: applies those keys of `node` that say how it is drawn (color,
-/// opacity, importance, opaque, radius, profile, halo, and the value of an isosurface), and neither
-/// reads nor integrates anything that is there already. `object` was made by read_object() of a
-/// node that differs in these keys' values alone, and had none of them that `node` lacks; a colour
-/// by a scalar stays one by the same. Throws InputError as read_object() does.
+/// opacity, importance, opaque, lighting, radius, profile, halo, and the value of an isosurface),
+/// and neither reads nor integrates anything that is there already. `object` was made by
+/// read_object() of a node that differs in these keys' values alone, and had none of them that
+/// `node` lacks; a colour by a scalar stays one by the same. Throws InputError as read_object()
+/// does.
 SceneObject restyled_object(const JsonNode& node, const ObjectContext& context, SceneObject object);
 
 }  // namespace pellucid::scene

@@ -31,11 +31,6 @@ PixelSampling read_samples(const JsonNode& node) {
   return {.frames = node["frames"].integer(1, 4096)};
 }
 
-Lighting read_lighting(const JsonNode& node) {
-  return Lighting(std::ranges::find(lighting_names, node.one_of(lighting_names)) -
-                  lighting_names.begin());
-}
-
 EnergyWeights read_energy(const JsonNode& node) {
   node.accept_keys({"p", "q", "r", "lambda"});
   EnergyOptions given;
@@ -67,9 +62,9 @@ void read_view(const JsonNode& root, const fs::path& folder, SceneView& scene) {
   if (root.has("energy")) scene.energy = read_energy(root["energy"]);
 }
 
-void light(SceneObject& object, Lighting lighting) {
+void light(SceneObject& object, const SceneView& view) {
   auto* mesh = std::get_if<geometry::TriangleMesh>(&object.shape);
-  if (mesh && lighting != Lighting::none) ensure_normals(*mesh);
+  if (mesh && lighting_of(view, object) != Lighting::none) ensure_normals(*mesh);
 }
 
 struct Loader {
@@ -167,7 +162,7 @@ struct Loader {
   void add(const JsonNode& node) {
     scene.objects.push_back(
         read_object(node, {source.folder, progress, scene.provenance, source.given}));
-    light(scene.objects.back(), scene.lighting);
+    light(scene.objects.back(), scene);
   }
 };
 
@@ -216,7 +211,7 @@ void append_object(const nlohmann::json& object, const SceneSource& source, Scen
   SceneObject made = read_object(JsonNode(source.file + ": " + place, object),
                                  {source.folder, progress, provenance, source.given});
   if (made.name.empty()) made.name = place;
-  light(made, scene.lighting);
+  light(made, scene);
   scene.objects.push_back(std::move(made));
   place_halos(scene);
   for (auto& [where, how] : provenance) scene.provenance[place + where] = std::move(how);
@@ -229,7 +224,7 @@ void change_view(const nlohmann::json& text, const fs::path& folder, Scene& scen
   read_view(root, folder, view);
   static_cast<SceneView&>(scene) = view;
   if (root.has("camera")) scene.provenance["camera"] = "given";
-  for (SceneObject& object : scene.objects) light(object, scene.lighting);
+  for (SceneObject& object : scene.objects) light(object, scene);
   place_halos(scene);
 }
 

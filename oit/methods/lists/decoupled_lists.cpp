@@ -24,9 +24,9 @@ struct ExactOpacity {
         optimize(stage, {{"OPTIMIZE_OPACITY", 1}}, {elements.image(), energy}),
         no_targets(stage.gl(), stage.width(), stage.height()) {}
 
-  void find(const FragmentLists& lists) {
-    elements.begin();
-    lists.consume(optimize, no_targets);
+  /// Lowers the opacities of elements by what the lists of a band hold.
+  void find(const FragmentLists& lists, const FragmentLists::Band& band) {
+    lists.consume(optimize, no_targets, band);
   }
 
   ElementOpacity elements;
@@ -38,7 +38,7 @@ struct ExactOpacity {
 class DecoupledLists final : public OitMethod {
  public:
   DecoupledLists(Stage& stage, const DecoupledListsOptions& options)
-      : lists_(stage, "decoupled-lists"),
+      : lists_(stage, "decoupled-lists", options.lists),
         important_(has_importance(stage.scene())),
         energy_(energy_buffer(stage, options)) {
     const Resource energy = energy_.as_uniform_block(bindings::energy_block);
@@ -57,12 +57,17 @@ class DecoupledLists final : public OitMethod {
   void draw(Frame& frame) override {
     frame.step("count", [&] { lists_.reserve(); });
     if (elements_) {
-      frame.step("list importance", [&] { lists_.build(elements_->build); });
-      frame.step("optimize opacity", [&] { elements_->find(lists_); });
+      frame.step("list importance", [&] { elements_->elements.begin(); });
+      for (const FragmentLists::Band& band : lists_.bands()) {
+        frame.step("list importance", [&] { lists_.build(elements_->build, band); });
+        frame.step("optimize opacity", [&] { elements_->find(lists_, band); });
+      }
       frame.step("smooth opacity", [&] { elements_->elements.smooth_and_interpolate(); });
     }
-    frame.step("list colours", [&] { lists_.build(build_); });
-    frame.step("composite", [&] { lists_.consume(*composite_, frame.picture()); });
+    for (const FragmentLists::Band& band : lists_.bands()) {
+      frame.step("list colours", [&] { lists_.build(build_, band); });
+      frame.step("composite", [&] { lists_.consume(*composite_, frame.picture(), band); });
+    }
     frame.stats().fragments = frame.stats().stored = lists_.fragments();
   }
 
@@ -91,7 +96,8 @@ const OptionTable<DecoupledListsOptions>& decoupled_lists_options() {
   static const OptionTable<DecoupledListsOptions> table{
       part(&DecoupledListsOptions::energy, scene::energy_options()),
       opacity_unit_option(&DecoupledListsOptions::per),
-      part(&DecoupledListsOptions::elements, element_options())};
+      part(&DecoupledListsOptions::elements, element_options()),
+      part(&DecoupledListsOptions::lists, list_options())};
   return table;
 }
 
@@ -112,7 +118,7 @@ const scene::MethodRow& decoupled_lists_method() {
                    .convex_hull = true,
                    .optimizes_opacity = true,
                    .optimizes_vertices = true},
-      .bytes_per_pixel = "4 + 32 per layer",
+      .bytes_per_pixel = "4 + 32 per layer, of fragments-per-pass at most",
       .make = make_oit<DecoupledLists, decoupled_lists_options>};
   return row;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "oit/lists/list_options.h"
 #include "oit/opacity/element_opacity.h"
 #include "scene/opacity_energy.h"
 #include "scene/renderer.h"
@@ -12,6 +13,7 @@ struct DecoupledListsOptions {
   scene::EnergyOptions energy;
   OpacityUnit per = OpacityUnit::element;
   ElementOptions elements;
+  ListOptions lists;
 
   bool operator==(const DecoupledListsOptions&) const = default;
 };

@@ -51,7 +51,9 @@ scene::SceneObject some_lines(const scene::SceneObject& object, std::uint64_t fi
     append_radii(all, i * step % n, radii);
   }
   some.radius = all.radius.vary() ? scene::Radii(std::move(radii)) : all.radius;
-  return {object.name, std::move(some)};
+  scene::SceneObject drawn{object.name, std::move(some)};
+  drawn.lighting = object.lighting;
+  return drawn;
 }
 
 }  // namespace
@@ -60,9 +62,10 @@ std::uint64_t LineSources::add_surface(const scene::SceneObject& object, const s
                                        const scene::DepthRange& range, std::uint64_t lines,
                                        const StripOptions& options, const PrimitiveRange& place) {
   const auto strips = std::make_shared<SurfaceStrips>(object, scene, range, lines, options);
-  sources_.push_back({lines, [strips](std::uint64_t first, std::uint64_t count) {
+  sources_.push_back({lines, [strips, &object](std::uint64_t first, std::uint64_t count) {
                         scene::SceneObject made;
                         made.shape = strips->lines(first, count);
+                        made.lighting = object.lighting;
                         return made;
                       }});
   places_.push_back(place);

@@ -111,7 +111,7 @@ SurfaceStrips::SurfaceStrips(const scene::SceneObject& object, const scene::Scen
       half_height_(scene::half_height(scene.camera)),
       pixel_(2 * half_height_ / scene.height),
       nearest_(0.01 * range.far),
-      lit_(scene.lighting != scene::Lighting::none),
+      lit_(scene::lighting_of(scene, object) != scene::Lighting::none),
       request_(request_of(source_)),
       integration_(integrators::surface_setup(request_, integrators::SurfaceOptions{})),
       particles_(request_, integration_) {

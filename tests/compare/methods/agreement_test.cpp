@@ -184,6 +184,23 @@ TEST_P(PropertyExactMethod, WhatIsOpaqueHidesAsItDoesInTruth) {
   EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
 }
 
+// Every light beside every other one, in one scene, and objects that have the scene's.
+TEST_P(PropertyExactMethod, ObjectsOfTheirOwnLightAreLitAsInTruth) {
+  scene::Scene scene = mixed_scene(true);
+  scene.lighting = scene::Lighting::headlight;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    scene::SceneObject& object = scene.objects[i];
+    if (i % 4 < 3) object.lighting = scene::Lighting(i % 4);
+    if (i % 3 > 0) continue;  // lines, points
+    object.mesh().normals.clear();
+    if (scene::lighting_of(scene, object) != scene::Lighting::none)
+      scene::ensure_normals(object.mesh());
+  }
+  const Agreement found = agreement(truth(scene), draw_counted(scene, row()));
+  EXPECT_LE(found.rmse, shift_of_colors);
+  EXPECT_LE(found.other_coverage, scene.width * scene.height / 100u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyMethodAgainstTruth,
                          ::testing::ValuesIn(names_of_methods(false)), method_test_name);
 INSTANTIATE_TEST_SUITE_P(Methods, PropertyExactMethod, ::testing::ValuesIn(names_of_methods(true)),

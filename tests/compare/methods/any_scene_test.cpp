@@ -130,6 +130,40 @@ TEST(PropertyMethods, HeadlightIsTheCosineOfTheNormal) {
   }
 }
 
+/// A sheet over a third of the picture, whose normals lean by 60 degrees: c is 1/2.
+scene::SceneObject leaning_sheet(double left, std::optional<scene::Lighting> lighting) {
+  scene::SceneObject third{"third",
+                           rectangle(left, left + 2.0 / 3, -1, 1, 0, {0.8f, 0.6f, 0.4f, 0.5f})};
+  third.mesh().normals.assign(4, Vec3(std::sqrt(0.75), 0, 0.5));
+  third.lighting = lighting;
+  return third;
+}
+
+// Unlit, 1/2, and 0.15 + 0.85 / 2 without a highlight, whatever the scene's light; an object
+// without one has the scene's, and one that is not lit needs no normals.
+TEST(PropertyMethods, AnObjectsOwnLightGoesBeforeTheScenes) {
+  using scene::Lighting;
+  const auto lit = [](double factor) { return 0.5 * factor * Vec3(0.8, 0.6, 0.4); };
+  const double factors[] = {1, 0.5, 0.575};
+  for (const Lighting of_scene : {Lighting::none, Lighting::headlight, Lighting::phong}) {
+    scene::Scene scene = stack(3, 3, {});
+    scene.lighting = of_scene;
+    scene.objects = {leaning_sheet(-1, Lighting::none), leaning_sheet(-1.0 / 3, std::nullopt),
+                     leaning_sheet(1.0 / 3, Lighting::phong)};
+    scene.objects[0].mesh().normals.clear();
+    if (of_scene == Lighting::none) scene.objects[1].mesh().normals.clear();
+    for (const scene::MethodRow& row : methods()) {
+      const Image image = render(row, scene).image;
+      const double expected[] = {1, factors[std::size_t(of_scene)], 0.575};
+      for (int x = 0; x < 3; ++x)
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(image.at(x, 1)[c], lit(expected[x])[c] + 0.5 * scene.background[c],
+                      float_composite)
+              << row.name << ' ' << x;
+    }
+  }
+}
+
 // A sheet through the eye's plane is seen from the eye on: it covers one half of the picture.
 TEST(PropertyMethods, WhatLiesBehindTheEyeIsClipped) {
   scene::Scene scene = stack(8, 8, {{1, 1, 1, 0.5f}});

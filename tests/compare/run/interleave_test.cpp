@@ -154,6 +154,8 @@ TEST(UnitTiming, AStudyAsksForItByKeys) {
   EXPECT_EQ(usual.max, 50);
   EXPECT_EQ(usual.relative, 0.05);
   EXPECT_EQ(timing(R"("timing": {"relative": 0.01, "min": 60})").max, 60);
+  EXPECT_FALSE(usual.seconds);
+  EXPECT_EQ(timing(R"("timing": {"seconds": 20})").seconds, 20);
   EXPECT_EQ(timing(R"("repeats": 9, "timing": {})").min, 9);  // repeats are the least then
   EXPECT_EQ(timing(R"("repeats": 9)").max, 9);
   EXPECT_FALSE(timing(R"("repeats": 9)").relative);
@@ -166,6 +168,8 @@ TEST(UnitTiming, BoundsThatCannotBeMetAreRefused) {
               HasSubstr("timing.relative: 0; accepted"));
   EXPECT_THAT(timing_error(R"("timing": {"min": 4})"),
               HasSubstr("timing.min: 4; accepted: an integer, 5"));
+  EXPECT_THAT(timing_error(R"("timing": {"seconds": -1})"),
+              HasSubstr("timing.seconds: -1; accepted"));
   EXPECT_THAT(timing_error(R"("timing": {"min": 9, "max": 8})"),
               HasSubstr("timing.max: 8; accepted: an integer, 9"));
 }

@@ -37,6 +37,20 @@ TEST(UnitTimingRule, ABoundThatIsNotMetEndsAtTheMost) {
   EXPECT_FALSE(is_settled(times, {5, 6, 0.01}));
 }
 
+// 4 and another 2 are within 6 s, not within 5.9; the first is drawn in any case.
+TEST(UnitTimingRule, NoTimeBeginsThatWouldExceedTheSeconds) {
+  TimingRule rule{5, 50, 0.01};
+  rule.seconds = 6;
+  EXPECT_FALSE(is_over(std::vector<double>{2, 2}, rule));
+  EXPECT_TRUE(is_over(std::vector<double>{2, 2, 2}, rule));
+  rule.seconds = 5.9;
+  EXPECT_TRUE(is_over(std::vector<double>{2, 2}, rule));
+  EXPECT_FALSE(is_settled(std::vector<double>{2, 2}, rule));
+  rule.seconds = 0;
+  EXPECT_FALSE(is_over({}, rule));
+  EXPECT_TRUE(is_over(std::vector<double>{2}, rule));
+}
+
 TEST(UnitTimingRule, ASpreadHasItsEndsAndItsInterval) {
   const Spread spread = spread_of(std::vector<double>{4, 1, 2}, fixed_repeats(3));
   EXPECT_EQ(spread.median, 2);

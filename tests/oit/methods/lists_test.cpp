@@ -39,6 +39,61 @@ TEST(UnitMethods, LinkedListsOfManyLengthsSideBySide) {
   }
 }
 
+/// Triangles of importances of their own, some of them opaque, two samples each way.
+scene::Scene important_cloud() {
+  scene::Scene scene = triangle_cloud(24, 20, 200, 7);
+  scene.samples = {.per_axis = 2};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (scene::SceneObject& object : scene.objects)
+    for (std::size_t i = 0; i < object.mesh().positions.size(); ++i)
+      object.mesh().importance.push_back(unit(random));
+  scene.objects.push_back(sheet(-0.2, Rgba(0.3, 0.5, 0.7, 1)));
+  scene.objects.back().opaque = true;
+  return scene;
+}
+
+// Each band of rows has the whole's fragments, so that the pictures are equal to the last bit, and
+// keeps no more of them than it was told.
+TEST(PropertyLists, BandsOfRowsGiveThePictureOfTheWhole) {
+  const scene::Scene scene = important_cloud();
+  for (const char* name : {"linked-list", "decoupled-lists"})
+    for (const char* per : {"element", "fragment"}) {
+      SCOPED_TRACE(std::string(name) + " " + per);
+      RawOptions options;
+      if (name == std::string("decoupled-lists")) options["per"] = per;
+      const scene::Rendering whole = render(method(name), scene, options, true);
+      for (const char* at_once : {"500", "150"}) {
+        options["fragments-per-pass"] = at_once;
+        const scene::Rendering banded = render(method(name), scene, options, true);
+        EXPECT_EQ(banded.image.pixels, whole.image.pixels) << at_once;
+        EXPECT_EQ(banded.stats.fragments, whole.stats.fragments);
+        EXPECT_LT(banded.stats.total_bytes(), whole.stats.total_bytes());
+      }
+    }
+}
+
+TEST(PropertyLists, BandsTakeDeepPixelsAsTheWholeDoes) {
+  const auto layers = random_layers(5000, 0.002f, 17);
+  const scene::Scene scene = stack(2, 6, layers);
+  const Image whole = render(method("linked-list"), scene).image;
+  const RawOptions options = {{"fragments-per-pass", "20000"}};
+  EXPECT_EQ(render(method("linked-list"), scene, options).image.pixels, whole.pixels);
+}
+
+TEST(UnitLists, ARowOfMoreFragmentsThanAreKeptIsRefused) {
+  const scene::Scene scene = stack(4, 4, random_layers(5, 0.5f, 1));
+  const RawOptions options = {{"fragments-per-pass", "19"}};
+  try {
+    render(method("linked-list"), scene, options);
+    FAIL() << "a row of 20 fragments was drawn";
+  } catch (const WorkError& error) {
+    EXPECT_STREQ(error.what(),
+                 "linked-list: a row of the picture has 20 fragments, but 19 are kept at once; "
+                 "draw a narrower picture");
+  }
+}
+
 TEST(SlowMethods, LinkedListsSortAHundredThousandLayers) {
   expect_exact_stack(method("linked-list"), 100000, 4e-5);
 }

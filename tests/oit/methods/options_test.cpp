@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "oit/lists/list_options.h"
 #include "oit/methods/bin_average/bin_average.h"
 #include "oit/methods/binning/binning.h"
 #include "oit/methods/fourier/fourier_opacity.h"
@@ -37,6 +38,7 @@ TEST(PropertyMethodOptions, EveryOptionOfEveryRowHasAMemberOfItsOwn) {
   hold(fourier_options());
   hold(k_buffer_options());
   hold(mlab_options());
+  hold(list_options());
   hold(moment_options());
   hold(stochastic_options());
   hold(tree_options());

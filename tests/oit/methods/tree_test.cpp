@@ -303,6 +303,16 @@ TEST(UnitTree, AttributesAreAveragedBeforeTheyAreLit) {
   EXPECT_NEAR(middle_of(one_side, "attributes").r, 0.8 * std::sqrt(0.75), 1e-4);
 }
 
+// A layer's fragments may be of both: there is no light for it.
+TEST(UnitTree, AttributesOfObjectsThatAreLitOtherwiseAreRefused) {
+  scene::Scene scene = turned_sheets(60, 0, scene::Lighting::headlight);
+  scene.objects[0].lighting = scene::Lighting::phong;
+  const RawOptions options = {{"average", "attributes"}};
+  EXPECT_THROW(render(method("tree"), scene, options), InputError);
+  scene.objects[0].lighting = scene::Lighting::headlight;
+  render(method("tree"), scene, options);
+}
+
 // Normals of either side are those of one surface: 30° and 30° + 180°.
 TEST(UnitTree, NormalsOfEitherSideDoNotCancel) {
   const scene::Scene scene = turned_sheets(30, 210, scene::Lighting::headlight);

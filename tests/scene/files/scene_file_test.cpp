@@ -236,6 +236,23 @@ TEST_F(UnitSceneFile, RefusalsNamePlaceAndAccepted) {
   EXPECT_THAT(refusal(sheet, R"("backgroud": [0, 0, 0])"), HasSubstr("known: background"));
 }
 
+TEST_F(UnitSceneFile, AnObjectMayHaveALightOfItsOwn) {
+  const Scene scene = with(
+      R"({"mesh": "sheet.ply"}, {"mesh": "sheet.ply", "lighting": "phong"},
+         {"mesh": "sheet.ply", "lighting": "none"})",
+      R"("lighting": "headlight")");
+  EXPECT_EQ(lighting_of(scene, scene.objects[0]), Lighting::headlight);
+  EXPECT_EQ(lighting_of(scene, scene.objects[1]), Lighting::phong);
+  EXPECT_EQ(lighting_of(scene, scene.objects[2]), Lighting::none);
+  const Scene unlit =
+      with(R"({"mesh": "sheet.ply", "lighting": "headlight"}, {"mesh": "sheet.ply"})");
+  EXPECT_EQ(unlit.objects[0].mesh().normals.size(), 4u);
+  EXPECT_TRUE(is_lit(unlit));
+  EXPECT_EQ(common_lighting(unlit), std::nullopt);
+  EXPECT_THAT(refusal(R"({"mesh": "sheet.ply", "lighting": "sun"})"),
+              HasSubstr("objects[0].lighting"));
+}
+
 TEST_F(UnitSceneFile, ACameraInsideOutIsRefused) {
   EXPECT_THAT(refusal(sheet, R"("camera": {"eye": [0, 0, 0], "target": [0, 0, 0]})"),
               HasSubstr("camera.target"));
