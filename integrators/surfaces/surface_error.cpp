@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/parallel.h"
 #include "integrators/front/surface_particles.h"
@@ -78,6 +79,8 @@ class ExactSurface {
                         setup.trajectory.error_floor * setup.trajectory.duration)) {}
 
   Deviation deviation(const Sample& sample, bool thorough);
+  /// Returns by how many degrees a vertex's normal is off; nothing as SurfaceError says.
+  std::optional<double> normal_deviation(const geometry::TriangleMesh& mesh, std::uint32_t vertex);
   /// Points of the surface at seed s, spread over the particle's time: none where it has no area,
   /// as at rest or along a seed curve that is a stream line.
   std::vector<Vec3> points_at(double s);
@@ -183,6 +186,32 @@ Deviation ExactSurface::deviation(const Sample& sample, bool thorough) {
   return {nearest.distance, degrees_between(normal, sample.facet)};
 }
 
+std::optional<double> ExactSurface::normal_deviation(const geometry::TriangleMesh& mesh,
+                                                     std::uint32_t vertex) {
+  Place place = known_.place(vertex);
+  const FlowPoint here = point(place.s, place.t);
+  const Vec3 normal = direction_of(mesh.normals[vertex]);
+  if (here.w == Vec3(0) || normal == Vec3(0) || !Tangents(here).span_a_plane()) return {};
+  const Vec3 exact = direction_of(glm::cross(direction_of(here.w), direction_of(here.v)));
+  return degrees_between(glm::dot(exact, normal) < 0 ? -exact : exact, normal);
+}
+
+/// Fills in how far the normals of some vertices are off.
+void measure_normals(const geometry::TriangleMesh& mesh, std::uint64_t samples,
+                     ExactSurface& surface, SurfaceError& error) {
+  const std::size_t vertices = mesh.normals.size();
+  const std::size_t count = std::min<std::size_t>(vertices, samples);
+  std::vector<std::optional<double>> degrees(count);
+  parallel_for(std::size_t(0), count, [&](std::size_t i) {
+    degrees[i] = surface.normal_deviation(mesh, std::uint32_t(i * vertices / count));
+  });
+  std::erase(degrees, std::nullopt);
+  for (const std::optional<double>& each : degrees) {
+    error.vertex_normal_mean_degrees += *each / double(degrees.size());
+    error.vertex_normal_max_degrees = std::max(error.vertex_normal_max_degrees, *each);
+  }
+}
+
 /// Points of the surface whatever the mesh is: seeds are the fractions of multiples of 1/φ, which
 /// no halving or even spacing comes near to again and again.
 std::vector<Vec3> points_of_surface(ExactSurface& surface) {
@@ -223,6 +252,7 @@ SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequ
   });
   SurfaceError error = surface_error(mesh, chosen, deviations);
   error.max_from_surface = largest_distance(points_of_surface(truth), mesh);
+  measure_normals(mesh, samples, truth, error);
   return error;
 }
 
