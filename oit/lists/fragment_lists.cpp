@@ -47,6 +47,8 @@ FragmentLists::FragmentLists(Stage& stage, std::string_view method, const ListOp
       no_targets_(stage.gl(), stage.width(), stage.height()),
       query_(stage.gl()),
       count_(stage.geometry_program(oit_glsl::list_count_frag_glsl())) {
+  if (options.fragments_per_pass)
+    most_ = std::min(most_, std::uint64_t(*options.fragments_per_pass));
   stage.record("counters", node_count_.bytes() + longest_.bytes());
 }
 

@@ -39,16 +39,21 @@ TEST(UnitMethods, LinkedListsOfManyLengthsSideBySide) {
   }
 }
 
-/// Triangles of importances of their own, some of them opaque, two samples each way.
-scene::Scene important_cloud() {
-  scene::Scene scene = triangle_cloud(24, 20, 200, 7);
+/// Rectangles of importances of their own, an opaque one among them, four samples a pixel.
+scene::Scene important_rectangles() {
+  scene::Scene scene = empty_scene(24, 20);
   scene.samples = {.per_axis = 2};
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> unit(0, 1);
-  for (scene::SceneObject& object : scene.objects)
-    for (std::size_t i = 0; i < object.mesh().positions.size(); ++i)
-      object.mesh().importance.push_back(unit(random));
-  scene.objects.push_back(sheet(-0.2, Rgba(0.3, 0.5, 0.7, 1)));
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 60; ++i) {
+    const double x = 1.8 * unit(random) - 1, y = 1.8 * unit(random) - 1;
+    scene::SceneObject object = {"", rectangle(x, x + unit(random), y, y + unit(random),
+                                               2 * unit(random) - 1, Rgba(0.2, 0.6, 0.8, 0.5))};
+    for (std::size_t v = 0; v < object.mesh().positions.size(); ++v)
+      object.mesh().importance.push_back(float(unit(random)));
+    scene.objects.push_back(std::move(object));
+  }
+  scene.objects.push_back(sheet(-0.5, Rgba(0.3, 0.5, 0.7, 1)));
   scene.objects.back().opaque = true;
   return scene;
 }
@@ -56,7 +61,7 @@ scene::Scene important_cloud() {
 // Each band of rows has the whole's fragments, so that the pictures are equal to the last bit, and
 // keeps no more of them than it was told.
 TEST(PropertyLists, BandsOfRowsGiveThePictureOfTheWhole) {
-  const scene::Scene scene = important_cloud();
+  const scene::Scene scene = important_rectangles();
   for (const char* name : {"linked-list", "decoupled-lists"})
     for (const char* per : {"element", "fragment"}) {
       SCOPED_TRACE(std::string(name) + " " + per);
