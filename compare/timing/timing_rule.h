@@ -15,7 +15,8 @@ struct TimingRule {
   int min = 3, max = 3;
   /// The largest distance from the median to either end of its interval, as a part of the median.
   std::optional<double> relative = std::nullopt;
-  std::optional<double> seconds = std::nullopt;  // all of a cell's times together, but for the first
+  std::optional<double> seconds =
+      std::nullopt;  // all of a cell's times together, but for the first
 };
 
 /// Returns the rule of a fixed number of repeats.

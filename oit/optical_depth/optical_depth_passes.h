@@ -31,6 +31,8 @@ class OpticalDepthPasses {
                      Program composite);
 
   const Texture& coefficients(int target) const { return coefficients_[std::size_t(target)]; }
+  /// Returns the targets as images, target i at coefficients_image + i.
+  Resources coefficient_images() const;
 
   /// Returns the targets of a round of SummingMethod: 0 projects, 1 weights. The coefficients'
   /// texels hold `numbers`.
@@ -40,8 +42,6 @@ class OpticalDepthPasses {
   void composite(Frame& frame) const;
 
  private:
-  Resources coefficient_images() const;
-
   const Stage& stage_;
   std::vector<std::string_view> names_;
   std::vector<Texture> coefficients_;

@@ -37,10 +37,13 @@ class Moment final : public SummingMethod {
   Moment(Stage& stage, const MomentOptions& options)
       : stage_(stage),
         project_(geometry_program(oit_glsl::moment_project_frag_glsl(), options)),
+        prepare_(with_uniforms(
+            stage.screen_program(oit_glsl::moment_prepare_frag_glsl(), defines(options)), options)),
         passes_(stage, moments(options),
                 geometry_program(oit_glsl::moment_weight_frag_glsl(), options),
                 stage.screen_program(oit_glsl::moment_composite_frag_glsl())),
-        moment_targets_(targets(options)) {}
+        moment_targets_(targets(options)),
+        no_targets_(stage.gl(), stage.width(), stage.height()) {}
 
   int rounds() const override { return 2; }
   std::vector<SumTarget> targets(int round) const override { return passes_.targets(round); }
@@ -51,18 +54,31 @@ class Moment final : public SummingMethod {
       stage_.draw_geometry({moment_targets_, {Blend::add}}, project_);
     });
   }
+  void close(int round, Frame& frame) override {
+    if (round == 1) return;
+    frame.step("prepare", [&] {
+      stage_.draw_screen({no_targets_, {Blend::replace}, passes_.coefficient_images()}, prepare_);
+      stage_.gl().MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    });
+  }
   void composite(Frame& frame) override { passes_.composite(frame); }
 
  private:
-  GeometryProgram geometry_program(std::string_view fragment, const MomentOptions& options) const {
+  static Defines defines(const MomentOptions& options) {
     Defines defines = {{"MOMENTS", options.moments}};
     if (trigonometric(options)) defines.emplace_back("TRIGONOMETRIC", 1);
-    GeometryProgram program =
-        clamped_geometry_program(stage_, fragment, std::move(defines), options.clamp);
+    return defines;
+  }
+  template <class AnyProgram>
+  static AnyProgram with_uniforms(AnyProgram program, const MomentOptions& options) {
     program.set_if_used("angle_range", float(angle_range));
     program.set_if_used("overestimation", float(options.overestimation));
     program.set_if_used("bias", float(bias(options)));
     return program;
+  }
+  GeometryProgram geometry_program(std::string_view fragment, const MomentOptions& options) const {
+    return with_uniforms(
+        clamped_geometry_program(stage_, fragment, defines(options), options.clamp), options);
   }
 
   Framebuffer targets(const MomentOptions& options) const {
@@ -73,8 +89,9 @@ class Moment final : public SummingMethod {
 
   const Stage& stage_;
   GeometryProgram project_;
+  Program prepare_;
   OpticalDepthPasses passes_;
-  Framebuffer moment_targets_;
+  Framebuffer moment_targets_, no_targets_;
 };
 
 }  // namespace

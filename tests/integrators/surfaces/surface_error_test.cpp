@@ -69,8 +69,8 @@ TEST(UnitSurfaceError, UnitsDoNotMatter) {
   }
 }
 
-/// A cylinder's normals are radial. Turned about its axis they are off by as much as they are turned,
-/// and where one has none nothing is said of it.
+/// A cylinder's normals are radial. Turned about its axis they are off by as much as they are
+/// turned, and where one has none nothing is said of it.
 TEST(UnitSurfaceError, NormalsOfVerticesAreHeldToTheSurfaceThere) {
   const auto field = fields::make_field("formula:u=0,v=0,w=1");
   const SurfaceRequest request{field.get(), circle_seed({0, 0, 0}, {0, 0, 1}, 2), 3, 0, false, {}};

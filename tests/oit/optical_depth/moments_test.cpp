@@ -65,7 +65,8 @@ struct PowerBasis {
       for (const Mass& m : masses) sum += m.mass * std::pow(2 * m.at - 1, k);
       moments[k] = float((1 - bias) * sum + bias * (k % 2 ? 0 : 1.0 / (k + 1)));
     }
-    return glsl::mass_in_front(moments, n, float(2 * d - 1), overestimation);
+    return glsl::mass_in_front(glsl::recurrence_of(moments, n), n, float(2 * d - 1),
+                               overestimation);
   }
 };
 
