@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 
-#include "compare/budget/budget_stages.h"
 #include "core/options/names.h"
 
 namespace pellucid::compare {
@@ -83,10 +82,7 @@ ClaimedNumber read_number(const JsonNode& node) {
   if (node.has("measure") || node.has("stage")) {
     ClaimedNumber number;
     if (node.has("measure")) number.measure = node["measure"].string();
-    if (node.has("stage"))
-      number.stage = at_place(node["stage"], [&] {
-        return find_row("stage", node["stage"].string(), budget_stages()).name;
-      });
+    if (node.has("stage")) number.stage = node["stage"].one_of(budget_stage_names);
     if (node.has("better"))
       number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
     return number;

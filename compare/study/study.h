@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -40,6 +41,10 @@ struct Views {
   /// Returns whether there are any but the scene's own.
   bool any() const { return orbit > 0 || path || !cameras.empty(); }
 };
+
+/// The stages of an error budget, in the order of budget_stages().
+inline constexpr std::array<std::string_view, 8> budget_stage_names{
+    "field", "integration", "mesh", "samples", "opacities", "compositing", "arithmetic", "display"};
 
 /// BudgetOptions say how much finer the stages of an error budget are made; see docs/evaluation.md.
 struct BudgetOptions {

@@ -12,7 +12,7 @@ TEST_F(UnitCommandLine, RendersAndWritesStatistics) {
                               " --layers " + (folder_ / "layers.exr").string() + " --explain");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_THAT(outcome.out, HasSubstr("not lit"));
+  EXPECT_THAT(outcome.out, HasSubstr("nothing is lit"));
   EXPECT_TRUE(fs::exists(folder_ / "a.png"));
   EXPECT_TRUE(fs::exists(folder_ / "layers.exr"));
   for (const char* key :

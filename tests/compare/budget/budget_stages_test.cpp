@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "compare/methods/methods.h"
+#include "compare/study/study.h"
 #include "core/options/names.h"
 
 namespace pellucid::compare {
@@ -47,6 +50,10 @@ std::string integrator_after(std::string_view stage, const json& object) {
   EXPECT_EQ(refine(stage, plan).why_not, "");
   const json& made = plan.scene["objects"][0];
   return made[made.contains("lines") ? "lines" : "surface"]["integrator"];
+}
+
+TEST(UnitBudgetStages, ClaimsNameThemAsTheyAre) {
+  EXPECT_TRUE(std::ranges::equal(budget_stages(), budget_stage_names, {}, &BudgetStage::name));
 }
 
 TEST(UnitBudgetStages, TheFormulaTakesTheSamplesPlace) {

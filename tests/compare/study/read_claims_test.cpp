@@ -45,6 +45,8 @@ TEST(UnitReadClaims, AStudyNamesAStage) {
   EXPECT_THAT(claims_error(R"({"claim": "x", "stage": "mesh", "measure": "m", "of": "broken",
                                "at_most": 1})"),
               HasSubstr("claims[0].stage: beside 'measure'"));
+  EXPECT_THAT(claims_error(R"({"claim": "x", "stage": "mash", "of": "broken", "at_most": 1})"),
+              AllOf(HasSubstr("claims[0].stage"), HasSubstr("mash"), HasSubstr("mesh")));
 }
 
 TEST(UnitReadClaims, AStudySaysThatOneHoldsSomewhere) {
