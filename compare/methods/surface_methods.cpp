@@ -82,8 +82,10 @@ void add_error(const integrators::SurfaceError& error, std::vector<scene::Measur
   };
   add("normal_mean", "Facet normal off, mean", error.normal_mean_degrees, "°");
   add("normal_max", "Facet normal off, largest", error.normal_max_degrees, "°");
-  add("vertex_normal_mean", "Vertex normal off, mean", error.vertex_normal_mean_degrees, "°");
-  add("vertex_normal_max", "Vertex normal off, largest", error.vertex_normal_max_degrees, "°");
+  if (error.vertex_normal_mean_degrees) {
+    add("vertex_normal_mean", "Vertex normal off, mean", *error.vertex_normal_mean_degrees, "°");
+    add("vertex_normal_max", "Vertex normal off, largest", *error.vertex_normal_max_degrees, "°");
+  }
   add("distance_mean", "Distance to the exact surface, mean", error.mean, "world units");
   add("distance_rms", "Distance to the exact surface, rms", error.rms, "world units");
   add("distance_max", "Distance to the exact surface, largest", error.max, "world units");

@@ -47,8 +47,9 @@ void add_error_json(nlohmann::ordered_json& json, const integrators::SurfaceErro
                       {"max", error.max},
                       {"max_from_surface", error.max_from_surface}};
   json["normal_degrees"] = {{"mean", error.normal_mean_degrees}, {"max", error.normal_max_degrees}};
-  json["vertex_normal_degrees"] = {{"mean", error.vertex_normal_mean_degrees},
-                                   {"max", error.vertex_normal_max_degrees}};
+  if (error.vertex_normal_mean_degrees)
+    json["vertex_normal_degrees"] = {{"mean", *error.vertex_normal_mean_degrees},
+                                     {"max", *error.vertex_normal_max_degrees}};
   json["samples"] = error.samples;
 }
 

@@ -15,8 +15,8 @@ struct TimingRule {
   int min = 3, max = 3;
   /// The largest distance from the median to either end of its interval, as a part of the median.
   std::optional<double> relative = std::nullopt;
-  std::optional<double> seconds =
-      std::nullopt;  // all of a cell's times together, but for the first
+  /// The most that all times together may take; the first one is taken in any case.
+  std::optional<double> seconds = std::nullopt;
 };
 
 /// Returns the rule of a fixed number of repeats.

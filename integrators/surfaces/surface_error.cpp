@@ -206,10 +206,14 @@ void measure_normals(const geometry::TriangleMesh& mesh, std::uint64_t samples,
     degrees[i] = surface.normal_deviation(mesh, std::uint32_t(i * vertices / count));
   });
   std::erase(degrees, std::nullopt);
+  if (degrees.empty()) return;
+  double sum = 0, largest = 0;
   for (const std::optional<double>& each : degrees) {
-    error.vertex_normal_mean_degrees += *each / double(degrees.size());
-    error.vertex_normal_max_degrees = std::max(error.vertex_normal_max_degrees, *each);
+    sum += *each;
+    largest = std::max(largest, *each);
   }
+  error.vertex_normal_mean_degrees = sum / double(degrees.size());
+  error.vertex_normal_max_degrees = largest;
 }
 
 /// Points of the surface whatever the mesh is: seeds are the fractions of multiples of 1/φ, which

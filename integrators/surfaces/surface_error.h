@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "integrators/surface_integrator.h"
@@ -13,9 +14,9 @@ struct SurfaceError {
   double mean = 0, rms = 0, max = 0;                       // distance, world units; over the area
   double normal_mean_degrees = 0, normal_max_degrees = 0;  // facet normal against the surface's
   /// The normals of vertices, which light is of, against the surface's at their own (s, t),
-  /// whatever their side: of vertices without, of those on a crease, and where the surface has
-  /// none, nothing.
-  double vertex_normal_mean_degrees = 0, vertex_normal_max_degrees = 0;
+  /// whatever their side. Vertices without one, on a crease, or where the surface has none do not
+  /// count; nothing where that leaves none.
+  std::optional<double> vertex_normal_mean_degrees, vertex_normal_max_degrees;
   /// The other way round: how far points of the surface itself are from the mesh at most, world
   /// units. Large where the mesh stepped over something, or was torn where the surface is not.
   double max_from_surface = 0;
@@ -38,7 +39,7 @@ constexpr std::uint64_t most_error_samples = 100'000'000;
 /// seeds spread over the curve, which know nothing of the mesh's, give the points of
 /// `max_from_surface`, wherever the surface has an area. `integrator` holds the mesh's own
 /// parameters: particles go no farther than its `length`, and in samples the truth is exacter than
-/// its tolerance. The normals are those of `samples` vertices, every so manieth. What the mesh
+/// its tolerance. The normals are those of `samples` vertices, evenly through the mesh. What the mesh
 /// lacks since a budget was used up, as `max-steps`, is missing.
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples = 2000, const Parameters& integrator = {});

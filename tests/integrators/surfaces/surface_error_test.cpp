@@ -75,7 +75,7 @@ TEST(UnitSurfaceError, NormalsOfVerticesAreHeldToTheSurfaceThere) {
   const auto field = fields::make_field("formula:u=0,v=0,w=1");
   const SurfaceRequest request{field.get(), circle_seed({0, 0, 0}, {0, 0, 1}, 2), 3, 0, false, {}};
   auto mesh = integrate_surface("fixed-front:particles=40,rows=3", request).mesh;
-  EXPECT_LE(measure_error(mesh, request, 100).vertex_normal_max_degrees, 1e-5);
+  EXPECT_LE(measure_error(mesh, request, 100).vertex_normal_max_degrees.value(), 1e-5);
   const double turn = 10 * pi / 180;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     const Vec3 n = mesh.normals[i];
@@ -85,10 +85,10 @@ TEST(UnitSurfaceError, NormalsOfVerticesAreHeldToTheSurfaceThere) {
   }
   mesh.normals[5] = Vec3(0);
   const SurfaceError error = measure_error(mesh, request, 100);
-  EXPECT_NEAR(error.vertex_normal_max_degrees, 10, 1e-5);
-  EXPECT_NEAR(error.vertex_normal_mean_degrees, 10, 1e-5);
+  EXPECT_NEAR(error.vertex_normal_max_degrees.value(), 10, 1e-5);
+  EXPECT_NEAR(error.vertex_normal_mean_degrees.value(), 10, 1e-5);
   mesh.normals.clear();
-  EXPECT_EQ(measure_error(mesh, request, 100).vertex_normal_max_degrees, 0);
+  EXPECT_FALSE(measure_error(mesh, request, 100).vertex_normal_max_degrees);
 }
 
 /// Straight stream lines of one length make an exact mesh, and there is no surface beyond.
