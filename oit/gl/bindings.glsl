@@ -66,13 +66,13 @@ const int layer_normals_image = 7;
 // Opacity.
 const int importance_image = 6;
 const int element_opacities_image = 7;
+const int triangle_elements_image = 4;
+const int segment_elements_image = 5;
 
 // Textures: shapes.
 const int points_texture = 0;
 const int point_importances_texture = 1;
 const int element_opacities_texture = 2;
-const int triangle_elements_texture = 3;
-const int segment_elements_texture = 4;
 const int solids_texture = 7;
 const int solid_points_texture = 8;
 const int solid_overlaps_texture = 9;

@@ -25,14 +25,14 @@ int element() {
 #else
 uniform uint others;  // points, or segments, of the other kind that stand before
 #if defined(RIBBON) || defined(TUBE)
-layout(binding = segment_elements_texture) uniform usamplerBuffer elements;
+layout(binding = segment_elements_image, r32ui) readonly uniform uimageBuffer elements;
 const int triangles_of_primitive = 2;  // of a segment; of a tube crossings
 #else
-layout(binding = triangle_elements_texture) uniform usamplerBuffer elements;
+layout(binding = triangle_elements_image, r32ui) readonly uniform uimageBuffer elements;
 const int triangles_of_primitive = 1;
 #endif
 
 int element() {
-  return int(texelFetch(elements, int(others) + primitive_of_kind() / triangles_of_primitive).r);
+  return int(imageLoad(elements, int(others) + primitive_of_kind() / triangles_of_primitive).r);
 }
 #endif

@@ -10,8 +10,8 @@
 namespace pellucid::oit {
 
 Resources ElementTextures::resources() const {
-  return {of_triangle.as_texture(bindings::triangle_elements_texture),
-          of_segment.as_texture(bindings::segment_elements_texture),
+  return {of_triangle.as_image(bindings::triangle_elements_image),
+          of_segment.as_image(bindings::segment_elements_image),
           opacities.as_texture(bindings::element_opacities_texture)};
 }
 
