@@ -66,7 +66,7 @@ const int layer_normals_image = 7;
 // Opacity.
 const int importance_image = 6;
 const int element_opacities_image = 7;
-const int triangle_elements_image = 4;
+const int triangle_elements_image = 4;  // which element a face is a part of
 const int segment_elements_image = 5;
 
 // Textures: shapes.
