@@ -17,7 +17,7 @@
 //   dual peeling       ends        nearest      farthest     locks
 //   driver check       head        stores
 //   trees of layers                                          trees  layers  links       colours     normals
-//   opacity                                                                 importance  elements
+//   opacity                                                         faces   segments    importance  elements
 //
 // A picture's passes are those of one of the first seven families: they never meet each other. Trees of
 // layers meet lists, opacity meets lists and optical depth; trees meet neither locks nor opacity.
