@@ -54,19 +54,19 @@ def triangles_of(thing, scene, folder):
 
 
 def material(bpy, opaque):
-    """Emits what the attribute `color` says, `opacity` of it; the rest comes through."""
+    """Emits what the attribute layer_color says, layer_opacity of it; the rest comes through."""
     made = bpy.data.materials.new("layer")
     made.use_nodes = True
     nodes, links = made.node_tree.nodes, made.node_tree.links
     nodes.clear()
     color, emission, output = nodes.new("ShaderNodeAttribute"), nodes.new("ShaderNodeEmission"), nodes.new("ShaderNodeOutputMaterial")
-    color.attribute_name = "color"
+    color.attribute_name = "layer_color"
     links.new(color.outputs["Vector"], emission.inputs["Color"])
     if opaque:
         links.new(emission.outputs[0], output.inputs["Surface"])
         return made
     opacity, through, mix = nodes.new("ShaderNodeAttribute"), nodes.new("ShaderNodeBsdfTransparent"), nodes.new("ShaderNodeMixShader")
-    opacity.attribute_name = "opacity"
+    opacity.attribute_name = "layer_opacity"
     for start, end in ((opacity.outputs["Fac"], mix.inputs[0]), (through.outputs[0], mix.inputs[1]),
                        (emission.outputs[0], mix.inputs[2]), (mix.outputs[0], output.inputs["Surface"])):
         links.new(start, end)
@@ -76,8 +76,8 @@ def material(bpy, opaque):
 def add_mesh(bpy, positions, triangles, colors, opaque):
     mesh = bpy.data.meshes.new("layer")
     mesh.from_pydata(positions.tolist(), [], triangles.tolist())
-    mesh.attributes.new("color", "FLOAT_VECTOR", "POINT").data.foreach_set("vector", colors[:, :3].astype("f4").ravel())
-    mesh.attributes.new("opacity", "FLOAT", "POINT").data.foreach_set("value", colors[:, 3].astype("f4"))
+    mesh.attributes.new("layer_color", "FLOAT_VECTOR", "POINT").data.foreach_set("vector", colors[:, :3].astype("f4").ravel())
+    mesh.attributes.new("layer_opacity", "FLOAT", "POINT").data.foreach_set("value", colors[:, 3].astype("f4"))
     mesh.materials.append(material(bpy, opaque))
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("layer", mesh))
 
