@@ -39,8 +39,8 @@ constexpr std::uint64_t most_error_samples = 100'000'000;
 /// seeds spread over the curve, which know nothing of the mesh's, give the points of
 /// `max_from_surface`, wherever the surface has an area. `integrator` holds the mesh's own
 /// parameters: particles go no farther than its `length`, and in samples the truth is exacter than
-/// its tolerance. The normals are those of `samples` vertices, evenly through the mesh. What the mesh
-/// lacks since a budget was used up, as `max-steps`, is missing.
+/// its tolerance. The normals are those of `samples` vertices, evenly through the mesh. What the
+/// mesh lacks since a budget was used up, as `max-steps`, is missing.
 SurfaceError measure_error(const geometry::TriangleMesh& mesh, const SurfaceRequest& request,
                            std::uint64_t samples = 2000, const Parameters& integrator = {});
 

@@ -309,8 +309,8 @@ TEST_F(UnitCommandLine, ASceneAfterAnyOtherEqualsItselfAlone) {
 
 /// The reader of the pipe is gone before anything is printed, as `head` may be at any time.
 TEST_F(UnitCommandLine, WhoHasSeenEnoughIsNoFailure) {
-  for (const char* what : {"list methods", "list methods --json", "list studies", "--help",
-                           "study extremes --plan"}) {
+  for (const char* what :
+       {"list methods", "list methods --json", "list studies", "--help", "study extremes --plan"}) {
     const std::string err = (folder_ / "err").string();
     const std::string command = std::string("bash -c '(sleep 0.2; exec ") + PELLUCID_PROGRAM + " " +
                                 what + " 2> " + err + ") | true; exit ${PIPESTATUS[0]}'";
