@@ -114,7 +114,7 @@ int run(int argc, char** argv) {
     return complain(error, input_wrong);
   } catch (const WorkError& error) {
     return complain(error, work_failed);
-  } catch (const std::system_error& error) {  // of what fmt prints, where it is not printed
+  } catch (const std::system_error& error) {  // by fmt: the output takes no more
     return error.code() == std::errc::broken_pipe ? done : complain(error, work_failed);
   } catch (const std::bad_alloc&) {
     std::cerr << "pellucid: out of memory\n";

@@ -48,6 +48,12 @@ Sample sample_of(const geometry::TriangleMesh& mesh, const MeshSample& place, bo
   return sample;
 }
 
+/// The surface's unit normal; 0 where its tangents span no plane.
+Vec3 normal_of(const FlowPoint& here) {
+  if (!Tangents(here).span_a_plane()) return Vec3(0);
+  return direction_of(glm::cross(direction_of(here.w), direction_of(here.v)));
+}
+
 /// The mesh's vertices, which are points of the surface, and whose (s, t) are known.
 class KnownPlaces {
  public:
@@ -141,10 +147,7 @@ Vec3 ExactSurface::normal_at(const Nearest& nearest, const Stretch& stretch) {
     place.s = std::clamp(place.s, stretch.begin + beside, stretch.end - beside);
     here = point(place.s, place.t);
   }
-  const Tangents tangents(here);
-  return tangents.span_a_plane()
-             ? direction_of(glm::cross(direction_of(here.w), direction_of(here.v)))
-             : Vec3(0);
+  return normal_of(here);
 }
 
 /// The places of the vertices on the sample's stretch of the seed curve.
@@ -189,10 +192,9 @@ Deviation ExactSurface::deviation(const Sample& sample, bool thorough) {
 std::optional<double> ExactSurface::normal_deviation(const geometry::TriangleMesh& mesh,
                                                      std::uint32_t vertex) {
   Place place = known_.place(vertex);
-  const FlowPoint here = point(place.s, place.t);
+  const Vec3 exact = normal_of(point(place.s, place.t));
   const Vec3 normal = direction_of(mesh.normals[vertex]);
-  if (here.w == Vec3(0) || normal == Vec3(0) || !Tangents(here).span_a_plane()) return {};
-  const Vec3 exact = direction_of(glm::cross(direction_of(here.w), direction_of(here.v)));
+  if (exact == Vec3(0) || normal == Vec3(0)) return {};
   return degrees_between(glm::dot(exact, normal) < 0 ? -exact : exact, normal);
 }
 

@@ -62,20 +62,20 @@ scene::Scene important_rectangles() {
 // keeps no more of them than it was told.
 TEST(PropertyLists, BandsOfRowsGiveThePictureOfTheWhole) {
   const scene::Scene scene = important_rectangles();
-  for (const char* name : {"linked-list", "decoupled-lists"})
-    for (const char* per : {"element", "fragment"}) {
-      SCOPED_TRACE(std::string(name) + " " + per);
-      RawOptions options;
-      if (name == std::string("decoupled-lists")) options["per"] = per;
-      const scene::Rendering whole = render(method(name), scene, options, true);
-      for (const char* at_once : {"500", "150"}) {
-        options["fragments-per-pass"] = at_once;
-        const scene::Rendering banded = render(method(name), scene, options, true);
-        EXPECT_EQ(banded.image.pixels, whole.image.pixels) << at_once;
-        EXPECT_EQ(banded.stats.fragments, whole.stats.fragments);
-        EXPECT_LT(banded.stats.total_bytes(), whole.stats.total_bytes());
-      }
+  const std::pair<const char*, RawOptions> calls[] = {{"linked-list", {}},
+                                                      {"decoupled-lists", {{"per", "element"}}},
+                                                      {"decoupled-lists", {{"per", "fragment"}}}};
+  for (auto [name, options] : calls) {
+    const scene::Rendering whole = render(method(name), scene, options, true);
+    for (const char* at_once : {"500", "150"}) {
+      SCOPED_TRACE(std::string(name) + " " + at_once);
+      options["fragments-per-pass"] = at_once;
+      const scene::Rendering banded = render(method(name), scene, options, true);
+      EXPECT_EQ(banded.image.pixels, whole.image.pixels);
+      EXPECT_EQ(banded.stats.fragments, whole.stats.fragments);
+      EXPECT_LT(banded.stats.total_bytes(), whole.stats.total_bytes());
     }
+  }
 }
 
 TEST(PropertyLists, BandsTakeDeepPixelsAsTheWholeDoes) {
