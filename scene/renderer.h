@@ -28,6 +28,11 @@ struct FrameMemory;
 struct StepTime {
   std::string name;
   double seconds = 0;  // wall clock, GL work finished
+  /// By the driver's own clock; nothing where it has none, or the step is not OpenGL's.
+  std::optional<double> gl_seconds = std::nullopt;
+
+  /// Adds the times of the same step.
+  StepTime& operator+=(const StepTime& other);
 };
 
 /// A NamedBytes is the size of one thing that a method allocated.
@@ -61,6 +66,9 @@ struct RenderStats {
 
   /// Returns the sum of all steps, in seconds.
   double seconds() const;
+  /// Returns the sum of the steps that are OpenGL's by the driver's own clock, in seconds; nothing
+  /// where there is none.
+  std::optional<double> gl_seconds() const;
   std::uint64_t total_bytes() const;
 };
 
@@ -75,6 +83,9 @@ struct Rendering {
 struct RenderRequest {
   /// Asks for Rendering::layers and for all of the stats that is counted; none of it is timed.
   bool layers = false;
+  /// Says which of its pictures a method of random numbers draws, each by others; those of all
+  /// other methods are the same picture.
+  std::uint32_t draw = 0;
   /// Is told how far the picture is, and may end it by what it throws: a renderer can make another
   /// one after that.
   Progress progress = {};

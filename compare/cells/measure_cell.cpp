@@ -28,6 +28,13 @@ std::vector<std::pair<std::string, Spread>> step_spreads(
   return steps;
 }
 
+std::optional<double> median_by_gl(const std::vector<scene::RenderStats>& runs) {
+  std::vector<double> seconds;
+  for (const scene::RenderStats& run : runs)
+    if (const auto by_gl = run.gl_seconds()) seconds.push_back(*by_gl);
+  return seconds.empty() ? std::nullopt : std::optional(median_of(std::move(seconds)));
+}
+
 void describe(const scene::Renderer& renderer, const scene::Scene& scene, ResultRow& row) {
   row.explanation = renderer.explain();
   row.scene_provenance = scene.provenance;
@@ -70,10 +77,22 @@ void CellMeter::warm_up() {
 }
 
 void CellMeter::time_once() {
-  scene::Rendering rendering = renderer_->render({});
+  const auto draw = std::uint32_t(runs_.size());
+  scene::Rendering rendering = renderer_->render({.draw = draw});
   runs_.push_back(std::move(rendering.stats));
   seconds_.push_back(runs_.back().seconds());
-  result_.image = std::move(rendering.image);
+  if (draw == 0)
+    result_.image = std::move(rendering.image);
+  else if (cell_.call.row->promises.random && draw < judged_draws)
+    result_.draws.push_back(std::move(rendering.image));
+}
+
+const std::vector<Image>& CellMeter::draws() {
+  if (!cell_.call.row->promises.random) return result_.draws;
+  while (result_.draws.size() + 1 < judged_draws)
+    result_.draws.push_back(
+        renderer_->render({.draw = std::uint32_t(result_.draws.size() + 1)}).image);
+  return result_.draws;
 }
 
 CellMeasurement CellMeter::finish(const TimingRule& timing) {
@@ -86,11 +105,13 @@ CellMeasurement CellMeter::finish(const TimingRule& timing) {
     row.seconds.interval.reset();
   }
   row.steps = step_spreads(runs_, timing);
+  row.gl_seconds = median_by_gl(runs_);
   row.bytes = runs_.back().bytes;
   if (timing.relative) row.settled = is_settled(seconds_, timing);
   describe(*renderer_, scene_, row);
   take_findings(renderer_->findings(), result_);
   add_ray_curves(cell_, scene_, *renderer_, result_);
+  draws();
   return std::move(result_);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "compare/results/cell_measurement.h"
 
 namespace pellucid::compare {
+
+/// So many pictures a method of random numbers is judged by: the fewest that have an interval.
+constexpr std::uint32_t judged_draws = 5;
 
 /// A CellMeter measures one cell while others are measured in turn with it. It throws what the
 /// method throws.
@@ -24,8 +28,11 @@ class CellMeter {
   std::span<const double> seconds() const { return seconds_; }
   /// Returns what is known of the row until now: of the first picture.
   const ResultRow& row() const { return result_.row; }
-  /// Returns the picture that was timed last.
+  /// Returns the picture that was timed first.
   const Image& image() const { return result_.image; }
+  /// Returns, of a method of random numbers, further pictures by others, judged_draws with
+  /// image(); none of all other methods. Draws those that were not timed.
+  const std::vector<Image>& draws();
   /// Returns what was measured, after one time at least. Throws WorkError when the picture has
   /// pixels that are not finite.
   CellMeasurement finish(const TimingRule& timing);

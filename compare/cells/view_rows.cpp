@@ -77,6 +77,23 @@ Metrics mean_metrics(const Rows& rows, Metrics Comparison::*which) {
   return means;
 }
 
+/// Ends of an interval are means, as those of times.
+std::map<std::string, Interval> mean_intervals(const Rows& rows) {
+  std::map<std::string, Interval> means;
+  for (const auto& [name, first] : rows.front().metric_intervals) {
+    const auto mean_end = [&](double Interval::*end) {
+      return mean_of(rows, [&](const ResultRow& row) {
+        const auto found = row.metric_intervals.find(name);
+        return found == row.metric_intervals.end() ? std::nullopt
+                                                   : std::optional(found->second.*end);
+      });
+    };
+    const auto low = mean_end(&Interval::low), high = mean_end(&Interval::high);
+    if (low && high) means[name] = {*low, *high};
+  }
+  return means;
+}
+
 using SpreadOf = std::function<const Spread&(const ResultRow&)>;
 
 /// Ends of an interval are means, too, which makes it no narrower than one of 95 %.
@@ -110,6 +127,7 @@ void average_times(const Rows& rows, ResultRow& row) {
           mean_spread(rows, [i](const ResultRow& r) -> const Spread& { return r.steps[i].second; });
   row.setup_seconds = mean_seconds(&ResultRow::setup_seconds);
   row.first_seconds = mean_seconds(&ResultRow::first_seconds);
+  row.gl_seconds = mean_of(rows, [](const ResultRow& r) { return r.gl_seconds; });
   row.repeats = int(mean_count(rows, [](const ResultRow& r) { return r.repeats; }));
   if (row.settled)
     row.settled = std::ranges::all_of(rows, [](const ResultRow& r) { return *r.settled; });
@@ -230,6 +248,7 @@ ResultRow ViewRows::row() const {
   if (rows_.size() == 1) return row;
   row.metrics = {mean_metrics(rows_, &Comparison::linear),
                  mean_metrics(rows_, &Comparison::displayed)};
+  row.metric_intervals = mean_intervals(rows_);
   average_times(rows_, row);
   average_counts(rows_, row);
   average_measures(rows_, row);

@@ -12,10 +12,8 @@
 namespace pellucid::compare {
 namespace {
 
-bool is_time(std::string_view unit) { return unit == "s" || unit == "ms"; }
-
 /// What depends on the machine: how long it takes, and how many threads have memory of their own.
-bool is_cost(std::string_view unit) { return is_time(unit) || unit == "bytes"; }
+bool is_cost(const Column& column) { return is_time(column) || column.unit == "bytes"; }
 
 /// Threads that had no part of a picture have no memory: which ones do differs from run to run, by
 /// some hundred KiB each.
@@ -59,7 +57,7 @@ bool differ(double a, double b, double within) {
 
 bool is_changed(const Column& column, const ResultRow& a, const ResultRow& b) {
   const std::optional<double> of_a = column.value(a), of_b = column.value(b);
-  if (is_time(column.unit)) return of_a && of_b && times_part(column, a, b);
+  if (is_time(column)) return of_a && of_b && times_part(column, a, b);
   if (is_repeated(column)) return false;
   if (of_a.has_value() != of_b.has_value()) return true;
   if (!of_a) return false;
@@ -69,7 +67,7 @@ bool is_changed(const Column& column, const ResultRow& a, const ResultRow& b) {
 
 NumberChange change_of(const Column& column, const ResultRow& a, const ResultRow& b) {
   NumberChange change{heading(column), text_with_interval(column, a), text_with_interval(column, b),
-                      is_cost(column.unit)};
+                      is_cost(column)};
   const std::optional<double> of_a = column.value(a), of_b = column.value(b);
   if (column.better != Better::neither && of_a && of_b)
     change.better = is_better(column, *of_b, *of_a);

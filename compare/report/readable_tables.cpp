@@ -55,6 +55,10 @@ std::string markdown_line(const ResultRow& row) {
   return markdown_cells(cells);
 }
 
+bool has_interval(const Column& column, const ResultRow& one, const ResultRow& other) {
+  return interval_of(column, one) || interval_of(column, other);
+}
+
 /// "Time: a and b are tied", a line for each column whose best is not told from others.
 std::string markdown_ties(std::span<const ResultRow> rows) {
   std::string text;
@@ -66,7 +70,8 @@ std::string markdown_ties(std::span<const ResultRow> rows) {
           column.title);
     std::vector<std::string> tied;
     for (const ResultRow& row : rows)
-      if (best && interval_of(column, *best) && &row != best && is_among_best(column, row, rows))
+      if (best && &row != best && has_interval(column, *best, row) &&
+          is_among_best(column, row, rows))
         tied.push_back(markdown_escaped(row.call()));
     if (!tied.empty())
       text += fmt::format("\n{}: {} is the best, tied with {}: their 95 % intervals overlap.\n",

@@ -17,7 +17,7 @@ const ResultRow* best_row(const Column& column, std::span<const ResultRow> rows)
 
 bool is_undecided(const Column& column, std::span<const ResultRow> rows) {
   const ResultRow* best = best_row(column, rows);
-  if (!best || !column.interval || interval_of(column, *best)) return false;
+  if (!best || !column.interval || place_of(column, *best)) return false;
   return std::ranges::count_if(rows, [&](const ResultRow& row) {
            return !row.reference && row.error.empty() && column.value(row).has_value();
          }) > 1;

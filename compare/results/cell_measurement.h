@@ -13,6 +13,7 @@ struct CellMeasurement {
   ResultRow row;
   Image image;
   CountImage layers;           // empty when the method does not count them
+  std::vector<Image> draws;    // of a method of random numbers: the same by others
   std::vector<Image> further;  // of row.pictures
 };
 

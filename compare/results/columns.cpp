@@ -20,7 +20,13 @@ Column metric_column(std::size_t row) {
           .better = metric.better,
           .style = metric.style,
           .shown = metric.shown,
-          .value = [row](const ResultRow& r) { return r.metrics.linear[row]; }};
+          .value = [row](const ResultRow& r) { return r.metrics.linear[row]; },
+          .interval =
+              [name = std::string(metric.name)](const ResultRow& r) {
+                const auto found = r.metric_intervals.find(name);
+                return found == r.metric_intervals.end() ? std::nullopt
+                                                         : std::optional(found->second);
+              }};
 }
 
 /// The same of what a screen shows.
@@ -30,6 +36,7 @@ Column displayed_column(std::size_t row) {
   column.title += ", 8 bits";
   column.shown = metrics()[row].shown_displayed;
   column.value = [row](const ResultRow& r) { return r.metrics.displayed[row]; };
+  column.interval = nullptr;
   return column;
 }
 
@@ -120,6 +127,10 @@ std::vector<Column> timing_columns() {
        end(&Interval::high)},
       {"first_frame_ms", "First picture", "ms", Better::lower, style, in_csv,
        unless_given(never, [](const ResultRow& r) { return 1e3 * r.first_frame_seconds(); })},
+      {"gl_ms", "Time by OpenGL's clock", "ms", Better::lower, style, in_csv,
+       [](const ResultRow& r) {
+         return r.gl_seconds ? number(1e3 * *r.gl_seconds) : std::nullopt;
+       }},
       {"repeats", "Timed pictures", "1", Better::neither, Style::count, in_csv,
        unless_given(is_timed, [](const ResultRow& r) { return r.repeats; })}};
 }
@@ -160,8 +171,16 @@ std::optional<Interval> interval_of(const Column& column, const ResultRow& row) 
   return column.interval ? column.interval(row) : std::nullopt;
 }
 
+bool is_time(const Column& column) { return column.unit == "s" || column.unit == "ms"; }
+
+std::optional<Interval> place_of(const Column& column, const ResultRow& row) {
+  if (const auto interval = interval_of(column, row); interval || is_time(column)) return interval;
+  const std::optional<double> value = column.value(row);
+  return value ? std::optional(Interval{*value, *value}) : std::nullopt;
+}
+
 bool are_tied(const Column& column, const ResultRow& a, const ResultRow& b) {
-  const std::optional<Interval> of_a = interval_of(column, a), of_b = interval_of(column, b);
+  const std::optional<Interval> of_a = place_of(column, a), of_b = place_of(column, b);
   return of_a && of_b && overlap(*of_a, *of_b);
 }
 

@@ -23,7 +23,8 @@ struct Column {
   Shown shown;
   /// Nothing where a row, which has no error, lacks it.
   std::function<std::optional<double>(const ResultRow&)> value;
-  /// The interval of the value, in its unit; null where the number has none, as errors have.
+  /// The interval of the value, in its unit; nothing where a row has none, as errors of all methods
+  /// but those of random numbers; null where no row has one.
   std::function<std::optional<Interval>(const ResultRow&)> interval = nullptr;
 };
 
@@ -37,13 +38,20 @@ std::optional<double> known_seconds(const ResultRow& row);
 /// Says whether `a` is the better number; false where no way is better.
 bool is_better(const Column& column, double a, double b);
 
+/// Says whether the numbers are times, which are not the same twice.
+bool is_time(const Column& column);
+
 /// Returns the interval of a row's number; nothing where it has none.
 std::optional<Interval> interval_of(const Column& column, const ResultRow& row);
+
+/// Returns where a row's number lies: its interval, or itself where it has none; nothing of a time
+/// without one.
+std::optional<Interval> place_of(const Column& column, const ResultRow& row);
 
 /// Returns the number for people, with its interval where it has one: "12.5 (12.1–13.0)".
 std::string text_with_interval(const Column& column, const ResultRow& row);
 
-/// Says whether the two rows' intervals of the column overlap, so that they are not told apart.
+/// Says whether the places of the two rows' numbers overlap, so that they are not told apart.
 bool are_tied(const Column& column, const ResultRow& a, const ResultRow& b);
 
 /// The title with the unit in which people read the number: "Time [ms]".

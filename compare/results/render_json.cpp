@@ -35,6 +35,7 @@ nlohmann::json render_json(const MethodCall& call, const std::optional<MethodCal
   json["seconds"]["total"] = stats.seconds();
   for (const scene::StepTime& step : stats.steps)
     json["seconds"]["steps"][step.name] = step.seconds;
+  if (const auto by_gl = stats.gl_seconds()) json["seconds"]["gl"] = *by_gl;
   json["bytes"]["total"] = stats.total_bytes();
   for (const scene::NamedBytes& part : stats.bytes) json["bytes"][part.name] = part.bytes;
   json["fragments"] = stats.fragments;

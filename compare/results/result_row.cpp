@@ -43,6 +43,18 @@ Metrics metrics_from(const json& j) {
   return m;
 }
 
+json metric_intervals_json(const ResultRow& row) {
+  json j = json::object();
+  for (const auto& [name, interval] : row.metric_intervals)
+    j[name] = {number_json(interval.low), number_json(interval.high)};
+  return j;
+}
+
+void metric_intervals_from(const json& j, ResultRow& row) {
+  for (const auto& [name, ends] : j.items())
+    row.metric_intervals[name] = {number_of(ends.at(0)).value(), number_of(ends.at(1)).value()};
+}
+
 json spread_json(const Spread& s) {
   json j{{"median", s.median}, {"min", s.min}, {"max", s.max}};
   if (s.interval) j["interval"] = {s.interval->low, s.interval->high};
@@ -78,6 +90,7 @@ json seconds_json(const ResultRow& row) {
   seconds["setup"] = row.setup_seconds;
   seconds["first"] = row.first_seconds;
   seconds["calibrations"] = calibrations_json(row);
+  if (row.gl_seconds) seconds["gl"] = *row.gl_seconds;
   if (row.settled) seconds["settled"] = *row.settled;
   seconds["repeats"] = row.repeats;
   return seconds;
@@ -90,6 +103,7 @@ void seconds_from(const json& j, ResultRow& row) {
   row.first_seconds = j.at("first");
   for (const json& c : j.at("calibrations"))
     row.calibrations.push_back({c.at("at"), c.at("seconds")});
+  if (j.contains("gl")) row.gl_seconds = j["gl"].get<double>();
   if (j.contains("settled")) row.settled = j["settled"].get<bool>();
   row.repeats = j.at("repeats");
 }
@@ -155,6 +169,7 @@ json curves_json(const ResultRow& row) {
 
 void add_results(const ResultRow& row, json& j) {
   j["metrics"] = to_json(row.metrics);
+  if (!row.metric_intervals.empty()) j["metric_intervals"] = metric_intervals_json(row);
   j["seconds"] = seconds_json(row);
   j["bytes"] = bytes_json(row);
   // Of a picture from elsewhere only what its maker told is known.
@@ -176,6 +191,7 @@ void add_results(const ResultRow& row, json& j) {
 
 void results_from(const json& j, ResultRow& row) {
   row.metrics = {metrics_from(j.at("metrics")), metrics_from(j.at("metrics").at("displayed"))};
+  if (j.contains("metric_intervals")) metric_intervals_from(j["metric_intervals"], row);
   seconds_from(j.at("seconds"), row);
   for (const json& part : j.at("bytes").at("parts"))
     row.bytes.push_back({part.at("name"), part.at("bytes")});

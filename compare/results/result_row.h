@@ -54,11 +54,14 @@ struct ResultRow {
   RawOptions parameter_values;                    // defaults included
   int repeats = 0;
   Comparison metrics;
+  /// Of a method of random numbers: where each metric lies by several draws, by its name.
+  std::map<std::string, Interval> metric_intervals;
   Spread seconds;
   std::vector<std::pair<std::string, Spread>> steps;
   double setup_seconds = 0;  // geometry uploaded, hierarchies built
   double first_seconds = 0;  // of the first picture, in which drivers compile what they left open
-  std::optional<bool> settled;  // whether the interval became as narrow as asked, where it was
+  std::optional<double> gl_seconds;  // median, by the driver's own clock, where it has one
+  std::optional<bool> settled;       // whether the interval became as narrow as asked, where it was
   std::vector<Calibration> calibrations;  // of the machine, from before to after the cell
   std::vector<scene::NamedBytes> bytes;
   std::uint64_t fragments = 0;

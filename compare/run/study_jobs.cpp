@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "compare/budget/measure_budget.h"
+#include "compare/cells/draw_intervals.h"
 #include "compare/cells/known_cell.h"
 #include "compare/measures/layers/layer_error.h"
 #include "compare/measures/layers/layer_pictures.h"
@@ -94,6 +95,7 @@ void compare_with_reference(const Job& job, const CellFiles& files, CellMeasurem
   const PairRegions regions = regions_of(measured, at_hand);
   const PicturePair pair(reference, measured.image, regions);
   measured.row.metrics = compare_pair(pair);
+  measured.row.metric_intervals = intervals_over_draws(reference, measured, regions);
   if (job.cell.reference) return;
   write_maps(files, pair);
   if (regions.reference_layers) add_layer_error(reference, *regions.reference_layers, measured);

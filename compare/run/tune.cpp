@@ -90,6 +90,7 @@ class Tuning {
   void enter(std::size_t index);
   void take_reference(Entrant& entrant);
   void draw(Entrant& entrant);
+  void judge_draws(Entrant& entrant);
   void judge(const Image& image, Entrant& entrant);
 
   const TuneRequest& request_;
@@ -227,7 +228,7 @@ void Tuning::draw(Entrant& entrant) {
   entrant.meter = std::make_unique<CellMeter>(cell(entrant.call), scene_, request_.context);
   entrant.meter->time_once();
   entrant.row = entrant.meter->row();
-  judge(entrant.meter->image(), entrant);
+  judge_draws(entrant);
   if (!entrant.within || request_.cost == Cost::bytes) return finish(entrant, fixed_repeats(1));
   // A second one at least, since chance may have delayed the first.
   for (double spent = 0;
@@ -235,6 +236,17 @@ void Tuning::draw(Entrant& entrant) {
     entrant.meter->time_once();
     spent += entrant.meter->seconds().back();
   }
+}
+
+/// A method of random numbers is within the bound by all of several draws, or chance would decide.
+void Tuning::judge_draws(Entrant& entrant) {
+  judge(entrant.meter->image(), entrant);
+  if (!entrant.within) return;
+  for (const Image& draw : entrant.meter->draws()) {
+    judge(draw, entrant);
+    if (!entrant.within) return;
+  }
+  if (!entrant.meter->draws().empty()) judge(entrant.meter->image(), entrant);
 }
 
 /// Compares the entrant's picture with the reference's.

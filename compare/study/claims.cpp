@@ -278,9 +278,8 @@ std::optional<double> ClaimedNumber::of(const ResultRow& row) const {
 }
 
 std::optional<Interval> ClaimedNumber::interval_of(const ResultRow& row) const {
-  if (column && column->interval) return column->interval(row);
-  if (column && (column->unit == "s" || column->unit == "ms")) return std::nullopt;
-  if (!column && stage.empty()) return interval_of_measure(row, measure);
+  if (column) return place_of(*column, row);
+  if (stage.empty()) return interval_of_measure(row, measure);
   const std::optional<double> exact = of(row);
   return exact ? std::optional(Interval{*exact, *exact}) : std::nullopt;
 }

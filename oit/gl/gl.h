@@ -49,7 +49,8 @@
   X(CheckNamedFramebufferStatus, CHECKNAMEDFRAMEBUFFERSTATUS)                                   \
   X(ClearNamedFramebufferfv, CLEARNAMEDFRAMEBUFFERFV)                                           \
   X(CreateQueries, CREATEQUERIES) X(DeleteQueries, DELETEQUERIES) X(BeginQuery, BEGINQUERY)     \
-  X(EndQuery, ENDQUERY) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)
+  X(EndQuery, ENDQUERY) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)                             \
+  X(GetQueryiv, GETQUERYIV) X(QueryCounter, QUERYCOUNTER)
 // clang-format on
 
 namespace pellucid::oit {

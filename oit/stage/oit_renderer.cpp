@@ -104,7 +104,7 @@ class OitRenderer final : public scene::Renderer {
 
 scene::Rendering OitRenderer::render(const scene::RenderRequest& request) {
   stage_.make_current();
-  Frame frame(stage_, picture_, picture_target_, request.progress,
+  Frame frame(stage_, picture_, picture_target_, request,
               scene::pixel_samples(scene_.samples).size());
   scene::Rendering rendering;
   rendering.image = Image(stage_.width(), stage_.height());
@@ -201,14 +201,14 @@ Image Frame::read_picture() const {
 
 void Frame::finish(std::string_view name, const Stopwatch& watch) {
   stage_.gl().Finish();
-  const double seconds = watch.seconds();
+  const scene::StepTime took{std::string(name), watch.seconds(), stage_.clock().seconds()};
   stage_.context().check(name);
   const auto found = std::find_if(stats_.steps.begin(), stats_.steps.end(),
                                   [&](const scene::StepTime& step) { return step.name == name; });
   if (found != stats_.steps.end())
-    found->seconds += seconds;
+    *found += took;
   else
-    stats_.steps.push_back({std::string(name), seconds});
+    stats_.steps.push_back(took);
 }
 
 std::unique_ptr<scene::Renderer> make_oit_renderer(const scene::Scene& scene,

@@ -18,12 +18,16 @@ class Frame {
   /// Starts a picture, of which `picture` is the texture that `target` draws into. Each of a
   /// pixel's `samples` is as much of the work as the others.
   Frame(const Stage& stage, const Texture& picture, const Framebuffer& target,
-        const Progress& progress = {}, std::size_t samples = 1)
+        const scene::RenderRequest& request = {}, std::size_t samples = 1)
       : stage_(stage),
         texture_(picture),
         picture_(target),
-        progress_(progress),
+        progress_(request.progress),
+        draw_(request.draw),
         samples_(samples) {}
+
+  /// Returns which of its pictures a method of random numbers draws (RenderRequest::draw).
+  std::uint32_t draw() const { return draw_; }
 
   /// Returns which of the pixel's samples is being drawn, from 0: a method that draws random
   /// numbers wants others for each.
@@ -36,13 +40,16 @@ class Frame {
   Image read_picture() const;
   scene::RenderStats& stats() { return stats_; }
 
-  /// Runs one step and times it until OpenGL has finished it. Steps of one name are summed. Throws
-  /// WorkError when OpenGL has reported an error, and what the progress throws to end the picture.
+  /// Runs one step and times it until OpenGL has finished it, by OpenGL's own clock, too. Steps of
+  /// one name are summed. Throws WorkError when OpenGL has reported an error, and what the progress
+  /// throws to end the picture.
   template <class Pass>
   void step(std::string_view name, Pass&& pass) {
     report(progress_, double(sample_) / double(samples_), "drawing");
     const Stopwatch watch;
+    stage_.clock().start();
     pass();
+    stage_.clock().stop();
     finish(name, watch);
   }
 
@@ -53,6 +60,7 @@ class Frame {
   const Texture& texture_;
   const Framebuffer& picture_;
   Progress progress_;
+  std::uint32_t draw_;
   std::size_t samples_;
   std::uint32_t sample_ = 0;
   scene::RenderStats stats_;

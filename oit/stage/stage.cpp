@@ -44,6 +44,7 @@ Stage::Stage(const scene::Scene& scene, const scene::RenderContext& context)
     : scene_(scene),
       memory_(context.memory),
       context_(context.gl),
+      clock_(context_.gl()),
       width_(scene.width),
       height_(scene.height),
       background_(scene.background),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "oit/gl/gl_clock.h"
 #include "oit/gl/gl_context.h"
 #include "oit/gl/gl_objects.h"
 #include "oit/gl/pass.h"
@@ -23,6 +24,7 @@ class Stage {
   void make_current() const { context_.make_current(); }
   const GlContext& context() const { return context_; }
   const Gl& gl() const { return context_.gl(); }
+  const GlClock& clock() const { return clock_; }
   const scene::Scene& scene() const { return scene_; }
   /// Returns what is kept along a camera path; null when the picture stands alone.
   scene::FrameMemory* memory() const { return memory_; }
@@ -84,6 +86,7 @@ class Stage {
   const scene::Scene& scene_;
   scene::FrameMemory* memory_;
   GlContext context_;
+  GlClock clock_;
   int width_, height_;
   glm::vec3 background_;
   Geometry geometry_;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <iterator>
 #include <span>
 
 #include "core/error.h"
@@ -58,6 +59,24 @@ class FakeRenderer : public scene::Renderer {
   const scene::Scene& scene_;
   float offset_;
   int times_;
+};
+
+/// What the draws of `drawn` are off by; multiples of 1/8, so that RMSE is exactly that.
+inline constexpr double drawn_offsets[] = {0.375, 0.125, 0.25, 0.625, 0.5};
+
+/// A method of random numbers: each draw is off by another of drawn_offsets.
+class DrawnRenderer final : public scene::Renderer {
+ public:
+  explicit DrawnRenderer(const scene::Scene& scene) : scene_(scene) {}
+
+  scene::Rendering render(const scene::RenderRequest& request) override {
+    const double offset = drawn_offsets[request.draw % std::size(drawn_offsets)];
+    return FakeRenderer(scene_, offset).render(request);
+  }
+  std::vector<std::string> explain() const override { return {"a fake that draws"}; }
+
+ private:
+  const scene::Scene& scene_;
 };
 
 inline constexpr ParameterSpec shifted_parameters[] = {
@@ -125,6 +144,16 @@ inline Made make_not_a_number(const scene::Scene& scene, const Parameters&,
   return std::make_unique<FakeRenderer>(scene, std::nan(""));
 }
 
+inline scene::MethodRow drawn_row() {
+  const auto make = [](const scene::Scene& scene, const Parameters&,
+                       const scene::RenderContext&) -> Made {
+    return std::make_unique<DrawnRenderer>(scene);
+  };
+  scene::MethodRow row = fake_row("drawn", false, make);
+  row.promises.random = true;
+  return row;
+}
+
 inline scene::MethodRow layering_row() {
   scene::MethodRow row = fake_row("layering", false, make_fake<750>);
   row.promises.own_layers = true;
@@ -139,6 +168,7 @@ inline std::span<const scene::MethodRow> fake_methods() {
       fake_row("exact-shifted", true, make_fake<125>),
       fake_row("measuring", false, make_measuring),
       layering_row(),
+      drawn_row(),
       fake_row("filed", false, make_fake<250>, filed_parameters),
       fake_row("broken", false, make_broken),
       fake_row("not-a-number", false, make_not_a_number)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oit/methods/stochastic/stochastic.h"
 
+#include <limits>
+
 #include "oit/gl/bindings.h"
 #include "oit/stage/oit_renderer.h"
 #include "oit_glsl.h"
@@ -13,6 +15,7 @@ class Stochastic final : public OitMethod {
   Stochastic(Stage& stage, const StochasticOptions& options)
       : stage_(stage),
         samples_(options.samples),
+        seed_(std::uint32_t(options.seed)),
         average_(stage.target("sums of colour and opacity", GL_RGBA32F)),
         transmittance_(stage.target("transmittance", GL_R32F)),
         nearest_(stage.target("nearest of a sample", GL_RGBA32F)),
@@ -34,6 +37,7 @@ class Stochastic final : public OitMethod {
       stage_.draw_geometry({average_target_, {Blend::add, Blend::transmit}}, accumulate_);
     });
     frame.step("sample", [&] {
+      sample_.set("seed", seed_ + frame.draw());
       for (int sample = 0; sample < samples_; ++sample)
         draw_sample(std::uint32_t(sample + samples_ * int(frame.sample())));
     });
@@ -60,6 +64,7 @@ class Stochastic final : public OitMethod {
 
   const Stage& stage_;
   int samples_;
+  std::uint32_t seed_;
   Texture average_, transmittance_, nearest_, depth_, sum_;
   Framebuffer average_target_, nearest_target_, sum_target_;
   GeometryProgram accumulate_, sample_;
@@ -74,7 +79,11 @@ const OptionTable<StochasticOptions>& stochastic_options() {
              {.min = 1,
               .max = 4096,
               .unit = "samples",
-              .help = "passes over the scene, one sample each"})};
+              .help = "passes over the scene, one sample each"}),
+      number("seed", &StochasticOptions::seed,
+             {.min = 0,
+              .max = std::numeric_limits<int>::max(),
+              .help = "of the random numbers; a study judges by this one and the next four"})};
   return table;
 }
 

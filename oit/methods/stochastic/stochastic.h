@@ -9,6 +9,7 @@ namespace pellucid::oit {
 /// StochasticOptions are those of the method `stochastic`.
 struct StochasticOptions {
   int samples = 16;  // passes over the scene, 1 to 4096
+  int seed = 0;      // of the random numbers, from 0; a study's further draws are those of the next
 
   bool operator==(const StochasticOptions&) const = default;
 };
@@ -20,9 +21,9 @@ const OptionTable<StochasticOptions>& stochastic_options();
 /// nearest; the mean colour of the samples goes over the exact transmittance of the background.
 ///
 /// What differs from the paper: a sample is a pass of its own at the pixel's centre, not one of a
-/// multisampled target, so that S is free; the random numbers are a hash of pixel, sample and
-/// depth, so that neither a frame nor an order of submission changes them; a pixel that no sample
-/// hits takes the weighted average of its fragments' colours, where the paper has none.
+/// multisampled target, so that S is free; the random numbers are a hash of seed, pixel, sample
+/// and depth, so that neither a frame nor an order of submission changes them; a pixel that no
+/// sample hits takes the weighted average of its fragments' colours, where the paper has none.
 ///
 /// Accuracy: unbiased but for the correction; the standard deviation falls like 1 / sqrt(S). The
 /// background's share is exact, and so is one layer.

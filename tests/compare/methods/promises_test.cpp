@@ -24,6 +24,18 @@ TEST(PropertyPromises, OrderOfPrimitivesChangesNoMoreThanPromised) {
   }
 }
 
+TEST(PropertyPromises, DrawsDifferWhereTheyAreMadeOfRandomNumbersAndNowhereElse) {
+  const scene::Scene scene = triangle_cloud(24, 18, 40, 4);
+  for (const scene::MethodRow& row : methods()) {
+    const auto renderer = row.make(scene, Parameters(row.name, row.parameters, {}), {});
+    const Image first = renderer->render({.draw = 0}).image;
+    EXPECT_EQ(largest_difference(first, renderer->render({.draw = 1}).image) > 0,
+              row.promises.random)
+        << row.name;
+    EXPECT_EQ(largest_difference(first, renderer->render({.draw = 0}).image), 0) << row.name;
+  }
+}
+
 TEST(PropertyPromises, ColoursStayInTheirHull) {
   // Red and green layers over a background of blue 0.9: no method may make blue of them, or white.
   std::vector<Rgba> layers = random_layers(30, 1.0f, 7);

@@ -32,6 +32,7 @@ ResultRow filled_row() {
   row.seconds = {0.0625, 0.03125, 0.09375, Interval{0.046875, 0.078125}};
   row.setup_seconds = 0.015625;
   row.first_seconds = 0.171875;
+  row.gl_seconds = 0.0546875;
   row.settled = true;
   row.calibrations = {{1000, 0.002}, {1001, 0.003}};
   row.repeats = 3;

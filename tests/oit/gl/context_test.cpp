@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "core/error.h"
+#include "core/machine/stopwatch.h"
 #include "oit/gl/driver_check.h"
+#include "oit/gl/gl_clock.h"
 #include "oit/gl/program.h"
 #include "tests/oit/oit_pictures.h"
 
@@ -42,6 +44,25 @@ TEST(UnitContext, ReportsErrorsInTheDriversWords) {
   EXPECT_THAT(message, HasSubstr("0x0500 while testing"));
   EXPECT_THAT(message, HasSubstr("glEnable"));
   EXPECT_NO_THROW(context.check("testing again"));
+}
+
+// A megapixel of floats takes llvmpipe some tenths of a millisecond, and not as long as the wall
+// clock says, which is asked outside.
+TEST(UnitGlClock, TakesTheTimeOfWhatIsBetween) {
+  const GlContext context("osmesa");
+  const GlClock clock(context.gl());
+  const Texture texture(context.gl(), GL_RGBA32F, 1024, 1024);
+  const Framebuffer target(context.gl(), {{texture}});
+  for (int again = 0; again < 2; ++again) {
+    const Stopwatch watch;
+    clock.start();
+    target.clear_all(0.5f);
+    clock.stop();
+    const std::optional<double> seconds = clock.seconds();
+    ASSERT_TRUE(seconds.has_value());
+    EXPECT_GT(*seconds, 1e-6);
+    EXPECT_LT(*seconds, watch.seconds());
+  }
 }
 
 TEST(UnitContext, AShaderThatDoesNotCompileShowsTheLog) {

@@ -70,6 +70,13 @@ TEST(UnitMethods, MultiLayerBlendingMergesTheFarthest) {
   EXPECT_LE(difference({1, 3, 0, 2}, {0, 1, 3, 2}), 1e-6);
 }
 
+double variance(const std::vector<double>& values) {
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value / double(values.size());
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return squares / double(values.size());
+}
+
 // Two layers: the mean over pixels nears the truth like 1 / sqrt(samples * pixels).
 TEST(UnitMethods, StochasticSamplesConverge) {
   const std::vector<Rgba> layers = {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}};
@@ -80,6 +87,41 @@ TEST(UnitMethods, StochasticSamplesConverge) {
   const glm::dvec4 exact = composite(layers, scene.background);
   // The deviation of a sample is 1/2; six of the mean's are 6 * 0.5 / sqrt(65536) = 0.012.
   for (int c = 0; c < 4; ++c) EXPECT_NEAR(mean[c], exact[c], 0.012);
+}
+
+TEST(UnitMethods, ADrawOfStochasticIsThatOfTheNextSeed) {
+  const scene::Scene scene = stack(8, 8, {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}});
+  const auto draw = [&](const char* seed, std::uint32_t number) {
+    const scene::MethodRow& row = method("stochastic");
+    return row.make(scene, Parameters(row.name, row.parameters, {{"seed", seed}}), {})
+        ->render({.draw = number})
+        .image;
+  };
+  EXPECT_EQ(largest_difference(draw("3", 4), draw("7", 0)), 0);
+  EXPECT_GT(largest_difference(draw("3", 4), draw("3", 0)), 0);
+}
+
+// A sample of two layers of α = 1/2 is red, green, or the average where it hits nothing: red's
+// variance is at most 1/4. The mean of k draws of one sample each has a k-th of a draw's, if draws
+// are independent: 16 draws over 1024 pixels, whose own variance varies by √(2/1023) = 4 %, six
+// times.
+TEST(UnitMethods, StochasticDrawsAreIndependent) {
+  const scene::Scene scene = stack(32, 32, {{1, 0, 0, 0.5f}, {0, 1, 0, 0.5f}});
+  const scene::MethodRow& row = method("stochastic");
+  const auto renderer =
+      row.make(scene, Parameters(row.name, row.parameters, {{"samples", "1"}}), {});
+  constexpr std::uint32_t draws = 16;
+  std::vector<double> mean(1024, 0);
+  double of_one = 0;
+  for (std::uint32_t draw = 0; draw < draws; ++draw) {
+    const Image image = renderer->render({.draw = draw}).image;
+    std::vector<double> red;
+    for (const Rgba& pixel : image.pixels) red.push_back(pixel.r);
+    of_one += variance(red) / draws;
+    for (std::size_t i = 0; i < red.size(); ++i) mean[i] += red[i] / draws;
+  }
+  EXPECT_GT(of_one, 0.01);
+  EXPECT_NEAR(variance(mean) / (of_one / draws), 1, 0.25);
 }
 
 }  // namespace
