@@ -18,6 +18,12 @@ std::array<int, 3> block_of(const std::array<int, 3>& cell) {
   return {(cell[0] + 1) / block_side, (cell[1] + 1) / block_side, (cell[2] + 1) / block_side};
 }
 
+/// The bit of a lattice cell among those of its block.
+std::uint64_t bit_of(const std::array<int, 3>& cell) {
+  const auto within = [&](int axis) { return (cell[std::size_t(axis)] + 1) % block_side; };
+  return std::uint64_t(1) << (within(0) + block_side * (within(1) + block_side * within(2)));
+}
+
 /// From where to where the ray is within a box, from t = 0 on.
 std::array<double, 2> within(const Box3& box, const WorldRay& ray) {
   double begin = 0, end = no_bound;
@@ -53,7 +59,7 @@ LevelMarch::LevelMarch(const fields::LevelField& field, double value, const Marc
     blocks_.push_back(std::move(blocks));
   }
   for (const fields::LatticeCell& cell : fields::surface_cells(field, value))
-    blocks_[cell.level].occupied[block_index(cell.level, block_of(cell.low))] = 1;
+    blocks_[cell.level].occupied[block_index(cell.level, block_of(cell.low))] |= bit_of(cell.low);
 }
 
 std::size_t LevelMarch::block_index(std::uint32_t level, const std::array<int, 3>& block) const {
@@ -104,16 +110,36 @@ LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
   Stretch stretch{true, no_bound};
   for (const std::uint32_t level : levels) {
     const fields::ScalarLevel& l = field_.levels()[level];
-    const auto block = block_of(field_.cell_at(level, ray.at(t)).low);
-    if (blocks_[level].occupied[block_index(level, block)]) stretch.empty = false;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (ray.direction[axis] == 0) continue;
-      const int face = (block[axis] + (ray.direction[axis] > 0 ? 1 : 0)) * block_side - 1;
-      const double plane = l.origin[axis] + l.width * face;
-      stretch.end = std::min(stretch.end, (plane - ray.start[axis]) / ray.direction[axis]);
+    const std::array<int, 3> cell = field_.cell_at(level, ray.at(t)).low, block = block_of(cell);
+    const std::uint64_t occupied = blocks_[level].occupied[block_index(level, block)];
+    if (occupied & bit_of(cell)) stretch.empty = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = ray.direction[int(axis)];
+      if (along == 0) continue;
+      const int low = occupied ? cell[axis] : block[axis] * block_side - 1;
+      const int face = low + (along > 0 ? (occupied ? 1 : block_side) : 0);
+      const double plane = l.origin[int(axis)] + l.width * face;
+      stretch.end = std::min(stretch.end, (plane - ray.start[int(axis)]) / along);
     }
   }
   return stretch;
+}
+
+// Samples of an empty stretch lie on one side. So do those of the next one, if it is empty, too,
+// and both are of one level alone: cells that follow each other have a corner in common. Outside of
+// its domain a level's hats may end between two samples.
+double LevelMarch::last_alike(const WorldRay& ray, std::span<const std::uint32_t> levels,
+                              const Samples& samples, double i, Stretch& stretch) const {
+  const auto is_owned = [&](double t) { return field_.domain(levels.front()).contains(ray.at(t)); };
+  double last = std::max(i, samples.before(stretch.end));
+  if (levels.size() > 1 || !is_owned(samples.at(i))) return last;
+  while (stretch.empty) {
+    const double next = samples.at(last + 1);
+    if (next >= samples.end || !is_owned(next)) break;
+    stretch = stretch_at(ray, levels, next);
+    if (stretch.empty) last = std::max(last + 1, samples.before(stretch.end));
+  }
+  return last;
 }
 
 void LevelMarch::visit_crossings(const WorldRay& ray,
@@ -126,6 +152,7 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
   for (const fields::RegionTree::Part& part : parts) {
     const double width = field_.levels()[part.levels.front()].width;
     const double step = width / options_.steps_per_cell / glm::length(ray.direction);
+    const Samples samples{part.begin, step, part.end};
     Sample at{part.begin, height_at(ray.at(part.begin), part.levels)};
     // A reconstruction that jumps crosses on the face; a field that begins inside is a hit to the
     // report.
@@ -136,11 +163,10 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
       last = at;
       if (at.t >= stretch.end) {
         stretch = stretch_at(ray, part.levels, at.t);
-        // To the last sample within empty blocks, whose sign is that of this one.
-        if (stretch.empty)
-          i = std::max(i, std::ceil((std::min(stretch.end, part.end) - part.begin) / step) - 2);
+        // The last sample on this one's side is the next to be taken.
+        if (stretch.empty) i = std::max(i, last_alike(ray, part.levels, samples, i, stretch) - 1);
       }
-      at.t = std::min(part.begin + step * (i + 1), part.end);
+      at.t = samples.at(i + 1);
       at.height = height_at(ray.at(at.t), part.levels);
       if (is_hit(last, at) && !visit(refined(ray, part.levels, last, at))) return;
     }

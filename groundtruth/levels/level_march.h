@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -20,7 +22,7 @@ enum class HitRefinement { linear, bisection, sample };
 struct MarchOptions {
   double steps_per_cell = 8;  // dx / step, of the finest level that takes part; > 0
   HitRefinement refinement = HitRefinement::linear;
-  bool skip_empty = true;  // pass over blocks that the surface does not touch
+  bool skip_empty = true;  // pass over blocks and cells that the surface does not touch
 
   /// A march ends where its ray enters an opaque sphere of the scene grown by this, in world units;
   /// none: it does not.
@@ -40,8 +42,8 @@ struct MarchOptions {
 /// samples of k steps a cell are among those of 2k; where the report counts the first sample
 /// inside as the hit, this one is refined and both ways through the surface count, unless
 /// HitRefinement::sample is chosen. Empty space is
-/// passed over in blocks of 4³ lattice cells without a change of the samples that a march takes
-/// elsewhere: every crossing stays.
+/// passed over, in blocks of 4³ lattice cells and in cells, without a change of the samples that a
+/// march takes elsewhere: every crossing stays.
 class LevelMarch {
  public:
   /// The field has to outlive it.
@@ -64,18 +66,30 @@ class LevelMarch {
   bool is_hit(const Sample& a, const Sample& b) const;
   double refined(const WorldRay& ray, std::span<const std::uint32_t> levels, const Sample& a,
                  const Sample& b) const;
-  /// A Stretch is the part of a ray within the same blocks of all levels that take part.
+  /// A Stretch is the part of a ray within the same empty blocks, or else cells, of all levels that
+  /// take part.
   struct Stretch {
     bool empty;  // of the surface
     double end;  // the ray's parameter
   };
   Stretch stretch_at(const WorldRay& ray, std::span<const std::uint32_t> levels, double t) const;
+  /// Samples lie at begin + i step, and at the end.
+  struct Samples {
+    double begin, step, end;
+    double at(double i) const { return std::min(begin + step * i, end); }
+    /// The last one before t.
+    double before(double t) const { return std::ceil((std::min(t, end) - begin) / step) - 1; }
+  };
+  /// Returns the last sample from the i-th on that is known to lie on its side, where the stretch
+  /// that holds it is empty, and makes `stretch` that of this sample or of the next.
+  double last_alike(const WorldRay& ray, std::span<const std::uint32_t> levels,
+                    const Samples& samples, double i, Stretch& stretch) const;
   std::size_t block_index(std::uint32_t level, const std::array<int, 3>& block) const;
 
   /// Blocks hold a level's blocks of lattice cells, x fastest.
   struct Blocks {
     std::array<int, 3> size{};
-    std::vector<std::uint8_t> occupied;  // the surface may pass through
+    std::vector<std::uint64_t> occupied;  // a bit a cell: the surface may pass through
   };
 
   const fields::LevelField& field_;

@@ -51,7 +51,7 @@ const OptionTable<MarchOptions>& level_march_options() {
           "where between two samples the surface is: on the line through both, by bisection, or, "
           "as in the report, at the first sample inside; ways out do not count then"),
       choice("skip", &MarchOptions::skip_empty, {{"blocks", true}, {"none", false}},
-             "blocks: pass over 4 x 4 x 4 cells without the value; the picture stays the same"),
+             "blocks: pass over blocks and cells without the value; the picture stays the same"),
       written("filter", &MarchOptions::dilate, dilation_text, dilation,
               "none, or dilate:R: rays end at opaque spheres grown by R, even where they miss them",
               "world units")};
@@ -87,7 +87,7 @@ const scene::MethodRow& march_method() {
                    .convex_hull = true,
                    .in_double = true,
                    .edge_shift = 0},
-      .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a byte per 64 cells",
+      .bytes_per_pixel = "0; 32 per crossing of a packet of 8 rays, a bit per cell",
       .sweep = "step=2|8|16",
       .make = make};
   return row;
