@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "compare/report/budget_tables.h"
@@ -155,6 +156,32 @@ std::string markdown_ladders(const Study& study, std::span<const ResultRow> rows
   return text;
 }
 
+/// The exponents by which costs grow, a table for each size.
+std::string markdown_growth(const Study& study, std::span<const ResultRow> rows) {
+  std::string text = study.growth.empty() ? "" : "\n" + markdown_heading("##", "How costs grow");
+  for (const Growth& growth : study.growth) {
+    std::vector<std::string> titles{fmt::format("{}: exponent of", growth.title)};
+    std::map<std::string, std::vector<std::string>> cells;
+    std::vector<std::string> calls;
+    for (std::size_t column = 0; column < growth.by.size(); ++column) {
+      titles.push_back(growth.by[column]->title);
+      for (const GrowthCurve& curve : growth_curves(growth, *growth.by[column], rows)) {
+        std::vector<std::string>& line = cells[curve.call];
+        if (line.empty()) calls.push_back(curve.call);
+        line.resize(growth.by.size(), "–");
+        line[column] = text_of(curve.law);
+      }
+    }
+    text += '\n' + markdown_head(titles, titles.size());
+    for (const std::string& call : calls) {
+      std::vector<std::string> line{call};
+      line.insert(line.end(), cells[call].begin(), cells[call].end());
+      text += markdown_cells(line);
+    }
+  }
+  return text;
+}
+
 /// 1.23e-04 as $1.23\cdot10^{-4}$.
 std::string latex_number(const std::string& text) {
   if (text == "∞") return "$\\infty$";
@@ -246,7 +273,7 @@ std::string markdown_table(const Study& study, std::span<const ResultRow> rows) 
   if (!study.claims.empty()) text += "\n## What the source found\n";
   for (const Claim& claim : study.claims) text += markdown_claim(claim, study, rows);
   return text + markdown_budgets(rows) + markdown_ladders(study, rows) +
-         markdown_costs(study, rows);
+         markdown_growth(study, rows) + markdown_costs(study, rows);
 }
 
 std::string latex_table(const Study& study, std::span<const ResultRow> rows) {

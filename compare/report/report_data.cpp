@@ -10,6 +10,7 @@
 #include "compare/cells/cell.h"
 #include "compare/pictures/error_map.h"
 #include "compare/pictures/image_file.h"
+#include "compare/report/column_json.h"
 #include "compare/report/crop.h"
 #include "compare/report/page_texts.h"
 #include "compare/report/source_json.h"
@@ -28,20 +29,6 @@ using nlohmann::json;
 std::string hex(const Vec3& color) {
   const auto byte = [](double c) { return displayed_byte(float(c)); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
-}
-
-json column_json(const Column& column) {
-  return {{"name", column.name},
-          {"title", column.title},
-          {"heading", heading(column)},
-          {"style", name_of(column.style)},
-          {"unit", unit_for_people(column.style)},
-          {"factor", in_unit_for_people(column.style, 1)},
-          {"better", name_of(column.better)},
-          {"card", column.shown.card},
-          {"sweeps", column.shown.sweeps},
-          {"timed", column.interval != nullptr},
-          {"role", name_of(column.shown.role)}};
 }
 
 json columns_json() {
@@ -206,6 +193,7 @@ json report_data(const fs::path& folder, const Study& study, std::span<const Res
           {"methods", methods_json(study)},
           {"claims", claims_json(study, rows)},
           {"ladders", ladders_json(study, rows)},
+          {"growth", growth_json(study, rows)},
           {"costs", costs_json(study, rows)},
           {"inputs", inputs_json(study)},
           {"error_scale", error_scale_json()}};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compare/report/column_json.h"
+#include "compare/results/number_json.h"
 #include "core/files/files_read.h"
 #include "core/files/output_file.h"
 
@@ -74,6 +76,25 @@ json ladders_json(const Study& study, std::span<const ResultRow> rows) {
   json lines = json::array();
   for (const auto& [call, cells] : table.lines) lines.push_back({{"call", call}, {"cells", cells}});
   return {{"heads", table.heads}, {"lines", lines}};
+}
+
+json growth_json(const Study& study, std::span<const ResultRow> rows) {
+  json plots = json::array();
+  for (const Growth& growth : study.growth)
+    for (const Column* column : growth.by) {
+      json curves = json::array();
+      for (const GrowthCurve& curve : growth_curves(growth, *column, rows)) {
+        json x = json::array(), y = json::array();
+        for (const auto& [size, number] : curve.points) {
+          x.push_back(size);
+          y.push_back(number_json(number));
+        }
+        curves.push_back({{"label", curve.call}, {"x", x}, {"y", y}, {"law", text_of(curve.law)}});
+      }
+      plots.push_back(
+          {{"title", growth.title}, {"column", column_json(*column)}, {"curves", curves}});
+    }
+  return plots;
 }
 
 json costs_json(const Study& study, std::span<const ResultRow> rows) {

@@ -26,6 +26,10 @@ nlohmann::json claims_json(const Study& study, std::span<const ResultRow> rows);
 /// where the study has no ladders.
 nlohmann::json ladders_json(const Study& study, std::span<const ResultRow> rows);
 
+/// Returns what grows with which size: a plot each, with a curve and its power law for each call.
+/// Empty where the study has no growth.
+nlohmann::json growth_json(const Study& study, std::span<const ResultRow> rows);
+
 /// Returns {"tables": […], "ratios": […], "reference": CALL}: times in milliseconds, bytes as they
 /// are; empty lists where the study has no costs of its source.
 nlohmann::json costs_json(const Study& study, std::span<const ResultRow> rows);

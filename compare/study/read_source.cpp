@@ -269,6 +269,34 @@ Ladder read_ladder(const JsonNode& node, const Study& study) {
   return ladder;
 }
 
+Growth read_growth(const JsonNode& node, const Study& study) {
+  node.accept_keys({"title", "by", "scenes"});
+  Growth growth{node["title"].string(), {}, {}};
+  const auto add = [&](const JsonNode& name) {
+    const std::string column = name.string();
+    growth.by.push_back(at_place(name, [&] { return &find_row("column", column, columns()); }));
+  };
+  if (node.has("by")) {
+    for (const JsonNode& name : node["by"].elements()) add(name);
+    if (growth.by.empty()) node["by"].fail("[]; accepted: names of columns, such as \"seconds\"");
+  } else {
+    for (const char* name : {"seconds", "bytes"})
+      growth.by.push_back(&find_row("column", name, columns()));
+  }
+  constexpr double least = 1e-300, most = 1e300;
+  const std::vector<std::string> known = scene_names(study);
+  for (const std::string& scene : node["scenes"].keys()) {
+    const JsonNode size = node["scenes"][scene];
+    if (std::ranges::find(known, scene) == known.end())
+      size.fail(
+          unknown_name("scene", scene, std::vector<std::string_view>(known.begin(), known.end())));
+    growth.scenes.emplace_back(scene, size.number(least, most));
+  }
+  if (growth.scenes.size() < 2)
+    node["scenes"].fail("accepted: two of the study's scenes or more, each with its size");
+  return growth;
+}
+
 PublishedCosts read_published(const JsonNode& node, const Study& study) {
   node.accept_keys({"machine", "steps", "rows"});
   PublishedCosts costs{node["machine"].string(), {}, {}};

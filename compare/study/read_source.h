@@ -18,6 +18,9 @@ Claim read_claim(const JsonNode& node, const Study& study);
 /// as in a claim. Throws InputError for scenes that the study lacks.
 Ladder read_ladder(const JsonNode& node, const Study& study);
 
+/// Reads an element of `growth`: a size, its scenes, and what grows with it.
+Growth read_growth(const JsonNode& node, const Study& study);
+
 /// Reads {"machine": text, "steps": [names], "rows": [{"scene", "method", "ms", "bytes",
 /// "steps"}]}: milliseconds and bytes as the source printed them. Throws InputError for scenes and
 /// calls that the study lacks.

@@ -275,6 +275,11 @@ constexpr StudyKey keys[] = {
        for (const JsonNode& element : value.elements())
          to.study.ladders.push_back(read_ladder(element, to.study));
      }},
+    {"growth",
+     [](const JsonNode& value, Reading& to) {
+       for (const JsonNode& element : value.elements())
+         to.study.growth.push_back(read_growth(element, to.study));
+     }},
     {"published", [](const JsonNode& value,
                      Reading& to) { to.study.published = read_published(value, to.study); }},
     // The last: what other keys say of a scene holds whether or not its data are there.

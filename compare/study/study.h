@@ -14,6 +14,7 @@
 #include "compare/methods/surface_methods.h"
 #include "compare/study/claims.h"
 #include "compare/study/costs.h"
+#include "compare/study/growth.h"
 #include "compare/study/ladders.h"
 #include "compare/study/needs.h"
 #include "compare/study/screen_rule.h"
@@ -77,6 +78,7 @@ struct Study {
   std::map<std::string, Crop> crops;                 // by scene
   std::vector<Claim> claims;                         // of the source
   std::vector<Ladder> ladders;                       // where does each method break?
+  std::vector<Growth> growth;                        // how do its costs grow?
   std::vector<std::string> measures;                 // names of StudyMeasure, for each picture
   std::map<std::string, std::vector<Pixel>> probes;  // by scene: rays to look along
   std::optional<BudgetOptions> budget;               // of each picture's error

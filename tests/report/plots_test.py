@@ -7,7 +7,7 @@ import json
 import unittest
 import xml.dom.minidom
 
-from report_page import ReportPage, By, WebDriverWait
+from report_page import ReportPage, By, WebDriverWait, make_report_of_growth
 
 
 class PlotsTest(ReportPage):
@@ -21,6 +21,19 @@ class PlotsTest(ReportPage):
         buttons = [b.accessible_name for b in self.browser.find_elements(By.CSS_SELECTOR, ".enlarge")]
         self.assertEqual(len(buttons), len(set(buttons)))
         self.assertIn("Enlarge fourier:bands=2", buttons)
+
+    def test_costs_over_sizes_have_exponents(self):
+        self.browser.get(make_report_of_growth(self.many.parent.parent).as_uri())
+        self.draw_all()
+        section = self.browser.find_element(By.ID, "growth")
+        self.assertEqual([h.text.split("\n")[0] for h in section.find_elements(By.CSS_SELECTOR, "h3")], ["Time over pixels", "Memory over pixels"])
+        cells = {r.find_elements(By.TAG_NAME, "td")[0].text: [c.text for c in r.find_elements(By.TAG_NAME, "td")[1:]]
+                 for r in section.find_elements(By.CSS_SELECTOR, "tbody tr")}
+        self.assertEqual(set(cells), {"raytrace", "weighted-average", "linked-list"})
+        # Its targets have a fixed number of bytes a pixel.
+        self.assertEqual(cells["weighted-average"][1], "1.00 (1.00–1.00), last 1.00")
+        for plot in section.find_elements(By.CSS_SELECTOR, ".plot"):
+            self.assertTrue(plot.find_elements(By.CSS_SELECTOR, "svg .mark-line"), plot.text)
 
     def draw_all(self):
         for plot in self.browser.find_elements(By.CSS_SELECTOR, ".plot"):

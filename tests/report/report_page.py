@@ -48,6 +48,20 @@ def make_report(folder, form):
     return folder / form / "report.html"
 
 
+def make_report_of_growth(folder):
+    """A study of it in three sizes of its picture, with how costs grow."""
+    scene = json.loads((folder / "sheets.json").read_text())
+    sizes = {f"side-{side}": side * side for side in (32, 64, 128)}
+    for (name, pixels), side in zip(sizes.items(), (32, 64, 128)):
+        (folder / f"{name}.json").write_text(json.dumps({**scene, "resolution": [side, side]}))
+    (folder / "growth.json").write_text(json.dumps({
+        "format": "pellucid-study", "version": 1, "title": "Growth", "scenes": [f"{name}.json" for name in sizes],
+        "reference": "raytrace", "methods": ["weighted-average", "linked-list"], "repeats": 1,
+        "growth": [{"title": "Pixels", "scenes": sizes}]}))
+    subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "growth.json", "-o", folder / "growth", "--quiet"], check=True)
+    return folder / "growth" / "report.html"
+
+
 def make_report_of_many(folder):
     """A study of one small scene by many methods, among them sweeps of a whole number and of a choice."""
     methods = ["raytrace:precision=double", "weighted-average", "linked-list", "mlab", "moment", {"method": "weighted-blended", "weight": ["7", "8", "9", "10"]},

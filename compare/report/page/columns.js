@@ -22,10 +22,12 @@ const overlap = (a, b) => a[0] <= b[1] && b[0] <= a[1];
 /** Why times without an interval decide nothing. */
 const tooFewTimes = "fewer than five timed pictures";
 
+/** Where a row's number lies: its interval, or itself; undefined for a time without one. */
+const placeOf = (column, row) => intervalOf(column, row) ?? (column.timed ? undefined : [column.value(row), column.value(row)]);
+
 /** Whether two rows' numbers are "apart" or "tied"; "undecided" where one of two times has no interval. */
 function verdictOf(column, a, b) {
-  if (!column.timed) return column.value(a) === column.value(b) ? "tied" : "apart";
-  const one = intervalOf(column, a), other = intervalOf(column, b);
+  const one = placeOf(column, a), other = placeOf(column, b);
   if (!one || !other) return "undecided";
   return overlap(one, other) ? "tied" : "apart";
 }

@@ -75,7 +75,7 @@ function redraw() {
 
 document.getElementById("head").append(...headSection());
 const sections = [
-  claimsSection(data), laddersSection(data), costsSection(data),
+  claimsSection(data), laddersSection(data), growthSection(data), costsSection(data),
   ...data.scenes.map(sceneSection), overviewSection(data.rows, data.scenes), choicesSection(data.rows, data.scenes),
   tableSection(data.rows), provenanceSection(data),
 ].filter(Boolean);

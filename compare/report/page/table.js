@@ -24,7 +24,7 @@ function fragmentsTip({ fragments, stored, dropped, truncated_pixels }) {
 function standingOf(column, row, judged) {
   const [best] = judged;
   if (row !== best) return verdictOf(column, row, best) === "tied" ? "best" : null;
-  return column.timed && judged.length > 1 && !intervalOf(column, best) ? "undecided" : "best";
+  return judged.length > 1 && !placeOf(column, best) ? "undecided" : "best";
 }
 
 /** Of each row its standings by column, the reference left out. */

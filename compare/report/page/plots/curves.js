@@ -19,7 +19,7 @@ const clampedNote = (points) => points.some(({ y }) => y < smallestError) && `Er
 const curvesCsv = (curves, { x_title, y_title }) => [["label", x_title, y_title], ...curves.flatMap(curvePoints).map(({ label, x, y }) => [label, x, y])];
 
 /** Curves `{label, x, y}`; that of the reference, if there is one, is drawn in ink. `all` are those that the file of numbers has, `notes` stand below. */
-function curvesSpec(curves, axes, reference, width, colors, { logarithmic, points, nominal, zero = true, all = curves, notes = [] } = {}) {
+function curvesSpec(curves, axes, reference, width, colors, { logarithmic, logarithmicX, points, nominal, zero = true, all = curves, notes = [] } = {}) {
   const values = curves.flatMap(curvePoints);
   const drawn = logarithmic ? values.map((point) => ({ ...point, y: Math.max(point.y, smallestError) })) : values;
   const labels = curves.map(({ label }) => label);
@@ -33,9 +33,10 @@ function curvesSpec(curves, axes, reference, width, colors, { logarithmic, point
   const axis = { grid: true, tickCount: 5, labelOverlap: true };
   const xs = values.map(({ x }) => x), ys = drawn.map(({ y }) => y);
   const xScale = nominal ? { type: "point", padding: 0.5, domain: [...new Set(xs)] }
+               : logarithmicX ? { type: "log", domain: logarithmicDomain(xs, 0.02) }
                          : { type: "linear", domain: linearDomain(xs, false), zero: false };
   // Between whole numbers, of bands or bins, there is nothing.
-  const xAxis = xs.every(Number.isInteger) ? { ...axis, tickMinStep: 1 } : axis;
+  const xAxis = logarithmicX ? { ...axis, format: "~s" } : xs.every(Number.isInteger) ? { ...axis, tickMinStep: 1 } : axis;
   // Of a linear scale a format would round to what tells its ticks apart: 100 as 1e+2.
   const yAxis = logarithmic ? { ...axis, format: "~g" } : axis;
   const yScale = logarithmic ? { type: "log", domain: logarithmicDomain(ys, 0.05) } : { type: "linear", domain: linearDomain(ys, zero), nice: true, zero };
