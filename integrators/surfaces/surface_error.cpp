@@ -74,15 +74,43 @@ class KnownPlaces {
   NearestVertices tree_;
 };
 
+/// A surface by particles that are sent again from the seed curve to wherever it is asked for.
+class SentSurface {
+ public:
+  SentSurface(const SurfaceRequest& request, SurfaceSetup setup)
+      : request_(request),
+        setup_(std::move(setup)),
+        source_(request, setup_),
+        noise_(std::max(10 * setup_.trajectory.tolerance,
+                        setup_.trajectory.error_floor * setup_.trajectory.duration)) {}
+
+  /// Where the surface ends before t, its last point: t is set back.
+  FlowPoint point(double s, double& t);
+  SmoothPiece piece_of(const Stretch& stretch);
+  /// World units: two trajectories to the same place differ by no more.
+  double noise() const { return noise_; }
+  ParticleSource& source() { return source_; }
+
+ private:
+  const SurfaceRequest& request_;
+  SurfaceSetup setup_;
+  ParticleSource source_;
+  double noise_;
+};
+
+/// Steps of an order of 5 are then some sixteen times as long as those of the exact surface.
+constexpr double quick_tolerance = 1e-7;  // of the extent
+
+SurfaceSetup quick(SurfaceSetup setup) {
+  setup.trajectory.tolerance = std::max(setup.trajectory.tolerance, quick_tolerance * setup.extent);
+  return setup;
+}
+
 class ExactSurface {
  public:
   ExactSurface(const SurfaceRequest& request, const SurfaceSetup& setup,
                const geometry::TriangleMesh& mesh)
-      : request_(request),
-        source_(request, setup),
-        known_(mesh),
-        noise_(std::max(1e-12 * setup.extent,
-                        setup.trajectory.error_floor * setup.trajectory.duration)) {}
+      : request_(request), exact_(request, setup), quick_(request, quick(setup)), known_(mesh) {}
 
   Deviation deviation(const Sample& sample, bool thorough);
   /// Returns by how many degrees a vertex's normal is off; nothing as SurfaceError says.
@@ -94,21 +122,18 @@ class ExactSurface {
  private:
   using Nearest = NearestPlace;
 
-  FlowPoint point(double s, double& t);
-  SmoothPiece piece_of(const Stretch& stretch);
-  std::vector<Place> starts_for(const Sample& sample, const Stretch& stretch,
-                                std::span<const std::uint32_t> vertices) const;
+  std::vector<Place> starts_for(const Sample& sample, const Stretch& stretch) const;
+  std::optional<Nearest> nearest_by_quick(const Nearest& nearest, std::span<const Place> starts,
+                                          const Stretch& stretch, const Vec3& x);
   Nearest nearest_to(const Sample& sample, const Stretch& stretch, bool thorough);
   Vec3 normal_at(const Nearest& nearest, const Stretch& stretch);
 
   const SurfaceRequest& request_;
-  ParticleSource source_;
+  SentSurface exact_, quick_;
   KnownPlaces known_;
-  double noise_;  // world units: two trajectories to the same place differ by no more
 };
 
-/// Where the surface ends before t, its last point: t is set back.
-FlowPoint ExactSurface::point(double s, double& t) {
+FlowPoint SentSurface::point(double s, double& t) {
   Trajectory path = source_.start(s);
   if (!path.exists()) return {request_.seed.point_at(s), Vec3(0), Vec3(0)};
   path.reach(t, source_.sampler());
@@ -119,9 +144,9 @@ FlowPoint ExactSurface::point(double s, double& t) {
 std::vector<Vec3> ExactSurface::points_at(double s) {
   constexpr int times = 16;
   std::vector<Vec3> points;
-  Trajectory path = source_.start(s);
+  Trajectory path = exact_.source().start(s);
   if (!path.exists()) return points;
-  path.reach(request_.duration, source_.sampler());
+  path.reach(request_.duration, exact_.source().sampler());
   for (int i = 0; i <= times; ++i) {
     const FlowPoint here = path.at(path.time() * i / times);
     if (Tangents(here).span_a_plane()) points.push_back(here.x);
@@ -129,7 +154,7 @@ std::vector<Vec3> ExactSurface::points_at(double s) {
   return points;
 }
 
-SmoothPiece ExactSurface::piece_of(const Stretch& stretch) {
+SmoothPiece SentSurface::piece_of(const Stretch& stretch) {
   return {[&](double s, double& t) { return point(s, t); },
           [&](const Tangents& tangents, const Place& from, const Vec3& off) {
             return move_within(tangents, from, stretch, {0, request_.duration}, off);
@@ -145,21 +170,39 @@ Vec3 ExactSurface::normal_at(const Nearest& nearest, const Stretch& stretch) {
   if (here.w == Vec3(0)) {
     Place place = nearest.place;
     place.s = std::clamp(place.s, stretch.begin + beside, stretch.end - beside);
-    here = point(place.s, place.t);
+    here = exact_.point(place.s, place.t);
   }
   return normal_of(here);
 }
 
-/// The places of the vertices on the sample's stretch of the seed curve.
-std::vector<Place> ExactSurface::starts_for(const Sample& sample, const Stretch& stretch,
-                                            std::span<const std::uint32_t> vertices) const {
-  std::vector<Place> starts;
-  for (const std::uint32_t vertex : vertices) {
+/// The places of the facet's corners, and of the vertices around that are on the sample's stretch
+/// of the seed curve.
+std::vector<Place> ExactSurface::starts_for(const Sample& sample, const Stretch& stretch) const {
+  std::vector<Place> starts(sample.corners.begin(), sample.corners.end());
+  for (const std::uint32_t vertex : known_.around(sample.x, most_starts)) {
     Place start = known_.place(vertex);
     if (request_.seed.closed) start.s += std::round(sample.middle() - start.s);
     if (stretch.inside(start.s) == start.s) starts.push_back(start);
   }
   return starts;
+}
+
+/// What is found from `starts` on the quick surface, and then on the exact one from there. Nothing
+/// where the quick surface is no guide: it is off by a part of the distance, or leads to a place
+/// that is not as near on the exact one.
+std::optional<ExactSurface::Nearest> ExactSurface::nearest_by_quick(const Nearest& nearest,
+                                                                    std::span<const Place> starts,
+                                                                    const Stretch& stretch,
+                                                                    const Vec3& x) {
+  constexpr double part = 0.01, as_near = 1.1;
+  if (quick_.noise() > part * nearest.distance) return {};
+  Place place = nearest.place;
+  if (glm::distance(quick_.point(place.s, place.t).x, nearest.here.x) > part * nearest.distance)
+    return {};
+  const Nearest found = nearest_of(quick_.piece_of(stretch), nearest, starts, x);
+  if (found.distance == nearest.distance) return nearest;
+  const Nearest there = nearest_place(exact_.piece_of(stretch), found.place, x);
+  return there.distance <= as_near * found.distance ? std::optional(there) : std::nullopt;
 }
 
 /// Where the sample's own (s, t) leads to no smallest distance, those of its facet's corners do: in
@@ -168,15 +211,15 @@ std::vector<Place> ExactSurface::starts_for(const Sample& sample, const Stretch&
 /// nearest of all is found from vertices that are near in space, whatever their (s, t).
 ExactSurface::Nearest ExactSurface::nearest_to(const Sample& sample, const Stretch& stretch,
                                                bool thorough) {
-  const SmoothPiece piece = piece_of(stretch);
+  const SmoothPiece piece = exact_.piece_of(stretch);
   Nearest nearest = nearest_place(piece, sample.place, sample.x);
   if (!nearest.settled) nearest = nearest_of(piece, nearest, sample.corners, sample.x);
-  if (nearest.distance <= noise_) return nearest;
+  if (nearest.distance <= exact_.noise()) return nearest;
   const double to_next = known_.distance(known_.around(sample.x, 1).front(), sample.x);
   if (!thorough && nearest.distance <= doubtful_distance * to_next) return nearest;
-  nearest = nearest_of(piece, nearest, sample.corners, sample.x);
-  const auto vertices = known_.around(sample.x, most_starts);
-  return nearest_of(piece, nearest, starts_for(sample, stretch, vertices), sample.x);
+  const std::vector<Place> starts = starts_for(sample, stretch);
+  const auto quick = nearest_by_quick(nearest, starts, stretch, sample.x);
+  return quick ? *quick : nearest_of(piece, nearest, starts, sample.x);
 }
 
 /// The surface is that of the facet's side of a crease: beyond, its normal would be another one.
@@ -192,7 +235,7 @@ Deviation ExactSurface::deviation(const Sample& sample, bool thorough) {
 std::optional<double> ExactSurface::normal_deviation(const geometry::TriangleMesh& mesh,
                                                      std::uint32_t vertex) {
   Place place = known_.place(vertex);
-  const Vec3 exact = normal_of(point(place.s, place.t));
+  const Vec3 exact = normal_of(exact_.point(place.s, place.t));
   const Vec3 normal = direction_of(mesh.normals[vertex]);
   if (exact == Vec3(0) || normal == Vec3(0)) return {};
   return degrees_between(glm::dot(exact, normal) < 0 ? -exact : exact, normal);
