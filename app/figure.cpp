@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "compare/figure/plots/write_plot.h"
 #include "compare/figure/write_figure.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
@@ -24,6 +25,8 @@ struct FigureArguments {
   bool table = false;
   std::string width = std::string(compare::figure_widths().front().name);
   compare::FigureRequest request;
+  compare::PlotRequest plot;
+  std::string logarithmic;
   compare::FigureStyle style;
 };
 
@@ -102,15 +105,30 @@ void print_written(const compare::WrittenFigure& figure) {
                  crop.height);
 }
 
+compare::PlotRequest plot_of(const FigureArguments& arguments) {
+  compare::PlotRequest plot = arguments.plot;
+  plot.scenes = all_parts(arguments.request.scenes);
+  plot.methods = arguments.request.methods;
+  plot.logarithmic_x = arguments.logarithmic.find('x') != std::string::npos;
+  plot.logarithmic_y = arguments.logarithmic.find('y') != std::string::npos;
+  return plot;
+}
+
+compare::WrittenFigure write(const FigureArguments& arguments, const compare::FigureStyle& style,
+                             const GlobalOptions& globals) {
+  const compare::FigureRequest request = request_of(arguments);
+  const compare::PastRun run = compare::read_past_run(arguments.results);
+  if (!arguments.plot.kind.empty())
+    return compare::write_plot(arguments.output, run, plot_of(arguments), style);
+  const auto write = arguments.table ? compare::write_figure_table : compare::write_figure;
+  return write(arguments.output, run, request, style, globals.command_line);
+}
+
 void draw_figure(const FigureArguments& arguments, const GlobalOptions& globals) {
   const ProtectedInputs protected_inputs;
   compare::FigureStyle style = arguments.style;
   style.width = compare::width_of_text(arguments.width);
-  const compare::FigureRequest request = request_of(arguments);
-  const compare::PastRun run = compare::read_past_run(arguments.results);
-  const auto write = arguments.table ? compare::write_figure_table : compare::write_figure;
-  const compare::WrittenFigure figure =
-      write(arguments.output, run, request, style, globals.command_line);
+  const compare::WrittenFigure figure = write(arguments, style, globals);
   if (globals.json)
     fmt::print("{}\n", json_text(to_json(figure), 1));
   else if (!globals.quiet)
@@ -152,6 +170,28 @@ void add_content_options(CLI::App& command, FigureArguments& arguments) {
            "Text beside a scene, in the place of its name; once for each scene");
 }
 
+void add_plot_options(CLI::App& command, FigureArguments& arguments) {
+  compare::PlotRequest& plot = arguments.plot;
+  plot.kind.clear();  // pictures
+  const char* const pictures[] = {"--crop", "--numbers", "--table", "--error", "--flip"};
+  CLI::Option* kind = command.add_option(
+      "--plot", plot.kind,
+      "Plot numbers in place of pictures, a panel for each scene: trade-off, sweep:METHOD (over "
+      "the "
+      "parameter in which its calls differ), or curves:NAME (\"layer error\", …); -o FILE.csv has "
+      "the points");
+  for (const char* other : pictures) kind->excludes(other);
+  command.add_option("--x", plot.x, "Cost of a trade-off: a column of results.csv")
+      ->needs(kind)
+      ->capture_default_str();
+  command.add_option("--y", plot.y, "Number of a trade-off or a sweep: a column of results.csv")
+      ->needs(kind)
+      ->capture_default_str();
+  command.add_option("--log", arguments.logarithmic, "Logarithmic axes of sweeps and curves")
+      ->needs(kind)
+      ->check(CLI::IsMember({"x", "y", "xy"}));
+}
+
 void add_style_options(CLI::App& command, FigureArguments& arguments) {
   compare::FigureStyle& style = arguments.style;
   command.add_option("--width", arguments.width, names_of_widths() + "or millimetres")
@@ -171,7 +211,7 @@ void add_style_options(CLI::App& command, FigureArguments& arguments) {
 void add_figure_command(CLI::App& app, GlobalOptions& globals) {
   const auto arguments = std::make_shared<FigureArguments>();
   CLI::App* command = app.add_subcommand(
-      "figure", "Draw a paper's figure of a study's pictures: methods side by side, with insets");
+      "figure", "Draw a paper's figure of a study: pictures side by side, with insets, or a plot");
   command->add_option("RESULTS", arguments->results, "The folder that a study has filled")
       ->required();
   command
@@ -179,6 +219,7 @@ void add_figure_command(CLI::App& app, GlobalOptions& globals) {
                    "FILE.pdf, .svg, .png, or .tex with FILE-pictures.pdf beside it")
       ->required();
   add_content_options(*command, *arguments);
+  add_plot_options(*command, *arguments);
   add_style_options(*command, *arguments);
   command->footer(
       "Examples:\n  pellucid figure results/quickstart -o figure.pdf\n"
@@ -186,7 +227,9 @@ void add_figure_command(CLI::App& app, GlobalOptions& globals) {
       "    --methods linked-list,weighted-average,weighted-blended \\\n"
       "    --methods binning:bins=11,mode=linear,fourier:bands=5 -o figure-7.tex\n"
       "the layout of Fig. 7 of Baeza Rojo et al. 2019, from the study of that name.\n"
-      "  pellucid figure results/blending --table --numbers ssim,rmse,seconds -o table.tex");
+      "  pellucid figure results/blending --table --numbers ssim,rmse,seconds -o table.tex\n"
+      "  pellucid figure results/quickstart --plot trade-off --x bytes --width ieee -o memory.pdf\n"
+      "  pellucid figure results/quickstart --plot \"curves:layer error\" --log xy -o layers.pdf");
   add_global_options(*command, globals);
   command->callback([arguments, &globals] { draw_figure(*arguments, globals); });
 }

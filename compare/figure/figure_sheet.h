@@ -34,6 +34,8 @@ struct SheetLine {
   bool is_closed = false;
   double width = 0;
   Vec3 color{0};
+  bool is_filled = false;  // inside of a closed one, too
+  bool is_dashed = false;
 };
 
 /// A TextRun is a part of a text that is set alike.

@@ -149,6 +149,9 @@ void draw(cairo_t* cairo, const SheetLine& line) {
   if (line.is_closed) cairo_close_path(cairo);
   cairo_set_line_width(cairo, line.width);
   set_color(cairo, line.color);
+  constexpr double dashes[] = {2, 2};  // points
+  cairo_set_dash(cairo, dashes, line.is_dashed ? 2 : 0, 0);
+  if (line.is_filled) cairo_fill_preserve(cairo);
   cairo_stroke(cairo);
 }
 
