@@ -54,7 +54,7 @@ void take_findings(scene::Findings findings, CellMeasurement& result) {
 
 CellMeter::CellMeter(const Cell& cell, const scene::Scene& scene,
                      const scene::RenderContext& context)
-    : cell_(cell), scene_(scene), result_{identity_row(cell), {}, {}, {}} {
+    : cell_(cell), scene_(scene), result_{identity_row(cell), {}, {}, {}, {}} {
   const Stopwatch setup;
   renderer_ = make_renderer(cell.call, scene, context, cell.place);
   result_.row.setup_seconds = setup.seconds();

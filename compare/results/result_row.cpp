@@ -221,6 +221,13 @@ std::uint64_t ResultRow::total_bytes() const {
   return sum;
 }
 
+const ResultRow* row_of_cell(const std::string& scene, const std::string& call,
+                             std::span<const ResultRow> rows) {
+  const auto found = std::ranges::find_if(
+      rows, [&](const ResultRow& row) { return row.scene == scene && row.call() == call; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
 json to_json(const Comparison& comparison) {
   json j = metrics_json(comparison.linear);
   j["displayed"] = metrics_json(comparison.displayed, true);

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,6 +84,10 @@ struct ResultRow {
   /// "fourier:bands=5", as MethodCall::text() of its cell.
   std::string call() const { return parameters.empty() ? method : method + ':' + parameters; }
 };
+
+/// Returns the first row of a scene and call; null where there is none.
+const ResultRow* row_of_cell(const std::string& scene, const std::string& call,
+                             std::span<const ResultRow> rows);
 
 /// Writes all of a row, as results.json and a cell's file have it.
 nlohmann::json to_json(const ResultRow& row);

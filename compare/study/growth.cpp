@@ -60,14 +60,6 @@ Interval interval_of_slope(const Line& line, const Points& points) {
   return {line.slope - half, line.slope + half};
 }
 
-const ResultRow* find(const std::string& scene, const std::string& call,
-                      std::span<const ResultRow> rows) {
-  const auto found = std::ranges::find_if(rows, [&](const ResultRow& row) {
-    return row.scene == scene && row.call() == call && row.error.empty();
-  });
-  return found == rows.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::optional<PowerLaw> power_law(std::span<const std::pair<double, double>> points) {
@@ -90,7 +82,7 @@ std::vector<GrowthCurve> growth_curves(const Growth& growth, const Column& colum
     if (std::ranges::find(curves, call, &GrowthCurve::call) != curves.end()) continue;
     GrowthCurve curve{call, {}, {}};
     for (const auto& [scene, size] : growth.scenes)
-      if (const ResultRow* row = find(scene, call, rows))
+      if (const ResultRow* row = row_of_cell(scene, call, rows); row && row->error.empty())
         if (const auto value = column.value(*row)) curve.points.emplace_back(size, *value);
     if (curve.points.empty()) continue;
     std::ranges::sort(curve.points);

@@ -8,13 +8,6 @@
 namespace pellucid::compare {
 namespace {
 
-const ResultRow* find(const std::string& scene, const std::string& call,
-                      std::span<const ResultRow> rows) {
-  const auto found = std::ranges::find_if(
-      rows, [&](const ResultRow& row) { return row.scene == scene && row.call() == call; });
-  return found == rows.end() ? nullptr : &*found;
-}
-
 /// False of what is not a number, too.
 bool is_within(const Ladder& ladder, double value) {
   return ladder.by.better == Better::lower ? value <= ladder.bound : value >= ladder.bound;
@@ -39,7 +32,7 @@ std::vector<std::string> calls_of(std::span<const ResultRow> rows) {
 BreakPoint break_point(const Ladder& ladder, const std::string& call,
                        std::span<const ResultRow> rows) {
   for (const std::string& scene : ladder.scenes) {
-    const ResultRow* row = find(scene, call, rows);
+    const ResultRow* row = row_of_cell(scene, call, rows);
     if (!row) return {.measured = false};
     if (!row->error.empty()) return {.scene = scene};
     const std::optional<double> value = ladder.by.of(*row);

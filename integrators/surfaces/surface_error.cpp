@@ -98,8 +98,8 @@ class SentSurface {
   double noise_;
 };
 
-/// Steps of an order of 5 are then some sixteen times as long as those of the exact surface.
-constexpr double quick_tolerance = 1e-7;  // of the extent
+/// Steps of an order of 5 are then some 25 times as long as those of the exact surface.
+constexpr double quick_tolerance = 1e-6;  // of the extent
 
 SurfaceSetup quick(SurfaceSetup setup) {
   setup.trajectory.tolerance = std::max(setup.trajectory.tolerance, quick_tolerance * setup.extent);
@@ -123,8 +123,7 @@ class ExactSurface {
   using Nearest = NearestPlace;
 
   std::vector<Place> starts_for(const Sample& sample, const Stretch& stretch) const;
-  std::optional<Nearest> nearest_by_quick(const Nearest& nearest, std::span<const Place> starts,
-                                          const Stretch& stretch, const Vec3& x);
+  std::optional<Nearest> exact_from(const Nearest& found, const Stretch& stretch, const Vec3& x);
   Nearest nearest_to(const Sample& sample, const Stretch& stretch, bool thorough);
   Vec3 normal_at(const Nearest& nearest, const Stretch& stretch);
 
@@ -187,39 +186,43 @@ std::vector<Place> ExactSurface::starts_for(const Sample& sample, const Stretch&
   return starts;
 }
 
-/// What is found from `starts` on the quick surface, and then on the exact one from there. Nothing
-/// where the quick surface is no guide: it is off by a part of the distance, or leads to a place
-/// that is not as near on the exact one.
-std::optional<ExactSurface::Nearest> ExactSurface::nearest_by_quick(const Nearest& nearest,
-                                                                    std::span<const Place> starts,
-                                                                    const Stretch& stretch,
-                                                                    const Vec3& x) {
+/// Where the sample's own (s, t) leads to no smallest distance, those of its facet's corners do: in
+/// a fan about a place of rest what is interpolated between them may be anything.
+NearestPlace nearest_from(const Sample& sample, const SmoothPiece& piece) {
+  const NearestPlace nearest = nearest_place(piece, sample.place, sample.x);
+  return nearest.settled ? nearest : nearest_of(piece, nearest, sample.corners, sample.x);
+}
+
+/// The nearest place of the exact surface around what was found on the quick one. Nothing where the
+/// quick surface is no guide: it is off by a part of the distance, or leads to a place that is not
+/// as near on the exact one.
+std::optional<ExactSurface::Nearest> ExactSurface::exact_from(const Nearest& found,
+                                                              const Stretch& stretch,
+                                                              const Vec3& x) {
   constexpr double part = 0.01, as_near = 1.1;
-  if (quick_.noise() > part * nearest.distance) return {};
-  Place place = nearest.place;
-  if (glm::distance(quick_.point(place.s, place.t).x, nearest.here.x) > part * nearest.distance)
-    return {};
-  const Nearest found = nearest_of(quick_.piece_of(stretch), nearest, starts, x);
-  if (found.distance == nearest.distance) return nearest;
+  if (quick_.noise() > part * found.distance) return {};
   const Nearest there = nearest_place(exact_.piece_of(stretch), found.place, x);
   return there.distance <= as_near * found.distance ? std::optional(there) : std::nullopt;
 }
 
-/// Where the sample's own (s, t) leads to no smallest distance, those of its facet's corners do: in
-/// a fan about a place of rest what is interpolated between them may be anything. And what is found
-/// may be the smallest distance around alone: where a surface is sheared, or lies over itself, the
-/// nearest of all is found from vertices that are near in space, whatever their (s, t).
+/// What is found may be the smallest distance around alone: where a surface is sheared, or lies
+/// over itself, the nearest of all is found from vertices that are near in space, whatever their
+/// (s, t). Far from the surface the quick one is searched, and the exact one around what that
+/// finds.
 ExactSurface::Nearest ExactSurface::nearest_to(const Sample& sample, const Stretch& stretch,
                                                bool thorough) {
-  const SmoothPiece piece = exact_.piece_of(stretch);
-  Nearest nearest = nearest_place(piece, sample.place, sample.x);
-  if (!nearest.settled) nearest = nearest_of(piece, nearest, sample.corners, sample.x);
+  const SmoothPiece exact = exact_.piece_of(stretch), quick = quick_.piece_of(stretch);
+  const auto by_quick = exact_from(nearest_from(sample, quick), stretch, sample.x);
+  const Nearest nearest = by_quick ? *by_quick : nearest_from(sample, exact);
   if (nearest.distance <= exact_.noise()) return nearest;
   const double to_next = known_.distance(known_.around(sample.x, 1).front(), sample.x);
   if (!thorough && nearest.distance <= doubtful_distance * to_next) return nearest;
   const std::vector<Place> starts = starts_for(sample, stretch);
-  const auto quick = nearest_by_quick(nearest, starts, stretch, sample.x);
-  return quick ? *quick : nearest_of(piece, nearest, starts, sample.x);
+  if (!by_quick) return nearest_of(exact, nearest, starts, sample.x);
+  const Nearest found = nearest_of(quick, nearest, starts, sample.x);
+  if (found.distance == nearest.distance) return nearest;
+  const auto there = exact_from(found, stretch, sample.x);
+  return there ? *there : nearest_of(exact, nearest, starts, sample.x);
 }
 
 /// The surface is that of the facet's side of a crease: beyond, its normal would be another one.

@@ -17,8 +17,8 @@ struct PlotRequest {
   /// "curves:NAME": curves of results.json, "layer error".
   std::string kind = "trade-off";
   std::string x = "seconds", y = "rmse";  // columns or measures
-  std::vector<std::string> scenes;        // a panel each; empty: all
-  std::vector<std::string> methods;       // as FigureRequest's; empty: all that did not fail
+  std::vector<std::string> scenes = {};   // a panel each; empty: all
+  std::vector<std::string> methods = {};  // as FigureRequest's; empty: all that did not fail
   bool logarithmic_x = false, logarithmic_y = false;  // a trade-off is so in any case
 };
 

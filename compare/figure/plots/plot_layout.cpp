@@ -110,9 +110,11 @@ class PlotLayout {
   }
   double widest_tick() const {
     double widest = 0;
-    for (const PlotPanel& panel : plot_.panels)
-      for (const PlotTick& tick : y_scale(panel).ticks())
+    for (const PlotPanel& panel : plot_.panels) {
+      const PlotScale scale = y_scale(panel);
+      for (const PlotTick& tick : scale.ticks())
         widest = std::max(widest, ruler_(tick.label, small()));
+    }
     return widest;
   }
 

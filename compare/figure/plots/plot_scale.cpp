@@ -64,7 +64,7 @@ void PlotScale::choose_domain(std::vector<double> numbers) {
     const auto is_low = [this](double number) { return number <= axis_.least; };
     if (std::erase_if(numbers, is_low) > 0) rail_ = rail_length;
   }
-  if (numbers.empty()) numbers = {measure(1)};
+  if (numbers.empty()) numbers = {1};
   const auto [least, most] = std::ranges::minmax(numbers);
   low_ = measure(least);
   high_ = measure(most);

@@ -85,8 +85,8 @@ TEST(UnitDraws, WhereDrawsLieOnBothSidesOfAnotherTheTwoAreTied) {
 TEST(UnitDraws, ATableHasTheirInterval) {
   const Column& rmse = find_row("column", "rmse", columns());
   EXPECT_EQ(text_with_interval(rmse, row_at("noisy", 0.3, Interval{0.2, 0.4})),
-            "3.000e-01 (2.000e-01–4.000e-01)");
-  EXPECT_EQ(text_with_interval(rmse, row_at("other", 0.3)), "3.000e-01");
+            "3.00e-01 (2.00e-01–4.00e-01)");
+  EXPECT_EQ(text_with_interval(rmse, row_at("other", 0.3)), "3.00e-01");
 }
 
 class UnitTuneOfDraws : public ::testing::Test {

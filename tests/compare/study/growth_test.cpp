@@ -19,7 +19,7 @@ using Points = std::vector<std::pair<double, double>>;
 
 const Column& seconds() { return find_row("column", "seconds", columns()); }
 
-ResultRow row(const char* scene, const char* method, double taken) {
+ResultRow timed_row(const char* scene, const char* method, double taken) {
   ResultRow row;
   row.scene = scene;
   row.method = method;
@@ -64,8 +64,9 @@ TEST(UnitGrowth, WhatHasNoLogarithmIsNoPoint) {
 
 TEST(UnitGrowth, EachCallHasACurveOfWhatIsKnown) {
   const Growth growth{"Points", {&seconds()}, {{"large", 100}, {"small", 10}, {"gone", 1000}}};
-  std::vector<ResultRow> rows{row("small", "a", 2), row("small", "b", 1), row("large", "a", 20),
-                              row("other", "a", 5), row("large", "b", 1)};
+  std::vector<ResultRow> rows{timed_row("small", "a", 2), timed_row("small", "b", 1),
+                              timed_row("large", "a", 20), timed_row("other", "a", 5),
+                              timed_row("large", "b", 1)};
   rows.back().error = "lost";
   const std::vector<GrowthCurve> curves = growth_curves(growth, seconds(), rows);
   ASSERT_EQ(curves.size(), 2u);
@@ -76,17 +77,17 @@ TEST(UnitGrowth, EachCallHasACurveOfWhatIsKnown) {
   EXPECT_FALSE(curves[1].law);
 }
 
-Study study_with(const std::string& growth) {
+Study study_of_growth(const std::string& growth) {
   const StudyFolder folder;
   return load_study(folder.study(R"(["shifted:by=0.5"])", R"("growth": [)" + growth + "]"),
                     fake_methods());
 }
 
 TEST(UnitGrowth, IsReadFromTheStudyAndPrinted) {
-  const Study study = study_with(R"({"title": "Pixels", "scenes": {"one": 384, "two": 520}})");
+  const Study study = study_of_growth(R"({"title": "Pixels", "scenes": {"one": 384, "two": 520}})");
   ASSERT_EQ(study.growth.size(), 1u);
   EXPECT_EQ(study.growth[0].by.size(), 2u);  // time and memory
-  const std::vector<ResultRow> rows{row("one", "a", 384e-6), row("two", "a", 520e-6)};
+  const std::vector<ResultRow> rows{timed_row("one", "a", 384e-6), timed_row("two", "a", 520e-6)};
   const std::string table = markdown_table(study, rows);
   EXPECT_THAT(table, HasSubstr("How costs grow"));
   EXPECT_THAT(table, HasSubstr("| Pixels: exponent of | Time | Memory |"));

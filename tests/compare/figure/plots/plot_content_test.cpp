@@ -17,17 +17,17 @@ using ::testing::ThrowsMessage;
 
 /// A row of an error, and of a time in milliseconds.
 ResultRow timed(const char* scene, const char* method, double rmse, double ms) {
-  ResultRow row = testing::row(scene, method, rmse);
-  row.seconds.median = ms / 1e3;
-  row.steps = {{"all", row.seconds}};
-  return row;
+  ResultRow made = row(scene, method, rmse);
+  made.seconds.median = ms / 1e3;
+  made.steps = {{"all", made.seconds}};
+  return made;
 }
 
 ResultRow swept(const char* bands, double rmse) {
-  ResultRow row = timed("a", "fourier", rmse, 10);
-  row.parameters = std::string("bands=") + bands;
-  row.parameter_values = {{"bands", bands}, {"precision", "32"}};
-  return row;
+  ResultRow made = timed("a", "fourier", rmse, 10);
+  made.parameters = std::string("bands=") + bands;
+  made.parameter_values = {{"bands", bands}, {"precision", "32"}};
+  return made;
 }
 
 class UnitPlotContent : public ::testing::Test {

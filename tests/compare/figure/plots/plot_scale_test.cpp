@@ -64,9 +64,10 @@ TEST(UnitPlotScale, EqualNumbersHaveAnAxisAroundThem) {
 }
 
 TEST(UnitPlotScale, NothingFiniteHasTicksAllTheSame) {
-  for (const bool is_log : {false, true})
-    for (const PlotTick& tick : PlotScale({NAN, INFINITY}, {"", is_log}, 100).ticks())
-      EXPECT_TRUE(std::isfinite(tick.at));
+  for (const bool is_log : {false, true}) {
+    const PlotScale scale({NAN, INFINITY}, {"", is_log}, 100);
+    for (const PlotTick& tick : scale.ticks()) EXPECT_TRUE(std::isfinite(tick.at));
+  }
 }
 
 TEST(PropertyPlotScale, TicksLieOnTheAxisAndAscend) {
