@@ -36,6 +36,10 @@ class BoxPolynomial {
   friend BoxPolynomial operator/(const BoxPolynomial& p, double q) {
     return p * BoxPolynomial(1 / q);
   }
+  friend BoxPolynomial lattice_coordinate(const BoxPolynomial& x, double origin, double width,
+                                          int low) {
+    return on_lattice((x - origin) / width - double(low));
+  }
 
  private:
   using Degrees = std::array<int, 3>;

@@ -108,6 +108,24 @@ std::size_t LevelField::cells_at(const Vec3& x, Cells& cells) const {
   return owned ? count : 0;
 }
 
+unsigned LevelField::seen_corners(const LatticeCell& cell) const {
+  const std::array<int, 3>& size = levels_[cell.level].size;
+  bool inside = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    inside &= cell.low[axis] >= 0 && cell.low[axis] + 1 < size[axis];
+  if (inside && cell.level == 0) return all_corners;
+  unsigned seen = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const std::array<int, 3> at{cell.low[0] + int(i & 1), cell.low[1] + int(i >> 1 & 1),
+                                cell.low[2] + int(i >> 2)};
+    bool is_sample = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      is_sample &= at[axis] >= 0 && at[axis] < size[axis];
+    if (is_sample && !covered(cell.level, at)) seen |= 1u << i;
+  }
+  return seen;
+}
+
 bool LevelField::covered(std::uint32_t level, const std::array<int, 3>& sample) const {
   const Vec3 x = levels_[level].world(Vec3(sample[0], sample[1], sample[2]));
   for (std::uint32_t finer = 0; finer < level; ++finer)

@@ -111,19 +111,14 @@ class LevelField {
   bool hat() const { return row_->kind == Reconstruction::hat; }
   /// Says whether cells of a finer level lie over the sample.
   bool covered(std::uint32_t level, const std::array<int, 3>& sample) const;
-  /// Says whether all corners of a cell are samples of the finest level, which nothing covers:
-  /// their hats add up to 1.
-  bool is_whole(const LatticeCell& cell) const {
-    bool inside = cell.level == 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      inside &= cell.low[axis] >= 0 && cell.low[axis] + 1 < levels_.front().size[axis];
-    return inside;
-  }
+  /// Returns the bits of those corners of a cell that are samples which nothing finer covers.
+  unsigned seen_corners(const LatticeCell& cell) const;
+  static constexpr unsigned all_corners = 255;
+  /// Returns the samples at a cell's corners, less `kept`, as trilinear_form() takes them.
+  std::array<double, 8> corners(const LatticeCell& cell, double kept) const;
   template <class T>
   void add_hats(const LatticeCell& cell, const std::array<T, 3>& s, double kept,
                 LevelSum<T>& out) const;
-  template <class T>
-  T trilinear(const LatticeCell& cell, const std::array<T, 3>& s, double kept) const;
 
   std::vector<ScalarLevel> levels_;
   const ReconstructionRow* row_;

@@ -102,18 +102,40 @@ RayPolynomial RayPolynomial::elevated(int degree) const {
 }
 
 RayPolynomial operator+(const RayPolynomial& p, const RayPolynomial& q) {
-  const int degree = std::max(p.degree_, q.degree_);
-  RayPolynomial out = p.elevated(degree);
-  const RayPolynomial other = q.elevated(degree);
-  for (std::size_t i = 0; i <= std::size_t(degree); ++i) out.c_[i] += other.c_[i];
+  if (p.degree_ < q.degree_) return q + p.elevated(q.degree_);
+  if (q.degree_ < p.degree_) return p + q.elevated(p.degree_);
+  RayPolynomial out = p;
+  for (std::size_t i = 0; i <= std::size_t(p.degree_); ++i) out.c_[i] += q.c_[i];
   return out;
 }
 
-RayPolynomial operator*(const RayPolynomial& p, const RayPolynomial& q) {
+RayPolynomial RayPolynomial::times(const RayPolynomial& q) const {
   RayPolynomial out;
-  out.degree_ = p.degree_ + q.degree_;
-  for (std::size_t i = 0; i <= std::size_t(p.degree_); ++i)
-    for (std::size_t j = 0; j <= std::size_t(q.degree_); ++j) out.c_[i + j] += p.c_[i] * q.c_[j];
+  out.degree_ = degree_ + q.degree_;
+  for (std::size_t i = 0; i <= std::size_t(degree_); ++i)
+    for (std::size_t j = 0; j <= std::size_t(q.degree_); ++j) out.c_[i + j] += c_[i] * q.c_[j];
+  return out;
+}
+
+RayPolynomial trilinear_form(const std::array<RayPolynomial, 3>& s,
+                             const std::array<double, 8>& f) {
+  const auto between = [](double a, double b, double at) { return (1 - at) * a + at * b; };
+  // By how many coordinates are at their ends.
+  std::array<double, 4> sums{};
+  for (const std::size_t i : {0u, 1u}) {
+    const double x = i == 0 ? s[0].begin() : s[0].end();
+    const double edges[] = {between(f[0], f[1], x), between(f[2], f[3], x), between(f[4], f[5], x),
+                            between(f[6], f[7], x)};
+    for (const std::size_t j : {0u, 1u}) {
+      const double y = j == 0 ? s[1].begin() : s[1].end();
+      const double low = between(edges[0], edges[1], y), high = between(edges[2], edges[3], y);
+      sums[i + j] += between(low, high, s[2].begin());
+      sums[i + j + 1] += between(low, high, s[2].end());
+    }
+  }
+  RayPolynomial out;
+  out.degree_ = 3;
+  std::ranges::copy(sums, out.c_.begin());
   return out;
 }
 

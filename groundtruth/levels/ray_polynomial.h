@@ -42,16 +42,36 @@ class RayPolynomial {
   std::array<RayPolynomial, 2> split() const;
 
   friend RayPolynomial operator+(const RayPolynomial& p, const RayPolynomial& q);
-  friend RayPolynomial operator*(const RayPolynomial& p, const RayPolynomial& q);
+  friend RayPolynomial operator*(const RayPolynomial& p, const RayPolynomial& q) {
+    if (q.degree_ == 0) return p.times(q.c_[0]);
+    if (p.degree_ == 0) return q.times(p.c_[0]);
+    return p.times(q);
+  }
   friend RayPolynomial operator-(const RayPolynomial& p, const RayPolynomial& q) {
     return p + RayPolynomial(-1.0) * q;
   }
   friend RayPolynomial operator/(const RayPolynomial& p, double q) {
     return p * RayPolynomial(1 / q);
   }
+  /// Returns (x - origin) / width - low of a line, at its ends as that of a point there.
+  friend RayPolynomial lattice_coordinate(const RayPolynomial& x, double origin, double width,
+                                          int low) {
+    return {(x.begin() - origin) / width - low, (x.end() - origin) / width - low};
+  }
+  /// Returns fields::trilinear_form() of lines. The form is linear in each coordinate, so that its
+  /// coefficients are sums of its values with some coordinates at the lines' begins and the others
+  /// at their ends: the i-th of those with i at their ends.
+  friend RayPolynomial trilinear_form(const std::array<RayPolynomial, 3>& s,
+                                      const std::array<double, 8>& f);
 
  private:
   RayPolynomial elevated(int degree) const;
+  RayPolynomial times(const RayPolynomial& q) const;
+  RayPolynomial times(double factor) const {
+    RayPolynomial out = *this;
+    for (std::size_t i = 0; i <= std::size_t(degree_); ++i) out.c_[i] *= factor;
+    return out;
+  }
 
   int degree_ = 0;
   std::array<double, most_degree + 1> c_{};

@@ -212,6 +212,42 @@ TEST(UnitLevelField, TheHatBasisErrsByTheKnownFractionAtAJump) {
   EXPECT_NEAR(field.value(Vec3(2, 4, 4)).value(), 1.875, 1e-15);
 }
 
+/// Σ h f / Σ h over all samples that no finer level covers, each with a hat as wide as its cells:
+/// Li, Chen 2023, Eqs. 2 and 3, sample by sample.
+std::optional<double> by_hats_of_all(const std::vector<ScalarLevel>& finest_first, const Vec3& x) {
+  double sum = 0, weight = 0;
+  const auto is_covered = [&](std::size_t level, const Vec3& sample) {
+    return std::any_of(finest_first.begin(), finest_first.begin() + std::ptrdiff_t(level),
+                       [&](const ScalarLevel& finer) { return finer.box(0.5).contains(sample); });
+  };
+  for (std::size_t l = 0; l < finest_first.size(); ++l) {
+    const ScalarLevel& level = finest_first[l];
+    for (int k = 0; k < level.size[2]; ++k)
+      for (int j = 0; j < level.size[1]; ++j)
+        for (int i = 0; i < level.size[0]; ++i) {
+          const Vec3 sample = level.world(Vec3(i, j, k));
+          const Vec3 h = glm::max(Vec3(0), 1.0 - glm::abs(x - sample) / level.width);
+          if (is_covered(l, sample)) continue;
+          weight += h.x * h.y * h.z;
+          sum += h.x * h.y * h.z * level.at(i, j, k);
+        }
+  }
+  return weight > 0 ? std::optional(sum / weight) : std::nullopt;
+}
+
+TEST(PropertyLevelField, TheHatBasisIsThatOfAllUncoveredSamples) {
+  auto levels = nested([](const Vec3& x) { return std::sin(3 * x.x + x.y * x.z); });
+  const LevelField field(levels, find_reconstruction("hat"));
+  std::swap(levels[0], levels[1]);  // the finest first
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> anywhere(0.01, 7.99);
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3 x(anywhere(random), anywhere(random), anywhere(random));
+    // Of samples up to 1, some 16 of which have a weight.
+    EXPECT_NEAR(field.value(x).value(), by_hats_of_all(levels, x).value(), 1e-14) << n;
+  }
+}
+
 TEST(UnitLevelField, BadLevelsAreRefused) {
   const auto& blend = find_reconstruction("blend");
   const auto zero = [](const Vec3&) { return 0.0; };
