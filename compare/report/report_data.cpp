@@ -15,6 +15,7 @@
 #include "compare/report/page_texts.h"
 #include "compare/report/source_json.h"
 #include "compare/report/url_text.h"
+#include "compare/report/view_pictures.h"
 #include "compare/results/columns.h"
 #include "compare/results/number_json.h"
 #include "compare/results/provenance.h"
@@ -181,7 +182,12 @@ json error_scale_json() {
 json report_data(const fs::path& folder, const Study& study, std::span<const ResultRow> rows,
                  std::span<const ReportCell> cells, bool in_folder) {
   json list = json::array(), scenes = json::array();
-  for (const ReportCell& cell : cells) list.push_back(row_json(cell, folder, in_folder));
+  const bool has_views = in_folder || count_view_pictures(cells) <= most_view_pictures;
+  for (const ReportCell& cell : cells) {
+    list.push_back(row_json(cell, folder, in_folder));
+    if (has_views && cell.is_done())
+      list.back()["view_pictures"] = view_pictures(cell, folder, in_folder);
+  }
   for (const std::vector<std::size_t>& scene : done_scenes(cells))
     scenes.push_back(scene_json(study, cells, scene));
   return {{"study", study_json(study)},

@@ -7,7 +7,7 @@ import json
 import unittest
 import xml.dom.minidom
 
-from report_page import ReportPage, By, WebDriverWait, make_report_of_growth
+from report_page import ReportPage, By, WebDriverWait
 
 
 class PlotsTest(ReportPage):
@@ -23,7 +23,7 @@ class PlotsTest(ReportPage):
         self.assertIn("Enlarge fourier:bands=2", buttons)
 
     def test_costs_over_sizes_have_exponents(self):
-        self.browser.get(make_report_of_growth(self.many.parent.parent).as_uri())
+        self.browser.get(self.growth.as_uri())
         self.draw_all()
         section = self.browser.find_element(By.ID, "growth")
         self.assertEqual([h.text.split("\n")[0] for h in section.find_elements(By.CSS_SELECTOR, "h3")], ["Time over pixels", "Memory over pixels"])

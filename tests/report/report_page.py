@@ -87,10 +87,10 @@ def make_report_of_given(folder):
 
 
 def make_report_of_views(folder):
-    """A study of one method from two sides."""
+    """A study of two methods, one of them exact, from three sides."""
     (folder / "views.json").write_text(json.dumps({
         "format": "pellucid-study", "version": 1, "title": "Views", "scenes": ["sheets.json"],
-        "reference": "raytrace", "methods": ["weighted-average"], "views": 2, "repeats": 1}))
+        "reference": "raytrace", "methods": ["weighted-average", "linked-list"], "views": 3, "repeats": 1}))
     subprocess.run([os.environ["PELLUCID_PROGRAM"], "study", folder / "views.json", "-o", folder / "views", "--quiet"], check=True)
     return folder / "views" / "report.html"
 
@@ -133,6 +133,10 @@ class ReportPage(unittest.TestCase):
     @property
     def many(self):
         return self.report("many", make_report_of_many)
+
+    @property
+    def growth(self):
+        return self.report("growth", make_report_of_growth)
 
     @property
     def given(self):

@@ -66,19 +66,37 @@ class TablesTest(ReportPage):
             names = [row.find_elements(By.TAG_NAME, "td")[1].text for row in self.browser.find_elements(By.CSS_SELECTOR, "#table tbody tr")]
             self.assertEqual(set(names[-2:]), {"theirs (given)", "fails (given)"})
 
+    def test_small_pictures_of_all_views_frame_the_worst(self):
+        self.browser.get(self.views.as_uri())
+        rows = {row["method"]: row for row in json.loads((self.views.parent / "results.json").read_text())["rows"]}
+        lines = self.browser.find_elements(By.CSS_SELECTOR, ".views tr")
+        self.assertEqual(len(lines), 3)
+        for line in lines:
+            self.browser.execute_script("arguments[0].scrollIntoView()", line)
+            cells = line.find_elements(By.TAG_NAME, "td")
+            WebDriverWait(self.browser, 5, 0.02).until(lambda _: all(
+                self.browser.execute_script("return arguments[0].naturalWidth", image) > 0 for image in line.find_elements(By.TAG_NAME, "img")))
+            self.assertEqual(len(cells), 3)
+            worst = [i for i, cell in enumerate(cells) if "worst" in cell.get_attribute("class")]
+            row = rows[line.find_element(By.TAG_NAME, "th").text.split("\n")[0]]
+            errors = next((curve["y"] for curve in row["curves"] if curve["name"] == "RMSE over the views"), [])
+            apart = not row["reference"] and len(set(errors)) > 1
+            self.assertEqual(worst, [errors.index(max(errors))] if apart else [])
+        self.assertGreater(len(set(next(c["y"] for c in rows["weighted-average"]["curves"] if c["name"] == "RMSE over the views"))), 1)
+
     def test_with_views_it_says_of_which_pictures_and_numbers_are(self):
         self.browser.get(self.views.as_uri())
-        self.assertIn("are of view 1 of 2; numbers are means over the views", self.browser.find_element(By.CSS_SELECTOR, "section .lead").text)
+        self.assertIn("are of view 1 of 3; numbers are means over the views", self.browser.find_element(By.CSS_SELECTOR, "section .lead").text)
         captions = [c.text for c in self.browser.find_elements(By.CSS_SELECTOR, "figcaption header")]
-        self.assertTrue(all("view 1 of 2" in caption for caption in captions), captions)
+        self.assertTrue(all("view 1 of 3" in caption for caption in captions), captions)
         self.browser.find_elements(By.CSS_SELECTOR, ".enlarge")[1].send_keys(Keys.ENTER)
-        self.wait_for("sheets · weighted-average · view 1 of 2")
-        self.assertIn("means over 2 views: ", self.browser.find_element(By.CSS_SELECTOR, "dialog .heading span").text)
-        self.assertIn("Of view 1 of 2.", self.saved("Error over the number of layers, view 1", "SVG"))
-        self.assertIn("means over 2 views", (self.views.parent / "table.md").read_text())
+        self.wait_for("sheets · weighted-average · view 1 of 3")
+        self.assertIn("means over 3 views: ", self.browser.find_element(By.CSS_SELECTOR, "dialog .heading span").text)
+        self.assertIn("Of view 1 of 3.", self.saved("Error over the number of layers, view 1", "SVG"))
+        self.assertIn("means over 3 views", (self.views.parent / "table.md").read_text())
         figure = self.folder / "views.tex"
         subprocess.run([os.environ["PELLUCID_PROGRAM"], "figure", self.views.parent, "-o", figure], check=True, stdout=subprocess.DEVNULL)
-        self.assertIn("Pictures are of view 1 of 2, numbers means over the views.", figure.read_text())
+        self.assertIn("Pictures are of view 1 of 3, numbers means over the views.", figure.read_text())
 
     def test_the_table_is_filtered_by_words(self):
         self.browser.get(self.many.as_uri())

@@ -53,7 +53,7 @@ function sceneSection(scene) {
   redraws.push(plotsOf(done, plots));
   const lead = make("p", { class: "lead" }, sceneLead(scene, done[0]));
   return make("section", { id: `scene-${scene.name}` }, make("h2", {}, scene.name), lead,
-              make("div", { class: "cards" }, cards), measuresTable(done), budgetSection(done), plots);
+              make("div", { class: "cards" }, cards), viewsTable(done), measuresTable(done), budgetSection(done), plots);
 }
 
 function navigation(sections) {
