@@ -5,6 +5,7 @@
 #include <charconv>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/commands.h"
 #include "app/deep.h"
@@ -33,7 +34,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, method, opacities, output, stats, layers, probe_output, sums, deep, part,
-      partial, totals;
+      partial, totals, bounds;
   std::vector<int> probe;  // x, y, x, y, …
   scene::ViewRequest view;
   bool explain = false;
@@ -73,6 +74,11 @@ void write_exact_sums(const RenderOptions& options, const scene::Scene& scene,
   compare::write_sums(options.sums, groundtruth::picture_sums(scene, probe, progress), form);
 }
 
+std::optional<compare::SceneBounds> known_bounds(const RenderOptions& options) {
+  if (options.bounds.empty()) return std::nullopt;
+  return compare::read_bounds(options.bounds);
+}
+
 /// Draws a part of the scene. `read` lists what is read meanwhile.
 void render_part(const RenderOptions& options, const GlobalOptions& globals,
                  const compare::MethodCall& call, const FilesRead& read) {
@@ -80,10 +86,13 @@ void render_part(const RenderOptions& options, const GlobalOptions& globals,
     throw InputError(fmt::format("--part: the method is '{}'; accepted: raytrace", call.text()));
   const scene::PartNumber number = part_number_of(options.part);
   const Progress progress = console_progress(globals);
+  const std::optional<compare::SceneBounds> bounds = known_bounds(options);
   const groundtruth::ScenePart part =
-      compare::load_part(options.scene, progress, options.view, number);
-  const compare::DeepSource source{compare::scene_fingerprint(read.paths(), ""), "",
-                                   options.view.without_background};
+      compare::load_part(options.scene, progress, options.view, number, scene::PartOf::all_objects,
+                         bounds ? &*bounds : nullptr);
+  const compare::DeepSource source{
+      bounds ? bounds->fingerprint : compare::scene_fingerprint(read.paths(), ""), "",
+      options.view.without_background};
   write_part({options.deep, options.output, source}, part, progress, globals);
 }
 
@@ -94,9 +103,10 @@ void write_partial(const RenderOptions& options, const GlobalOptions& globals,
       options.part.empty() ? scene::PartNumber() : part_number_of(options.part);
   std::optional<compare::SumsFile> totals;
   if (!options.totals.empty()) totals = compare::read_sums_file(options.totals);
-  const compare::SumsFile sums =
-      compare::draw_sums({options.scene, options.view, call, part, globals.gl},
-                         totals ? &*totals : nullptr, console_progress(globals));
+  const std::optional<compare::SceneBounds> bounds = known_bounds(options);
+  const compare::SumsFile sums = compare::draw_sums(
+      {options.scene, options.view, call, part, globals.gl, bounds ? &*bounds : nullptr},
+      totals ? &*totals : nullptr, console_progress(globals));
   compare::write_sums_file(options.partial, sums);
   print_sums(options.partial, sums.info, globals);
 }
@@ -156,13 +166,36 @@ void write_picture(const RenderOptions& options, const GlobalOptions& globals,
   print_summary(options, scene, drawn.rendering.stats);
 }
 
+/// Whether no picture is asked for, but what parts have to know of the scene.
+bool asks_for_bounds(const RenderOptions& options) {
+  return !options.bounds.empty() && options.part.empty() && options.output.empty() &&
+         options.deep.empty() && options.partial.empty();
+}
+
+void write_bounds(const RenderOptions& options, const GlobalOptions& globals) {
+  const compare::SceneBounds bounds =
+      compare::measure_bounds(options.scene, options.view, console_progress(globals));
+  compare::write_bounds(options.bounds, bounds);
+  if (!globals.quiet)
+    std::cout << fmt::format(
+        "{}: {} objects, {} elements to share out\n", options.bounds, bounds.counts.size(),
+        std::accumulate(bounds.counts.begin(), bounds.counts.end(), std::uint64_t(0)));
+}
+
 void check_part(const RenderOptions& options) {
+  if (!options.bounds.empty() && options.part.empty())
+    throw CLI::RequiresError("--bounds", "--part, or no output at all");
   if (!options.part.empty() && options.deep.empty() && options.partial.empty())
     throw CLI::RequiresError("--part", "--deep or --partial");
 }
 
 void render(const RenderOptions& options, const GlobalOptions& globals) {
+  if (asks_for_bounds(options)) {
+    const ProtectedInputs inputs;
+    return write_bounds(options, globals);
+  }
   check_part(options);
+  if (options.method.empty()) throw CLI::RequiredError("-m,--method");
   if (options.output.empty() && options.deep.empty() && options.partial.empty())
     throw CLI::RequiredError("-o,--output");
   const ProtectedInputs inputs;
@@ -202,8 +235,8 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   CLI::App* command = app.add_subcommand("render", "Render one picture of a scene by one method");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("SCENE", options->scene, "Scene file")->required();
-  command->add_option("-m,--method", options->method, "NAME[:key=value,...]; see 'list methods'")
-      ->required();
+  command->add_option("-m,--method", options->method,
+                      "NAME[:key=value,...]; see 'list methods'; needed for all but --bounds");
   CLI::Option* output = command
                             ->add_option("-o,--output", options->output,
                                          "Picture: .exr (32-bit float) or .png; only with "
@@ -244,6 +277,10 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   CLI::Option* part = command->add_option("--part", options->part,
                                           "I/N: with --deep or --partial, draw only the I-th of N "
                                           "parts of the primitives, for 'merge'");
+  command->add_option(
+      "--bounds", options->bounds,
+      "Without an output: write what parts have to know of the whole scene, as JSON. With --part: "
+      "read it, so that no object is read of which the part has nothing");
   CLI::Option* partial =
       command
           ->add_option("--partial", options->partial,
@@ -272,7 +309,8 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
   command->footer(
       "Examples:\n  pellucid render scene.json -m raytrace -o picture.exr\n"
       "  pellucid render scene.json -m fourier:bands=5 -o a.png --view +x --resolution 640x480\n"
-      "  pellucid render scene.json -m raytrace --deep part-1.exr --part 1/8\n"
+      "  pellucid render scene.json --bounds bounds.json\n"
+      "  pellucid render scene.json -m raytrace --deep part-1.exr --part 1/8 --bounds bounds.json\n"
       "  pellucid render scene.json -m fourier --partial part-1.exr --part 1/8");
   add_gl_option(*command, globals);
   add_global_options(*command, globals);

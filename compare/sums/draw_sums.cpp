@@ -75,9 +75,11 @@ SumsFile draw_sums(const SumsRequest& request, const SumsFile* totals, const Pro
   check_adds_up(request.call);
   const FilesRead read;
   const groundtruth::ScenePart part = load_part(request.scene, progress, request.view, request.part,
-                                                scene::PartOf::transparent_objects);
+                                                scene::PartOf::transparent_objects, request.bounds);
   report(progress, 0.5, fmt::format("summing up {}", request.call.row->name));
-  SumsFile sums = sums_of(request, scene_fingerprint(read.paths(), ""), part, totals);
+  const std::string fingerprint =
+      request.bounds ? request.bounds->fingerprint : scene_fingerprint(read.paths(), "");
+  SumsFile sums = sums_of(request, fingerprint, part, totals);
   report(progress, 1, "summed up");
   return sums;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "compare/methods/method_call.h"
+#include "compare/parts/scene_bounds.h"
 #include "compare/sums/sums_file.h"
 #include "core/progress.h"
 #include "scene/files/view_request.h"
@@ -19,6 +20,7 @@ struct SumsRequest {
   MethodCall call;
   scene::PartNumber part;
   std::string gl = "osmesa";
+  const SceneBounds* bounds = nullptr;  // of the scene, if they are known; has to outlive it
 };
 
 /// Draws a part of the scene, whose opaque objects stay whole, and returns what the method sums up

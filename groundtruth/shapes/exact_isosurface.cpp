@@ -10,7 +10,7 @@ ExactIsosurface::ExactIsosurface(const scene::Isosurface& surface, std::uint32_t
     : IsosurfaceGeometry(surface, index, context),
       cells_(fields::surface_cells(*surface.field, surface.value)) {
   check_count(cells_.size(), "cells of an isosurface");
-  const scene::Share share = scene::share_of(cells_.size(), index, context.part);
+  const scene::Share share = scene::share_of_cells(cells_.size(), index, context.part);
   first_ = std::uint32_t(share.begin);
   cells_.erase(cells_.begin() + std::ptrdiff_t(share.end), cells_.end());
   cells_.erase(cells_.begin(), cells_.begin() + std::ptrdiff_t(share.begin));

@@ -31,10 +31,10 @@ struct ScenePart {
 /// known of the whole. Beside an object a copy of its positions is in memory meanwhile.
 class PartCutter {
  public:
-  /// Takes the scene's picture and camera (its objects do not count), and the box of all that is
-  /// drawn, in world units.
-  PartCutter(const scene::Scene& scene, const Box3& bounds, const scene::PartNumber& part,
-             scene::PartOf of = scene::PartOf::all_objects);
+  /// Takes the scene's picture and camera (its objects do not count), the box of all that is drawn,
+  /// in world units, and scene::shared_elements() of all objects.
+  PartCutter(const scene::Scene& scene, const Box3& bounds, std::vector<std::uint64_t> counts,
+             const scene::PartNumber& part);
 
   /// Cuts the next object. Throws InputError for more primitives than a Crossing counts, and for
   /// coordinates that are too large.
@@ -47,8 +47,8 @@ class PartCutter {
   ViewFrame frame_;
   scene::Camera camera_;
   scene::DepthBounds depths_;
+  std::vector<std::uint64_t> counts_;
   WholeScene whole_;
-  scene::PartOf of_;
 };
 
 /// Cuts a scene that is in memory down to a part of its primitives. Throws as PartCutter does.

@@ -35,6 +35,16 @@ Halo read_halo(const JsonNode& node) {
   return halo;
 }
 
+/// What is known of an object before it is read.
+void read_look(const JsonNode& node, SceneObject& object) {
+  if (node.has("opaque")) object.opaque = node["opaque"].boolean();
+  if (node.has("lighting")) object.lighting = read_lighting(node["lighting"]);
+}
+
+std::string name_of_object(const JsonNode& node) {
+  return node.has("name") ? node["name"].string() : node.place();
+}
+
 class ObjectReader {
  public:
   ObjectReader(const JsonNode& node, const ObjectContext& context)
@@ -51,8 +61,8 @@ class ObjectReader {
     node_.accept_keys(keys);
     if (std::ranges::count_if(of_kinds, [&](auto key) { return node_.has(key); }) != 1)
       node_.fail(fmt::format("accepted: exactly one of the keys {}", fmt::join(of_kinds, ", ")));
-    object_.name = node_.has("name") ? node_["name"].string() : node_.place();
-    read_look();
+    object_.name = name_of_object(node_);
+    read_look(node_, object_);
     (this->*kind->read)(node_[kind->key]);
     if (node_.has("transform")) place(node_["transform"]);
     apply();
@@ -66,7 +76,7 @@ class ObjectReader {
     if (asks_percentiles_of_file()) return read();  // the vertices may repeat its values
     if (asks_attributes_of_field(object)) return read();
     object_ = std::move(object);
-    read_look();
+    read_look(node_, object_);
     if (auto* lines = std::get_if<LineObject>(&object_.shape))
       draw(geometry::LineSet(std::move(lines->set)));
     if (auto* points = std::get_if<PointObject>(&object_.shape))
@@ -83,11 +93,6 @@ class ObjectReader {
     void (ObjectReader::*read)(const JsonNode&);
   };
   static const std::array<Kind, 6> kinds;
-
-  void read_look() {
-    if (node_.has("opaque")) object_.opaque = node_["opaque"].boolean();
-    if (node_.has("lighting")) object_.lighting = read_lighting(node_["lighting"]);
-  }
 
   // What is drawn of what was read, with the width that its kind has.
 
@@ -334,6 +339,12 @@ const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{
 
 SceneObject read_object(const JsonNode& node, const ObjectContext& context) {
   return ObjectReader(node, context).read();
+}
+
+SceneObject unread_object(const JsonNode& node) {
+  SceneObject object{name_of_object(node), geometry::TriangleMesh()};
+  read_look(node, object);
+  return object;
 }
 
 SceneObject restyled_object(const JsonNode& node, const ObjectContext& context,

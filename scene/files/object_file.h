@@ -30,6 +30,10 @@ struct ObjectContext {
 /// that names file, key and accepted values.
 SceneObject read_object(const JsonNode& node, const ObjectContext& context);
 
+/// Returns what is known of an object before it is read: its name, its light and whether it is
+/// opaque, of an empty mesh. Throws InputError for what is wrong with these.
+SceneObject unread_object(const JsonNode& node);
+
 /// Draws an object otherwise: applies those keys of `node` that say how it is drawn (color,
 /// opacity, importance, opaque, lighting, radius, profile, halo, and the value of an isosurface),
 /// and neither reads nor integrates anything that is there already. `object` was made by

@@ -72,6 +72,7 @@ struct Loader {
   const Progress& progress;
   const ViewRequest& view;
   const TakeObject& take;
+  const WantObject& want;
   Scene scene;
   std::optional<CameraFit> fit = std::nullopt;  // of a camera that nobody has given
 
@@ -143,12 +144,12 @@ struct Loader {
     check_path(root);
     const auto objects = root["objects"].elements();
     if (objects.empty()) root["objects"].fail("the scene is empty; accepted: at least one object");
-    if (!view.view.empty() || !root.has("camera"))
+    if (!want && (!view.view.empty() || !root.has("camera")))
       fit.emplace(scene.camera.projection, scene.camera.fov, direction(),
                   double(scene.width) / double(scene.height));
     for (std::size_t i = 0; i < objects.size(); ++i) {
       report(progress, double(i) / double(objects.size()), "loading " + objects[i].place());
-      add(objects[i]);
+      add(objects[i], i);
       if (fit) show(scene.objects.back(), *fit);
       if (take) take(scene.objects.back(), objects.size());
     }
@@ -159,7 +160,12 @@ struct Loader {
     place_halos(scene);
   }
 
-  void add(const JsonNode& node) {
+  void add(const JsonNode& node, std::size_t index) {
+    SceneObject unread = unread_object(node);
+    if (want && !want(index, unread.opaque)) {
+      scene.objects.push_back(std::move(unread));
+      return;
+    }
     scene.objects.push_back(
         read_object(node, {source.folder, progress, scene.provenance, source.given}));
     light(scene.objects.back(), scene);
@@ -173,10 +179,10 @@ Scene load_scene(const fs::path& path, const Progress& progress, const ViewReque
 }
 
 Scene load_scene_by_objects(const fs::path& path, const Progress& progress, const ViewRequest& view,
-                            const TakeObject& take) {
+                            const TakeObject& take, const WantObject& want) {
   const nlohmann::json json = read_json(path);
   const SceneSource source{path.string(), path.parent_path()};
-  Loader loader{source, progress, view, take, {}};
+  Loader loader{source, progress, view, take, want, {}};
   loader.scene.name = path.stem().string();
   loader.scene.file = path.string();
   loader.read(JsonNode(source.file, json));
@@ -198,7 +204,8 @@ SceneHead read_scene_head(const fs::path& path) {
 Scene read_scene(const nlohmann::json& text, const SceneSource& source, const Progress& progress) {
   const ViewRequest as_given;
   const TakeObject keep_all;
-  Loader loader{source, progress, as_given, keep_all, {}};
+  const WantObject want_all;
+  Loader loader{source, progress, as_given, keep_all, want_all, {}};
   loader.read(JsonNode(source.file, text));
   return std::move(loader.scene);
 }

@@ -34,10 +34,16 @@ SceneHead read_scene_head(const std::filesystem::path& path);
 /// is fitted to the scene, and the number of them all; it may cut the object down.
 using TakeObject = std::function<void(SceneObject& object, std::size_t count)>;
 
+/// A WantObject says of an object, by its index and whether it is opaque, whether it is to be read.
+/// Of others nothing but their name, their light and whether they are opaque is known.
+using WantObject = std::function<bool(std::size_t index, bool opaque)>;
+
 /// Reads a scene as load_scene() does, for who need not have all of its objects in memory at once.
-/// Halos are placed around what `take` has left of their lines.
+/// Halos are placed around what `take` has left of their lines. Without `want` all are read,
+/// and with it no camera is fitted: where nobody has given one it is any.
 Scene load_scene_by_objects(const std::filesystem::path& path, const Progress& progress,
-                            const ViewRequest& view, const TakeObject& take);
+                            const ViewRequest& view, const TakeObject& take,
+                            const WantObject& want = {});
 
 /// A SceneSource is where a scene's text comes from, if it is no file.
 struct SceneSource {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <numeric>
 
 namespace pellucid::scene {
 namespace {
@@ -57,12 +58,19 @@ std::vector<std::uint32_t> renumber(std::vector<std::array<std::uint32_t, 3>>& t
   return named;
 }
 
+/// The i-th piece, from 0, of as many as there are parts.
+Share piece_of(std::uint64_t count, std::uint64_t i, const PartNumber& part) {
+  assert(1 <= part.part && part.part <= part.count && part.count <= most_parts);
+  const std::uint64_t n = std::uint64_t(part.count);
+  // count * i would not fit for a count beyond 2^48: whole rounds first.
+  const auto until = [&](std::uint64_t k) { return count / n * k + count % n * k / n; };
+  return {until(i), until(i + 1)};
+}
+
 struct Cutter {
-  std::size_t index;
-  const PartNumber& part;
+  const Share& share;
 
   std::uint32_t operator()(geometry::TriangleMesh& mesh) const {
-    const Share share = share_of(mesh.triangles.size(), index, part);
     keep(mesh.triangles, share);
     const std::vector<std::uint32_t> named = renumber(mesh.triangles, mesh.positions.size());
     gather(mesh.positions, named);
@@ -75,7 +83,6 @@ struct Cutter {
   }
 
   std::uint32_t operator()(PointObject& points) const {
-    const Share share = share_of(points.set.positions.size(), index, part);
     keep(points.set, share);
     points.radius = kept(points.radius, share);
     return std::uint32_t(share.begin);
@@ -83,7 +90,6 @@ struct Cutter {
 
   std::uint32_t operator()(LineObject& lines) const {
     geometry::LineSet& set = lines.set;
-    const Share share = share_of(set.line_count(), index, part);
     geometry::LineSet before;
     before.offsets.assign(set.offsets.begin(),
                           set.offsets.begin() + std::ptrdiff_t(share.begin) + 1);
@@ -102,17 +108,34 @@ struct Cutter {
 
 }  // namespace
 
-Share share_of(std::uint64_t count, std::size_t object, const PartNumber& part) {
-  assert(1 <= part.part && part.part <= part.count && part.count <= most_parts);
-  const std::uint64_t n = std::uint64_t(part.count);
-  const std::uint64_t i = (std::uint64_t(part.part) - 1 + object) % n;
-  // count * i would not fit for a count beyond 2^48: whole rounds first.
-  const auto until = [&](std::uint64_t k) { return count / n * k + count % n * k / n; };
-  return {until(i), until(i + 1)};
+std::uint64_t shared_elements(const SceneObject& object, PartOf of) {
+  if (object.opaque && of == PartOf::transparent_objects) return 0;
+  if (const auto* mesh = std::get_if<geometry::TriangleMesh>(&object.shape))
+    return mesh->triangles.size();
+  if (const auto* points = std::get_if<PointObject>(&object.shape))
+    return points->set.positions.size();
+  if (const auto* lines = std::get_if<LineObject>(&object.shape)) return lines->set.line_count();
+  return 0;
 }
 
-std::uint32_t cut_object(SceneObject& object, std::size_t index, const PartNumber& part) {
-  return std::visit(Cutter{index, part}, object.shape);
+Share share_of(std::span<const std::uint64_t> counts, std::size_t object, const PartNumber& part) {
+  assert(object < counts.size());
+  const auto before =
+      std::accumulate(counts.begin(), counts.begin() + std::ptrdiff_t(object), std::uint64_t(0));
+  const Share piece = piece_of(std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)),
+                               std::uint64_t(part.part) - 1, part);
+  const auto within = [&](std::uint64_t place) {
+    return std::clamp(place, before, before + counts[object]) - before;
+  };
+  return {within(piece.begin), within(piece.end)};
+}
+
+Share share_of_cells(std::uint64_t count, std::size_t object, const PartNumber& part) {
+  return piece_of(count, (std::uint64_t(part.part) - 1 + object) % std::uint64_t(part.count), part);
+}
+
+std::uint32_t cut_object(SceneObject& object, const Share& share) {
+  return std::visit(Cutter{share}, object.shape);
 }
 
 }  // namespace pellucid::scene

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "scene/scene.h"
 
@@ -29,17 +30,27 @@ struct Share {
   std::uint64_t begin = 0, end = 0;
 };
 
-/// Returns which of the `count` elements of an object a part holds, `object` being its index in
-/// Scene::objects. The shares of all parts follow each other, have no element in common, and leave
-/// none out; they differ by one element at most. Each object begins with another part, so that
-/// objects of few elements are spread over the parts.
-Share share_of(std::uint64_t count, std::size_t object, const PartNumber& part);
+/// Returns how many of an object's elements are shared out over the parts: triangles, points or
+/// lines; 0 of an isosurface, whose cells are, by share_of_cells(), where they are found, and of an
+/// opaque object that `of` keeps whole.
+std::uint64_t shared_elements(const SceneObject& object, PartOf of);
 
-/// Cuts an object down to its share: of triangles, with the vertices that they need; of points; of
+/// Returns which elements of an object a part holds, `counts` being shared_elements() of all
+/// objects. They stand in one row, object after object, of which each part holds a piece; pieces
+/// have no element in common, leave none out, and differ by one element at most. So a part has to
+/// do with few objects of many.
+Share share_of(std::span<const std::uint64_t> counts, std::size_t object, const PartNumber& part);
+
+/// Returns which of the `count` cells of an isosurface a part holds, `object` being its index in
+/// Scene::objects. Each isosurface is shared out over all parts, which differ by one cell at most;
+/// each begins with another part.
+Share share_of_cells(std::uint64_t count, std::size_t object, const PartNumber& part);
+
+/// Cuts an object down to a share: of triangles, with the vertices that they need; of points; of
 /// lines, whole, since a ribbon's segment hangs on its neighbours, and a tube is one solid. Scalars
 /// are dropped: colours have been made of them. An isosurface stays as it is, and whoever crosses
-/// it chooses among its cells by share_of(). Returns the number that the object's first primitive
-/// (see Scene) has in the whole object.
-std::uint32_t cut_object(SceneObject& object, std::size_t index, const PartNumber& part);
+/// it chooses among its cells by share_of_cells(). Returns the number that the object's first
+/// primitive (see Scene) has in the whole object.
+std::uint32_t cut_object(SceneObject& object, const Share& share);
 
 }  // namespace pellucid::scene

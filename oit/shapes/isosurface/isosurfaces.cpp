@@ -104,7 +104,7 @@ class Collector {
     const std::size_t look = append_look(surface);
     const std::vector<fields::LatticeCell> cells =
         fields::surface_cells(*surface.field, surface.value);
-    const scene::Share share = scene::share_of(cells.size(), index, part);
+    const scene::Share share = scene::share_of_cells(cells.size(), index, part);
     const SurfacePieces pieces = fields::surface_pieces(
         *surface.field, surface.value,
         std::span(cells).subspan(share.begin, share.end - share.begin), others);

@@ -18,13 +18,13 @@ TEST(PropertyShare, SharesAreAllElementsEachOnce) {
       for (const std::size_t object : {0u, 1u, 5u}) {
         std::uint64_t sum = 0, least = std::numeric_limits<std::uint64_t>::max(), most = 0;
         for (int part = 1; part <= parts; ++part) {
-          const Share share = share_of(count, object, {part, parts});
+          const Share share = share_of_cells(count, object, {part, parts});
           ASSERT_LE(share.begin, share.end);
           sum += share.end - share.begin;
           least = std::min(least, share.end - share.begin);
           most = std::max(most, share.end - share.begin);
           // The next part begins where this one ends; the last one is followed by the first.
-          const Share next = share_of(count, object, {part % parts + 1, parts});
+          const Share next = share_of_cells(count, object, {part % parts + 1, parts});
           ASSERT_EQ(share.end == count ? 0 : share.end, next.begin % std::max(count, 1ul));
         }
         EXPECT_EQ(sum, count);
@@ -36,11 +36,43 @@ TEST(UnitShare, ObjectsOfOneElementAreSpreadOverTheParts) {
   for (int part = 1; part <= 4; ++part) {
     std::uint64_t held = 0;
     for (std::size_t object = 0; object < 8; ++object) {
-      const Share share = share_of(1, object, {part, 4});
+      const Share share = share_of_cells(1, object, {part, 4});
       held += share.end - share.begin;
     }
     EXPECT_EQ(held, 2u);
   }
+}
+
+TEST(PropertyShare, ObjectsInARowAreSharedOutPieceByPiece) {
+  const std::vector<std::uint64_t> counts{5, 0, 1, 1ull << 54, 7, 3};
+  for (const int parts : {1, 2, 3, 50, most_parts}) {
+    std::vector<std::uint64_t> next(counts.size(), 0);
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max(), most = 0;
+    for (int part = 1; part <= parts; ++part) {
+      std::uint64_t held = 0;
+      for (std::size_t object = 0; object < counts.size(); ++object) {
+        const Share share = share_of(counts, object, {part, parts});
+        ASSERT_LE(share.begin, share.end);
+        if (share.begin == share.end) continue;
+        ASSERT_EQ(share.begin, next[object]) << "elements follow each other, part by part";
+        next[object] = share.end;
+        held += share.end - share.begin;
+      }
+      least = std::min(least, held);
+      most = std::max(most, held);
+    }
+    EXPECT_EQ(next, counts);
+    EXPECT_LE(most - least, 1u);
+  }
+}
+
+TEST(UnitShare, OfAsManyEqualObjectsAsPartsEachHasOne) {
+  const std::vector<std::uint64_t> counts(8, 1000);
+  for (std::size_t object = 0; object < 8; ++object)
+    for (int part = 1; part <= 8; ++part) {
+      const Share share = share_of(counts, object, {part, 8});
+      EXPECT_EQ(share.end - share.begin, std::size_t(part) == object + 1 ? 1000u : 0u);
+    }
 }
 
 TEST(UnitScenePart, AMeshKeepsItsTrianglesAndTheVerticesThatTheyNeed) {
@@ -49,7 +81,8 @@ TEST(UnitScenePart, AMeshKeepsItsTrianglesAndTheVerticesThatTheyNeed) {
   for (int part = 1; part <= 3; ++part) {
     SceneObject object{"", whole};
     object.vertices().scalars["s"].assign(whole.positions.size(), 1);
-    const std::uint32_t first = cut_object(object, 0, {part, 3});
+    const std::uint32_t first =
+        cut_object(object, share_of_cells(whole.triangles.size(), 0, {part, 3}));
     const geometry::TriangleMesh& mesh = object.mesh();
     EXPECT_EQ(first, triangles);
     EXPECT_LT(mesh.positions.size(), whole.positions.size());
@@ -79,7 +112,7 @@ LineObject staircase(int lines, LineObject::Profile profile) {
 TEST(UnitScenePart, LinesStayWholeAndKeepTheirPlaceInTheCount) {
   for (const auto profile : {LineObject::Profile::ribbon, LineObject::Profile::tube}) {
     SceneObject object{"", staircase(6, profile)};
-    const std::uint32_t first = cut_object(object, 0, {2, 3});
+    const std::uint32_t first = cut_object(object, share_of_cells(6, 0, {2, 3}));
     const auto& set = std::get<LineObject>(object.shape).set;
     // Before the third line lie 0 + 1 segments.
     EXPECT_EQ(first, profile == LineObject::Profile::ribbon ? 2u : 1u);
@@ -92,7 +125,7 @@ TEST(UnitScenePart, LinesStayWholeAndKeepTheirPlaceInTheCount) {
 
 TEST(UnitScenePart, AnObjectMayBeEmpty) {
   SceneObject object{"", testing::random_triangles(1, 1)};
-  EXPECT_EQ(cut_object(object, 0, {1, 2}), 0u);
+  EXPECT_EQ(cut_object(object, {0, 0}), 0u);
   EXPECT_TRUE(object.mesh().triangles.empty());
   EXPECT_TRUE(object.vertices().positions.empty());
 }

@@ -125,7 +125,7 @@ TEST(UnitRadii, PartsHaveThoseOfTheirPoints) {
     std::size_t seen = 0;
     for (int part = 1; part <= 3; ++part) {
       SceneObject object = whole;
-      cut_object(object, 0, {part, 3});
+      cut_object(object, share_of_cells(shared_elements(whole, PartOf::all_objects), 0, {part, 3}));
       const std::vector<Vec3>& x = object.vertices().positions;
       for (std::size_t i = 0; i < x.size(); ++i, ++seen)
         EXPECT_EQ(object.radii().at(i), 0.1 * x[i].x);
