@@ -36,7 +36,10 @@ class PartReader {
   groundtruth::ScenePart read(const Progress& progress, scene::ViewRequest view) {
     if (!view.view.empty())
       throw InputError("--view: beside --bounds; accepted: none, since bounds know their camera");
-    if (view.camera.empty()) view.camera = bounds_.camera;
+    // What the call says of the camera goes over what was fitted then, as it did then.
+    const scene::Camera known = scene::camera_of_text(bounds_.camera, {});
+    view.camera =
+        scene::camera_text(view.camera.empty() ? known : scene::camera_of_text(view.camera, known));
     const FilesRead read;
     groundtruth::ScenePart cut;
     cut.whole = {part_, bounds_.box, bounds_.depths, bounds_.largest, {}};
