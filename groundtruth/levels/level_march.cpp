@@ -125,19 +125,53 @@ LevelMarch::Stretch LevelMarch::stretch_at(const WorldRay& ray,
   return stretch;
 }
 
+// A box that holds two samples holds those between them.
+bool LevelMarch::owns(std::uint32_t level, const WorldRay& ray, const Samples& samples) const {
+  const Box3 domain = field_.domain(level);
+  return domain.contains(ray.at(samples.at(1))) &&
+         domain.contains(ray.at(samples.at(samples.before(samples.end))));
+}
+
+// Amanatides, Woo, A Fast Voxel Traversal Algorithm for Ray Tracing (1987).
+double LevelMarch::end_of_empty_blocks(const WorldRay& ray, std::uint32_t level, double t,
+                                       double end) const {
+  const fields::ScalarLevel& l = field_.levels()[level];
+  const Blocks& blocks = blocks_[level];
+  std::array<int, 3> block = block_of(field_.cell_at(level, ray.at(t)).low);
+  const auto next_face = [&](int axis) {
+    const double along = ray.direction[axis];
+    if (along == 0) return no_bound;
+    const int face = (block[std::size_t(axis)] + (along > 0 ? 1 : 0)) * block_side - 1;
+    return (l.origin[axis] + l.width * face - ray.start[axis]) / along;
+  };
+  std::array<double, 3> faces{next_face(0), next_face(1), next_face(2)};
+  double left = t;
+  while (left < end && blocks.occupied[block_index(level, block)] == 0) {
+    const auto axis = std::size_t(std::ranges::min_element(faces) - faces.begin());
+    left = faces[axis];
+    block[axis] += ray.direction[int(axis)] > 0 ? 1 : -1;
+    if (block[axis] < 0 || block[axis] >= blocks.size[axis]) return end;
+    faces[axis] = next_face(int(axis));
+  }
+  return std::min(left, end);
+}
+
 // Samples of an empty stretch lie on one side. So do those of the next one, if it is empty, too,
 // and both are of one level alone: cells that follow each other have a corner in common. Outside of
 // its domain a level's hats may end between two samples.
 double LevelMarch::last_alike(const WorldRay& ray, std::span<const std::uint32_t> levels,
-                              const Samples& samples, double i, Stretch& stretch) const {
-  const auto is_owned = [&](double t) { return field_.domain(levels.front()).contains(ray.at(t)); };
+                              const Samples& samples, double i, bool alone,
+                              Stretch& stretch) const {
   double last = std::max(i, samples.before(stretch.end));
-  if (levels.size() > 1 || !is_owned(samples.at(i))) return last;
+  if (!alone || i < 1) return last;
   while (stretch.empty) {
     const double next = samples.at(last + 1);
-    if (next >= samples.end || !is_owned(next)) break;
+    if (next >= samples.end) break;
     stretch = stretch_at(ray, levels, next);
-    if (stretch.empty) last = std::max(last + 1, samples.before(stretch.end));
+    if (!stretch.empty) break;
+    const double end = end_of_empty_blocks(ray, levels.front(), next, samples.end);
+    stretch.end = std::max(stretch.end, end);
+    last = std::max(last + 1, samples.before(stretch.end));
   }
   return last;
 }
@@ -153,6 +187,7 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
     const double width = field_.levels()[part.levels.front()].width;
     const double step = width / options_.steps_per_cell / glm::length(ray.direction);
     const Samples samples{part.begin, step, part.end};
+    const bool alone = part.levels.size() == 1 && owns(part.levels.front(), ray, samples);
     Sample at{part.begin, height_at(ray.at(part.begin), part.levels)};
     // A reconstruction that jumps crosses on the face; a field that begins inside is a hit to the
     // report.
@@ -164,7 +199,8 @@ void LevelMarch::visit_crossings(const WorldRay& ray,
       if (at.t >= stretch.end) {
         stretch = stretch_at(ray, part.levels, at.t);
         // The last sample on this one's side is the next to be taken.
-        if (stretch.empty) i = std::max(i, last_alike(ray, part.levels, samples, i, stretch) - 1);
+        if (stretch.empty)
+          i = std::max(i, last_alike(ray, part.levels, samples, i, alone, stretch) - 1);
       }
       at.t = samples.at(i + 1);
       at.height = height_at(ray.at(at.t), part.levels);

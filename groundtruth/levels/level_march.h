@@ -80,10 +80,16 @@ class LevelMarch {
     /// The last one before t.
     double before(double t) const { return std::ceil((std::min(t, end) - begin) / step) - 1; }
   };
+  /// Returns whether a level's domain holds all samples but the first and the last.
+  bool owns(std::uint32_t level, const WorldRay& ray, const Samples& samples) const;
+  /// Returns where the ray leaves the empty blocks of a level that follow each other from t on, up
+  /// to `end`; t where the first is not empty.
+  double end_of_empty_blocks(const WorldRay& ray, std::uint32_t level, double t, double end) const;
   /// Returns the last sample from the i-th on that is known to lie on its side, where the stretch
-  /// that holds it is empty, and makes `stretch` that of this sample or of the next.
+  /// that holds it is empty, and makes `stretch` that of this sample or of the next. `alone`: all
+  /// samples but the first and the last are of one level, and in its domain.
   double last_alike(const WorldRay& ray, std::span<const std::uint32_t> levels,
-                    const Samples& samples, double i, Stretch& stretch) const;
+                    const Samples& samples, double i, bool alone, Stretch& stretch) const;
   std::size_t block_index(std::uint32_t level, const std::array<int, 3>& block) const;
 
   /// Blocks hold a level's blocks of lattice cells, x fastest.
