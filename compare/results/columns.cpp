@@ -180,6 +180,7 @@ std::optional<Interval> place_of(const Column& column, const ResultRow& row) {
 }
 
 bool are_tied(const Column& column, const ResultRow& a, const ResultRow& b) {
+  if (!interval_of(column, a) && !interval_of(column, b)) return false;
   const std::optional<Interval> of_a = place_of(column, a), of_b = place_of(column, b);
   return of_a && of_b && overlap(*of_a, *of_b);
 }

@@ -51,7 +51,8 @@ std::optional<Interval> place_of(const Column& column, const ResultRow& row);
 /// Returns the number for people, with its interval where it has one: "12.5 (12.1–13.0)".
 std::string text_with_interval(const Column& column, const ResultRow& row);
 
-/// Says whether the places of the two rows' numbers overlap, so that they are not told apart.
+/// Says whether an interval of one of two rows leaves open which of their numbers is the better
+/// one: their places overlap.
 bool are_tied(const Column& column, const ResultRow& a, const ResultRow& b);
 
 /// The title with the unit in which people read the number: "Time [ms]".

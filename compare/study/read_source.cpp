@@ -190,7 +190,7 @@ void read_same(const JsonNode& node, const Study& study, Claim& claim) {
   if (claim.order[0].size() < 2) node["same"].fail("accepted: at least two calls");
   if (node.has("within"))
     claim.within = node["within"].number(0, most);
-  else if (!claim.by.column || !claim.by.column->interval)
+  else if (!claim.by.column || !is_time(*claim.by.column) || !claim.by.column->interval)
     node["same"].fail(
         fmt::format("'{}' has no interval; accepted: beside 'within', how far the "
                     "ratio of two may be from 1",

@@ -65,8 +65,11 @@ class PlotLayout {
       for (const PlotSeries& series : panel.series)
         if (std::ranges::find(labels_, series.label) == labels_.end())
           labels_.push_back(series.label);
-    columns_ = std::clamp(std::size_t((width - 2 * margin) / (least_panel * font_)), std::size_t(1),
-                          plot.panels.size());
+    const std::size_t panels = plot.panels.size();
+    const auto most = std::clamp(std::size_t((width - 2 * margin) / (least_panel * font_)),
+                                 std::size_t(1), panels);
+    const std::size_t rows = (panels + most - 1) / most;
+    columns_ = (panels + rows - 1) / rows;  // as even as can be
     panel_ = (width - 2 * margin - double(columns_ - 1) * font_) / double(columns_);
     left_ = line_height * font_ + widest_tick() + tick_length + gap;
     if (panel_ - left_ < least_axis * font_)
