@@ -53,16 +53,16 @@ void take_findings(scene::Findings findings, CellMeasurement& result) {
 }  // namespace
 
 CellMeter::CellMeter(const Cell& cell, const scene::Scene& scene,
-                     const scene::RenderContext& context)
+                     const scene::RenderContext& context, bool first_is_timed)
     : cell_(cell), scene_(scene), result_{identity_row(cell), {}, {}, {}, {}} {
   const Stopwatch setup;
   renderer_ = make_renderer(cell.call, scene, context, cell.place);
   result_.row.setup_seconds = setup.seconds();
-  warm_up();
+  warm_up(first_is_timed);
 }
 
 // Counting takes time, which is in no step: this picture's steps are those of a first frame.
-void CellMeter::warm_up() {
+void CellMeter::warm_up(bool is_timed) {
   scene::RenderRequest counting;
   counting.layers = true;
   scene::Rendering rendering = renderer_->render(counting);
@@ -73,12 +73,14 @@ void CellMeter::warm_up() {
   result_.row.stored = rendering.stats.stored;
   result_.row.dropped = rendering.stats.dropped;
   result_.row.truncated = rendering.stats.truncated;
-  result_.row.bytes = std::move(rendering.stats.bytes);
+  result_.row.bytes = rendering.stats.bytes;
+  if (is_timed) keep(std::move(rendering));
 }
 
-void CellMeter::time_once() {
+void CellMeter::time_once() { keep(renderer_->render({.draw = std::uint32_t(runs_.size())})); }
+
+void CellMeter::keep(scene::Rendering rendering) {
   const auto draw = std::uint32_t(runs_.size());
-  scene::Rendering rendering = renderer_->render({.draw = draw});
   runs_.push_back(std::move(rendering.stats));
   seconds_.push_back(runs_.back().seconds());
   if (draw == 0)
@@ -115,9 +117,13 @@ CellMeasurement CellMeter::finish(const TimingRule& timing) {
   return std::move(result_);
 }
 
+bool is_drawn_once(const Cell& cell, const TimingRule& timing) {
+  return timing.max == 1 && cell.call.row->promises.in_double;
+}
+
 CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, const TimingRule& timing,
                              const scene::RenderContext& context) {
-  CellMeter meter(cell, scene, context);
+  CellMeter meter(cell, scene, context, is_drawn_once(cell, timing));
   while (!is_over(meter.seconds(), timing)) meter.time_once();
   return meter.finish(timing);
 }

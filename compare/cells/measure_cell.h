@@ -18,9 +18,10 @@ constexpr std::uint32_t judged_draws = 5;
 /// method throws.
 class CellMeter {
  public:
-  /// Makes the renderer, and renders once to warm up and to count layers. The scene has to outlive
-  /// the meter.
-  CellMeter(const Cell& cell, const scene::Scene& scene, const scene::RenderContext& context);
+  /// Makes the renderer, and renders once to warm up and to count layers; with `first_is_timed`
+  /// that picture is the first of those that are timed. The scene has to outlive the meter.
+  CellMeter(const Cell& cell, const scene::Scene& scene, const scene::RenderContext& context,
+            bool first_is_timed = false);
 
   /// Renders once against the clock.
   void time_once();
@@ -38,7 +39,8 @@ class CellMeter {
   CellMeasurement finish(const TimingRule& timing);
 
  private:
-  void warm_up();
+  void warm_up(bool is_timed);
+  void keep(scene::Rendering rendering);
 
   Cell cell_;
   const scene::Scene& scene_;
@@ -47,6 +49,10 @@ class CellMeter {
   std::vector<scene::RenderStats> runs_;
   std::vector<double> seconds_;
 };
+
+/// Returns whether the first picture of a cell is the one that is timed: of one that is timed once,
+/// by a ray tracer, which has nothing to warm up.
+bool is_drawn_once(const Cell& cell, const TimingRule& timing);
 
 /// Measures one cell alone: a CellMeter that is timed until the rule is met.
 CellMeasurement measure_cell(const Cell& cell, const scene::Scene& scene, const TimingRule& timing,

@@ -57,8 +57,10 @@ std::vector<MeasuredCell> measure_interleaved(std::span<const Cell> cells,
                                               const std::function<void()>& between) {
   std::vector<Turn> turns(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
-    turns[i].attempt(
-        [&] { turns[i].meter = std::make_unique<CellMeter>(cells[i], scene, contexts[i]); });
+    turns[i].attempt([&] {
+      turns[i].meter = std::make_unique<CellMeter>(cells[i], scene, contexts[i],
+                                                   is_drawn_once(cells[i], timing));
+    });
   for (std::size_t round = 0; run_round(turns, round, timing); ++round) between();
   std::vector<MeasuredCell> measured;
   for (Turn& turn : turns) measured.push_back(finished(turn, timing));

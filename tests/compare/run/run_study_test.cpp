@@ -44,6 +44,25 @@ TEST(UnitRunStudy, OneWarmUpAndAllRepeats) {
   EXPECT_EQ(RenderCounter::renders, 2 * (1 + 2));  // two scenes
 }
 
+TEST(UnitRunStudy, ARayTracerThatIsTimedOnceIsDrawnOnce) {
+  scene::MethodRow tracer = fake_methods().front();
+  tracer.promises.in_double = true;
+  const std::span<const scene::MethodRow> only(&tracer, 1);
+  const StudyFolder folder;
+  StudyOptions options;
+  options.folder = folder / "results";
+  for (const auto& [repeats, renders] : {std::pair(1, 1), {2, 1 + 2}}) {
+    RenderCounter::renders = 0;
+    const std::string more = R"("repeats": )" + std::to_string(repeats);
+    const StudyOutcome outcome = run_study(load_study(folder.study("[]", more), only), options);
+    EXPECT_EQ(RenderCounter::renders, 2 * renders);  // two scenes
+    const ResultRow& row = row_of(outcome, "one", "truth");
+    EXPECT_EQ(row.repeats, repeats);
+    EXPECT_EQ(row.seconds.median, 0.75);
+    EXPECT_EQ(row.max_layers, 3u);
+  }
+}
+
 TEST(UnitRunStudy, ExactMethodsAreAlsoComparedWhereLayersAgree) {
   const StudyFolder folder;
   const StudyOutcome outcome = run(folder, two_methods);
