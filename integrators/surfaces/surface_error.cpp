@@ -77,9 +77,9 @@ class KnownPlaces {
 /// A surface by particles that are sent again from the seed curve to wherever it is asked for.
 class SentSurface {
  public:
-  SentSurface(const SurfaceRequest& request, SurfaceSetup setup)
+  SentSurface(const SurfaceRequest& request, const SurfaceSetup& setup)
       : request_(request),
-        setup_(std::move(setup)),
+        setup_(setup),
         source_(request, setup_),
         noise_(std::max(10 * setup_.trajectory.tolerance,
                         setup_.trajectory.error_floor * setup_.trajectory.duration)) {}

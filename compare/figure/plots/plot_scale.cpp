@@ -97,12 +97,12 @@ void PlotScale::add_steps(double step) {
 
 /// Of few decades multiples by 2 and 5 are ticks, too; of many every second or third is.
 void PlotScale::add_decades() {
-  const double first = std::ceil(low_ - 1e-9), last = std::floor(high_ + 1e-9);
-  const double every = std::max(1.0, std::ceil((last - first) / (2 * wanted_ticks)));
+  const int first = int(std::ceil(low_ - 1e-9)), last = int(std::floor(high_ + 1e-9));
+  const int every = std::max(1, int(std::ceil((last - first) / (2 * wanted_ticks))));
   const bool few = high_ - low_ < 2.5;
-  for (double power = std::floor(low_); power <= last; power += few ? 1 : every)
+  for (int power = int(std::floor(low_)); power <= last; power += few ? 1 : every)
     for (const double factor : {1.0, 2.0, 5.0}) {
-      const double number = factor * std::pow(10, power), place = std::log10(number);
+      const double number = factor * std::pow(10.0, power), place = std::log10(number);
       if ((factor == 1 || few) && place >= low_ - 1e-9 && place <= high_ + 1e-9)
         add(number, tick_label(number));
     }
