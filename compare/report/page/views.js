@@ -5,7 +5,7 @@
 const viewErrors = (row) => row.curves?.find(({ name }) => name === `${errorColumn().title} over the views`)?.y.map(numberOf) ?? [];
 
 function viewPicture(row, source, view, error, isWorst) {
-  const text = row.reference ? `view ${view + 1}` : `${errorColumn().title} ${scientific(error)}${isWorst ? ", the worst" : ""}`;
+  const text = row.reference ? `view ${view + 1}` : `${errorColumn().title} ${scientific(error)}${isWorst ? ", worst" : ""}`;
   const what = row.reference ? `${row.name} from view ${view + 1}` : `error of ${row.name} from view ${view + 1}: ${text}`;
   const image = source ? make("img", { src: source, alt: what, loading: "lazy" }) : "–";
   return make("td", { class: isWorst && "worst" }, make("figure", {}, image, make("figcaption", {}, text)));
