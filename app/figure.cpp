@@ -176,10 +176,10 @@ void add_plot_options(CLI::App& command, FigureArguments& arguments) {
   const char* const pictures[] = {"--crop", "--numbers", "--table", "--error", "--flip"};
   CLI::Option* kind = command.add_option(
       "--plot", plot.kind,
-      "Plot numbers in place of pictures, a panel for each scene: trade-off, sweep:METHOD (over "
+      "Plot numbers in place of pictures, a panel for each scene: trade-off; sweep:METHOD, over "
       "the "
-      "parameter in which its calls differ), or curves:NAME (\"layer error\", …); -o FILE.csv has "
-      "the points");
+      "parameter in which its calls differ; curves:NAME (\"layer error\", …). -o FILE.csv has the "
+      "points");
   for (const char* other : pictures) kind->excludes(other);
   command.add_option("--x", plot.x, "Cost of a trade-off: a column of results.csv")
       ->needs(kind)

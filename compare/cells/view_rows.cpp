@@ -77,33 +77,38 @@ Metrics mean_metrics(const Rows& rows, Metrics Comparison::*which) {
   return means;
 }
 
-/// Ends of an interval are means, as those of times.
+using IntervalOf = std::function<std::optional<Interval>(const ResultRow&)>;
+
+/// Ends are means, too, which makes an interval no narrower than one of 95 %; nothing where one row
+/// has none.
+std::optional<Interval> mean_interval(const Rows& rows, const IntervalOf& interval_of) {
+  const auto mean_end = [&](double Interval::*end) {
+    return mean_of(rows, [&](const ResultRow& row) {
+      const std::optional<Interval> interval = interval_of(row);
+      return interval ? std::optional((*interval).*end) : std::nullopt;
+    });
+  };
+  const std::optional<double> low = mean_end(&Interval::low), high = mean_end(&Interval::high);
+  return low && high ? std::optional(Interval{*low, *high}) : std::nullopt;
+}
+
+/// Of the metrics of methods of random numbers.
 std::map<std::string, Interval> mean_intervals(const Rows& rows) {
   std::map<std::string, Interval> means;
-  for (const auto& [name, first] : rows.front().metric_intervals) {
-    const auto mean_end = [&](double Interval::*end) {
-      return mean_of(rows, [&](const ResultRow& row) {
-        const auto found = row.metric_intervals.find(name);
-        return found == row.metric_intervals.end() ? std::nullopt
-                                                   : std::optional(found->second.*end);
-      });
-    };
-    const auto low = mean_end(&Interval::low), high = mean_end(&Interval::high);
-    if (low && high) means[name] = {*low, *high};
+  for (const auto& of_first : rows.front().metric_intervals) {
+    const std::string& name = of_first.first;
+    const auto mean = mean_interval(rows, [&](const ResultRow& row) {
+      const auto found = row.metric_intervals.find(name);
+      return found == row.metric_intervals.end() ? std::nullopt : std::optional(found->second);
+    });
+    if (mean) means[name] = *mean;
   }
   return means;
 }
 
 using SpreadOf = std::function<const Spread&(const ResultRow&)>;
 
-/// Ends of an interval are means, too, which makes it no narrower than one of 95 %.
 Spread mean_spread(const Rows& rows, const SpreadOf& spread_of) {
-  const auto mean_end = [&](double Interval::*end) {
-    return mean_of(rows, [&](const ResultRow& row) {
-      const auto& interval = spread_of(row).interval;
-      return interval ? std::optional((*interval).*end) : std::nullopt;
-    });
-  };
   Spread spread = spread_of(rows.front());
   for (const ResultRow& row : rows) {
     spread.min = std::min(spread.min, spread_of(row).min);
@@ -111,8 +116,8 @@ Spread mean_spread(const Rows& rows, const SpreadOf& spread_of) {
   }
   spread.median =
       *mean_of(rows, [&](const ResultRow& row) { return std::optional(spread_of(row).median); });
-  const std::optional<double> low = mean_end(&Interval::low), high = mean_end(&Interval::high);
-  spread.interval = low && high ? std::optional(Interval{*low, *high}) : std::nullopt;
+  spread.interval =
+      mean_interval(rows, [&](const ResultRow& row) { return spread_of(row).interval; });
   return spread;
 }
 
