@@ -19,6 +19,7 @@ constexpr std::string_view needs_five =
 /// Nothing where the stage does not apply.
 std::optional<double> share_of_stage(const ResultRow& row, std::string_view stage) {
   if (!row.budget) return std::nullopt;
+  if (stage == interaction_name) return row.budget->interaction;
   const auto line = std::ranges::find(row.budget->lines, stage, &BudgetLine::stage);
   if (line == row.budget->lines.end() || !line->why_not.empty()) return std::nullopt;
   return line->share;

@@ -76,13 +76,20 @@ std::vector<std::string_view> columns_with_better() {
   return names;
 }
 
+/// What has a share in an error: its stages, and what no single one accounts for.
+std::vector<std::string_view> names_of_shares() {
+  std::vector<std::string_view> names(budget_stage_names.begin(), budget_stage_names.end());
+  names.push_back(interaction_name);
+  return names;
+}
+
 ClaimedNumber read_number(const JsonNode& node) {
   refuse_beside(node, "by", {"measure", "stage", "better"});
   refuse_beside(node, "measure", {"stage"});
   if (node.has("measure") || node.has("stage")) {
     ClaimedNumber number;
     if (node.has("measure")) number.measure = node["measure"].string();
-    if (node.has("stage")) number.stage = node["stage"].one_of(budget_stage_names);
+    if (node.has("stage")) number.stage = node["stage"].one_of(names_of_shares());
     if (node.has("better"))
       number.better = better_of_name(node["better"].one_of({"lower", "higher"}));
     return number;

@@ -47,6 +47,9 @@ struct Views {
 inline constexpr std::array<std::string_view, 8> budget_stage_names{
     "field", "integration", "mesh", "samples", "opacities", "compositing", "arithmetic", "display"};
 
+/// What claims and tables call the part of an error that is no single stage's.
+inline constexpr std::string_view interaction_name = "interaction";
+
 /// BudgetOptions say how much finer the stages of an error budget are made; see docs/evaluation.md.
 struct BudgetOptions {
   std::string field;  // the formula that a sampled field was sampled from; empty: not known

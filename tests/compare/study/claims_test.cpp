@@ -202,6 +202,9 @@ TEST(UnitClaims, AStagesShareIsClaimedByItsName) {
   EXPECT_EQ(share.by.heading(), "share of 'mesh'");
   share.by.stage = "field";  // does not apply
   EXPECT_TRUE(check_claim(share, scenes, measured).empty());
+  measured[0].budget->interaction = 0.625;  // what is no stage's
+  share.by.stage = "interaction";
+  EXPECT_THAT(check_claim(share, scenes, measured)[0].against, ElementsAre("0.625, not 0.5"));
 }
 
 TEST(UnitClaims, ASceneThatLacksARowIsLeftOut) {
