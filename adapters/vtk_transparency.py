@@ -14,33 +14,12 @@ import sys
 import time
 from pathlib import Path
 
-import numpy
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtk_objects import poly_data, set_camera, width_in_pixels
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkWindowToImageFilter)
-
-from exported_scene import cells, columns, read_ply
-
-
-def poly_data(thing, folder):
-    ply = read_ply(folder / thing["file"])
-    joined = cells(ply, thing["kind"])
-    data, points, array = vtkPolyData(), vtkPoints(), vtkCellArray()
-    points.SetData(numpy_to_vtk(columns(ply["vertex"], "x", "y", "z"), deep=True))
-    data.SetPoints(points)
-    counted = numpy.concatenate([numpy.full((len(joined), 1), joined.shape[1]), joined], 1).astype(numpy.int64)
-    array.ImportLegacyFormat(numpy_to_vtkIdTypeArray(counted.ravel(), deep=True))
-    {"triangles": data.SetPolys, "lines": data.SetLines, "points": data.SetVerts}[thing["kind"]](array)
-    colors = columns(ply["vertex"], "red", "green", "blue", "alpha")
-    if thing["opaque"]:
-        colors[:, 3] = 1  # whatever its opacity: VTK would blend it
-    data.GetPointData().SetScalars(numpy_to_vtk(colors, deep=True))
-    return data
 
 
 def actor_of(thing, scene, folder):
@@ -53,23 +32,10 @@ def actor_of(thing, scene, folder):
         actor.ForceOpaqueOn()
     else:
         actor.ForceTranslucentOn()
-    if thing["radius"]:
-        pixels = 2 * thing["radius"] * scene["resolution"][1] / scene["camera"].get("height", 2)
-        actor.GetProperty().SetLineWidth(max(1, pixels))
-        actor.GetProperty().SetPointSize(max(1, pixels))
+    if pixels := width_in_pixels(thing, scene):
+        actor.GetProperty().SetLineWidth(pixels)
+        actor.GetProperty().SetPointSize(pixels)
     return actor
-
-
-def set_camera(camera, wanted):
-    camera.SetPosition(wanted["eye"])
-    camera.SetFocalPoint(wanted["target"])
-    camera.SetViewUp(wanted["up"])
-    camera.SetClippingRange(wanted["near"], wanted["far"])
-    if "fov" in wanted:
-        camera.SetViewAngle(wanted["fov"])
-    else:
-        camera.ParallelProjectionOn()
-        camera.SetParallelScale(wanted["height"] / 2)
 
 
 def main(mode, scene_file, output):

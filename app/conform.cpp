@@ -5,12 +5,16 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "app/commands.h"
 #include "compare/conform/conform.h"
+#include "compare/conform/conform_json.h"
 #include "compare/methods/given_method.h"
 #include "compare/methods/methods.h"
+#include "compare/renderers/renderers_report.h"
 #include "core/error.h"
 #include "core/files/json_text.h"
 #include "core/files/output_folder.h"
@@ -23,7 +27,7 @@ namespace fs = std::filesystem;
 
 struct ConformArguments {
   std::string command, method, only, output = "exr";
-  fs::path pictures, make;
+  fs::path pictures, make, renderers, report;
   double timeout = 600;  // seconds
   double tolerance = compare::conformance_tolerance;
   bool all = false;
@@ -47,6 +51,12 @@ compare::MethodCall call_of(const ConformArguments& arguments) {
   return compare::parse_call(arguments.method);
 }
 
+std::string name_of_renderer(const ConformArguments& arguments) {
+  return !arguments.command.empty()  ? arguments.command
+         : !arguments.method.empty() ? arguments.method
+                                     : arguments.pictures.string();
+}
+
 void print_case(const compare::CaseResult& result) {
   const compare::Verdict& v = result.verdict;
   if (v.passed)
@@ -64,37 +74,9 @@ void print_family(const compare::FamilySummary& family) {
   fmt::print("\n");
 }
 
-nlohmann::ordered_json to_json(const compare::CaseResult& result) {
-  const compare::Verdict& v = result.verdict;
-  nlohmann::ordered_json json{{"name", result.name},    {"family", result.family},
-                              {"n", result.n},          {"what", result.what},
-                              {"passed", v.passed},     {"max_error", v.max_error},
-                              {"wrong_pixels", v.wrong}};
-  if (!v.passed) {
-    json["fault"] = v.fault;
-    json["explanation"] = v.explanation;
-  }
-  return json;
-}
-
-nlohmann::ordered_json to_json(const compare::FamilySummary& family) {
-  nlohmann::ordered_json json{
-      {"family", family.family}, {"passed", family.passed}, {"cases", family.cases}};
-  if (const compare::CaseResult* failed = family.first_failed) {
-    json["first_failed"] = failed->name;
-    json["n"] = failed->n;
-    json["fault"] = failed->verdict.fault;
-  }
-  return json;
-}
-
 void print_json(const std::vector<compare::CaseResult>& results) {
-  nlohmann::ordered_json json{{"judged", "rgb"},
-                              {"families", nlohmann::ordered_json::array()},
-                              {"cases", nlohmann::ordered_json::array()}};
-  for (const auto& family : compare::summarize(results))
-    json["families"].push_back(to_json(family));
-  for (const auto& result : results) json["cases"].push_back(to_json(result));
+  nlohmann::ordered_json json{{"judged", "rgb"}};
+  json.update(compare::json_of(results));
   fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -107,47 +89,114 @@ void make_scenes(const ConformArguments& arguments, const GlobalOptions& globals
                (arguments.make / "cases.json").string());
 }
 
+compare::ConformRequest request_of(const ConformArguments& arguments,
+                                   const GlobalOptions& globals) {
+  return {.call = {},
+          .pictures = arguments.pictures,
+          .only = arguments.only,
+          .tolerance = arguments.tolerance,
+          .context = {.gl = globals.gl},
+          .on_case = {}};
+}
+
+/// The report appears whole, or not at all; its place is refused before anything is drawn.
+class ConformReport {
+ public:
+  explicit ConformReport(const fs::path& folder) {
+    if (!folder.empty()) folder_.emplace(folder);
+  }
+  void write(const std::string& title, std::span<const compare::RendererResult> results) {
+    if (!folder_) return;
+    folder_->fill([&](const fs::path& to) { compare::write_renderers_report(to, title, results); });
+    folder_->commit();
+  }
+
+ private:
+  std::optional<OutputFolder> folder_;
+};
+
+void print_one(const ConformArguments& arguments, const std::vector<compare::CaseResult>& results) {
+  for (const compare::CaseResult& result : results)
+    if (arguments.all || !result.verdict.passed) print_case(result);
+  fmt::print("\n");
+  for (const auto& family : compare::summarize(results)) print_family(family);
+  fmt::print("judged: red, green and blue, over the background; not A\n");
+}
+
+/// Throws WorkError where a case failed.
+void end_with(std::size_t failed, std::size_t cases) {
+  std::fflush(stdout);
+  if (failed > 0) throw WorkError(fmt::format("{} of {} cases failed", failed, cases));
+}
+
 void judge(const ConformArguments& arguments, const GlobalOptions& globals) {
-  compare::ConformRequest request{.call = {},
-                                  .pictures = arguments.pictures,
-                                  .only = arguments.only,
-                                  .tolerance = arguments.tolerance,
-                                  .context = {.gl = globals.gl},
-                                  .on_case = {}};
+  compare::ConformRequest request = request_of(arguments, globals);
   if (arguments.pictures.empty()) request.call = call_of(arguments);
   if (!request.pictures.empty() && !fs::is_directory(request.pictures))
     throw InputError(
         fmt::format("--pictures {}: no folder; accepted: one that holds NAME.exr or "
                     "NAME.png of the cases",
                     request.pictures.string()));
+  ConformReport report_folder(arguments.report);
   const Progress progress = console_progress(globals);
   request.on_case = [&](double done, const compare::CaseResult& result) {
     report(progress, done, result.name);
   };
-  const std::vector<compare::CaseResult> results = compare::conform(request);
-  const auto failed = std::ranges::count_if(
-      results, [](const compare::CaseResult& result) { return !result.verdict.passed; });
-  if (globals.json) {
-    print_json(results);
-  } else {
-    for (const compare::CaseResult& result : results)
-      if (arguments.all || !result.verdict.passed) print_case(result);
-    fmt::print("\n");
-    for (const auto& family : compare::summarize(results)) print_family(family);
-    fmt::print("judged: red, green and blue, over the background; not A\n");
+  const compare::RendererResult result{{.name = name_of_renderer(arguments)},
+                                       compare::conform(request)};
+  report_folder.write("What does it draw?", {&result, 1});
+  if (globals.json)
+    print_json(result.cases);
+  else
+    print_one(arguments, result.cases);
+  end_with(result.cases.size() - result.passed(), result.cases.size());
+}
+
+void print_renderer(const compare::RendererResult& result) {
+  if (const std::string why = result.nothing_drawn(); !why.empty())
+    fmt::print("{:28} drew nothing: {}\n", result.renderer.name, why);
+  else
+    fmt::print("{:28} {:2} of {} pass, {:2} are right to two steps of 8 bits\n",
+               result.renderer.name, result.passed(), result.cases.size(),
+               result.right_to_two_steps());
+}
+
+void judge_all(const ConformArguments& arguments, const GlobalOptions& globals) {
+  const compare::RendererList list = compare::read_renderer_list(arguments.renderers);
+  ConformReport report_folder(arguments.report);
+  compare::ConformRequest request = request_of(arguments, globals);
+  const Progress progress = console_progress(globals);
+  request.on_case = [&](double done, const compare::CaseResult& result) {
+    report(progress, done, result.name);
+  };
+  const auto results = compare::conform_all(list, request);
+  report_folder.write(list.title, results);
+  std::size_t failed = 0, cases = 0;
+  for (const compare::RendererResult& result : results) {
+    if (!globals.quiet) print_renderer(result);
+    cases += result.cases.size();
+    failed += result.cases.size() - result.passed();
   }
-  std::fflush(stdout);
-  if (failed > 0) throw WorkError(fmt::format("{} of {} cases failed", failed, results.size()));
+  if (!globals.quiet) fmt::print("report: {}\n", (arguments.report / "report.html").string());
+  end_with(failed, cases);
 }
 
 void run(const ConformArguments& arguments, const GlobalOptions& globals) {
-  const int ways =
-      !arguments.command.empty() + !arguments.method.empty() + !arguments.pictures.empty();
+  const int ways = !arguments.command.empty() + !arguments.method.empty() +
+                   !arguments.pictures.empty() + !arguments.renderers.empty();
   if (ways > 1 || (ways == 0 && arguments.make.empty()))
     throw InputError(
-        "conform: accepted: one of --command, --pictures and --method, or --make alone");
+        "conform: accepted: one of --command, --pictures, --method and --renderers, or --make "
+        "alone");
+  if (!arguments.renderers.empty() && arguments.report.empty())
+    throw InputError("--renderers: accepted: with --report FOLDER");
+  if (!arguments.report.empty() && ways == 0)
+    throw InputError("--report: accepted: with what is to be judged");
   if (!arguments.make.empty()) make_scenes(arguments, globals);
-  if (ways == 1) judge(arguments, globals);
+  if (!arguments.renderers.empty())
+    judge_all(arguments, globals);
+  else if (ways == 1)
+    judge(arguments, globals);
 }
 
 }  // namespace
@@ -163,6 +212,12 @@ void add_conform_command(CLI::App& app, GlobalOptions& globals) {
                       "Folder with a picture NAME.exr or NAME.png of each case");
   command->add_option("-m,--method", arguments->method,
                       "A method of this program: NAME[:key=value,...]");
+  command->add_option("--renderers", arguments->renderers,
+                      "A list of programs, methods and folders of pictures to ask, see "
+                      "docs/conformance.md; takes --report");
+  command->add_option("--report", arguments->report,
+                      "Folder for a page with all pictures, report.html, results.json and "
+                      "table.md; it appears whole or not at all");
   command->add_option("--make", arguments->make,
                       "Write the scenes, as 'export' does, and the right pictures to this folder");
   command->add_option("--only", arguments->only,

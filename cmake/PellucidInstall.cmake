@@ -11,7 +11,8 @@ endfunction()
 
 install(TARGETS pellucid RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 pellucid_install_data(COMPONENT program)
-install(DIRECTORY workflow DESTINATION share/pellucid COMPONENT program USE_SOURCE_PERMISSIONS)
+install(DIRECTORY workflow adapters DESTINATION share/pellucid COMPONENT program USE_SOURCE_PERMISSIONS
+        PATTERN __pycache__ EXCLUDE)
 install(FILES README.md CHANGELOG.md LICENSE THIRD-PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 # Python's module, below the prefix as Debian has it; PYTHONPATH names it elsewhere.

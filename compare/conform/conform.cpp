@@ -52,16 +52,20 @@ Image picture_of(const ConformanceCase& c, const ConformRequest& request) {
   return make_renderer(*request.call, c.scene, request.context)->render({}).image;
 }
 
-Verdict verdict_of(const ConformanceCase& c, const ConformRequest& request) {
+CaseResult result_of(const ConformanceCase& c, const ConformRequest& request) {
+  CaseResult result{c.name, c.family, c.what, c.n, {.fault = Fault::no_picture}};
   try {
-    const Image image = picture_of(c, request);
-    if (const std::size_t bad = count_not_finite(image))
-      return {.fault = Fault::no_picture,
-              .explanation = fmt::format("{} pixels are not finite", bad)};
-    return judge(c, image, is_stored_in_8_bits(image), request.tolerance);
+    Image image = picture_of(c, request);
+    if (const std::size_t bad = count_not_finite(image)) {
+      result.verdict.explanation = fmt::format("{} pixels are not finite", bad);
+      return result;
+    }
+    result.verdict = judge(c, image, is_stored_in_8_bits(image), request.tolerance);
+    result.picture = std::move(image);
   } catch (const std::exception& error) {
-    return {.fault = Fault::no_picture, .explanation = one_line(error.what())};
+    result.verdict.explanation = one_line(error.what());
   }
+  return result;
 }
 
 }  // namespace
@@ -70,7 +74,7 @@ std::vector<CaseResult> conform(const ConformRequest& request) {
   const std::vector<ConformanceCase> cases = chosen_cases(request.only);
   std::vector<CaseResult> results;
   for (const ConformanceCase& c : cases) {
-    results.push_back({c.name, c.family, c.what, c.n, verdict_of(c, request)});
+    results.push_back(result_of(c, request));
     if (request.on_case)
       request.on_case(double(results.size()) / double(cases.size()), results.back());
   }

@@ -17,6 +17,7 @@ struct CaseResult {
   std::string name, family, what;
   double n = 0;
   Verdict verdict;
+  std::optional<Image> picture = std::nullopt;  // that was judged
 };
 
 /// A ConformRequest asks for a renderer's pictures of the suite: by a call, which may be an

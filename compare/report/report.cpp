@@ -68,19 +68,6 @@ std::string page_script() {
   return script + std::string(report_files::report_js());
 }
 
-/// Returns the page with each {{name}} replaced by the text of that name, none of which is searched
-/// for marks of its own.
-std::string filled(std::string_view page, const std::map<std::string_view, std::string>& texts) {
-  std::string result;
-  for (std::size_t begin; (begin = page.find("{{")) != std::string_view::npos;) {
-    const std::size_t end = page.find("}}", begin);
-    result += page.substr(0, begin);
-    result += texts.at(page.substr(begin + 2, end - begin - 2));
-    page.remove_prefix(end + 2);
-  }
-  return result.append(page);
-}
-
 /// Elements that no browser runs; the page's script reads them when it needs them.
 std::string text_elements(const PageTexts& texts) {
   std::string elements;

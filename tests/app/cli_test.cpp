@@ -68,11 +68,6 @@ TEST_F(UnitCommandLine, NoOptionTakesWhatIsNoNumber) {
     for (const char* number : {"nan", "inf"}) EXPECT_NE(refusal(call + " " + number), "") << call;
 }
 
-TEST_F(UnitCommandLine, NamesAProgramThatIsNotThere) {
-  EXPECT_THAT(refusal("conform --command 'no-such-program {output}'"),
-              HasSubstr("no-such-program"));
-}
-
 TEST_F(UnitCommandLine, UnknownNamesOfferTheNearest) {
   EXPECT_THAT(refusal(render("furier")), HasSubstr("unknown method 'furier'; known: fourier"));
   EXPECT_THAT(refusal(render("fourier:band=3")), HasSubstr("unknown key 'band'; known: bands"));

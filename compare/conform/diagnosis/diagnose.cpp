@@ -73,6 +73,11 @@ Explanation explanation_of(const WrongPixels& pixels) {
 
 }  // namespace
 
+bool is_right_to_two_steps(const Verdict& verdict) {
+  return verdict.passed ||
+         (verdict.fault == Fault::eight_bits && verdict.max_error <= 4 * half_step);
+}
+
 Verdict judge(const ConformanceCase& c, const Image& picture, bool stored_in_8_bits,
               double tolerance) {
   const WrongPixels pixels(c, picture, stored_in_8_bits, tolerance);

@@ -17,6 +17,9 @@ struct Verdict {
   std::string explanation = {};  // more about it, for people
 };
 
+/// Returns whether the picture passed or, stored in 8 bits, is off by two of their steps at most.
+bool is_right_to_two_steps(const Verdict& verdict);
+
 /// A Fault is a kind of it, by its name.
 struct Fault {
   static constexpr std::string_view background = "background";
@@ -43,8 +46,8 @@ inline constexpr double conformance_tolerance = 1e-4;
 /// of each, leaving less than half of each one's error, and leaves the least of it; of explanations
 /// that leave about as little the one that takes the least for granted.
 /// - background: the layers are right, what shows through them is another colour;
-/// - colours: through a curve, by a factor, channels exchanged, straight or multiplied once too
-/// often;
+/// - colours: through a curve, by a factor, channels exchanged, straight, multiplied or blended
+/// once too often;
 /// - 8 bits: of a picture that is stored so, right to two steps; else as if every step of the
 /// composite, or its result, or what is stored of fragments were rounded to 8 bits;
 /// - precision: the same of half floats, or off by a 50th at most in a way that nothing else

@@ -101,6 +101,7 @@ void of_other_colors(const WrongPixels& pixels, Explanations& found) {
     const char* what;
   } ways[] = {{straight, "straight alpha: neither multiplied by A nor over the background"},
               {multiplied_again, "colours are multiplied by their opacity twice"},
+              {blended_again, "the picture is blended over its background twice"},
               {not_multiplied, "colours are blended without their opacity"}};
   for (const auto& [composite, what] : ways)
     add_explanation(found, Fault::colors, what, pixels.left_by_composite(composite, most));

@@ -89,6 +89,11 @@ glm::dvec4 multiplied_again(Layers layers, const Vec3& background) {
   return composite_of(layers, background);
 }
 
+glm::dvec4 blended_again(const Layers& layers, const Vec3& background) {
+  const double alpha = composite_of(layers, Vec3(0)).a;
+  return {glm::mix(background, Vec3(composite_of(layers, background)), alpha), 0};
+}
+
 glm::dvec4 not_multiplied(const Layers& layers, const Vec3& background) {
   Vec3 color(0);
   double transmittance = 1;

@@ -36,6 +36,9 @@ glm::dvec4 rounded_to_halves(const Layers& layers, const Vec3& background);
 /// Multiplies colours by their opacities before it blends them, which does so again.
 glm::dvec4 multiplied_again(Layers layers, const Vec3& background);
 
+/// Blends the right picture over its background again, by its opacity.
+glm::dvec4 blended_again(const Layers& layers, const Vec3& background);
+
 /// Blends colours as if they were multiplied by their opacities, which they are not.
 glm::dvec4 not_multiplied(const Layers& layers, const Vec3& background);
 

@@ -170,6 +170,26 @@ TEST_F(UnitVerdict, NamesWrongColours) {
   is(wrong[4], "values are raised to a power of 2.2");
 }
 
+/// As a window with an alpha channel that is blended into another one.
+TEST_F(UnitVerdict, NamesAPictureBlendedAgain) {
+  for (const ConformanceCase& c : conformance_cases()) {
+    Image image(c.scene.width, c.scene.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      double transmittance = 1;
+      for (const Rgba& layer : c.of_pixel(i)) transmittance *= 1 - double(layer.a);
+      const Vec3 once(composite_of(c.of_pixel(i), c.scene.background));
+      image.pixels[i] = Rgba((1 - transmittance) * once + transmittance * c.scene.background, 1);
+    }
+    const Verdict again = judge(c, image, false);
+    if (!again.passed) {
+      EXPECT_EQ(again.fault, Fault::colors) << c.name << ": " << again.explanation;
+    }
+    if (c.name == "layers-10" || c.name == "crossing-2" || c.name == "points-large") {
+      EXPECT_EQ(again.explanation, "the picture is blended over its background twice") << c.name;
+    }
+  }
+}
+
 TEST_F(UnitVerdict, NamesAShiftByWholePixels) {
   const ConformanceCase& c = named("points-small");
   const Image right = expected_picture(c);
