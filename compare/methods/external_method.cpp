@@ -41,6 +41,7 @@ class RunFolder {
 
   fs::path operator/(std::string_view name) const { return path_ / name; }
   const fs::path& path() const { return path_; }
+  bool is_temporary() const { return !kept_; }
 
  private:
   static fs::path temporary() {
@@ -132,9 +133,10 @@ class ExternalRenderer final : public GivenRenderer {
     const fs::path program = find_program(command_.words.front(), command_.base);
     if (program.empty())
       throw WorkError(fmt::format("'{}': no program that may be run", command_.words.front()));
-    return run_program(program, words,
-                       {folder.path(), folder / "stdout.txt", folder / "stderr.txt"},
-                       command_.timeout);
+    return run_program(
+        program, words,
+        {folder.path(), folder / "stdout.txt", folder / "stderr.txt", folder.is_temporary()},
+        command_.timeout);
   }
 
   std::string file_or_word(const std::string& word) const {

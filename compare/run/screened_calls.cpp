@@ -2,6 +2,7 @@
 #include "compare/run/screened_calls.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -33,11 +34,6 @@ std::string csv_of(const SmallPicture& picture) {
                      picture.bytes);
 }
 
-std::string text_of(const SmallPicture& picture) {
-  return fmt::format("{} ({:.1f} ms, RMSE {:.4f})", picture.call, 1e3 * picture.seconds,
-                     picture.rmse);
-}
-
 }  // namespace
 
 void write_screen(const fs::path& file, const std::string& key,
@@ -62,16 +58,14 @@ std::optional<std::vector<ScreenedCall>> read_screen(const fs::path& file, const
   }
 }
 
-std::string screen_note(const std::string& scene, std::span<const ScreenedCall> screened) {
-  std::string text = fmt::format(
-      "Of {}, {} calls were not drawn in full: in smaller pictures another one erred less in less "
-      "time, with no more memory. ",
-      scene, screened.size());
-  constexpr std::size_t shown = 3;
-  for (std::size_t i = 0; i < std::min(shown, screened.size()); ++i)
-    text +=
-        fmt::format("{}{} by {}", i ? "; " : "", text_of(screened[i].own), text_of(screened[i].by));
-  return text + (screened.size() > shown ? "; all of them are in screened.csv." : ".");
+std::string screen_note(std::span<const std::pair<std::string, std::size_t>> scenes) {
+  std::vector<std::string> counts;
+  for (const auto& [scene, calls] : scenes)
+    counts.push_back(fmt::format("{} call{} of {}", calls, calls == 1 ? "" : "s", scene));
+  return fmt::format(
+      "Not drawn in full, since in smaller pictures another call erred less in less time, with no "
+      "more memory: {}. screened.csv names them, and what they were beaten by.",
+      fmt::join(counts, ", "));
 }
 
 std::string csv_screen(const std::string& scene, std::span<const ScreenedCall> screened) {

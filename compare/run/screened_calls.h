@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/run/screening.h"
@@ -21,8 +22,8 @@ std::optional<std::vector<ScreenedCall>> read_screen(const std::filesystem::path
                                                      const std::string& key);
 ///@}
 
-/// Returns a paragraph for people about the calls that a scene's study left out.
-std::string screen_note(const std::string& scene, std::span<const ScreenedCall> screened);
+/// Returns a paragraph for people about how many calls a study left out, by scene.
+std::string screen_note(std::span<const std::pair<std::string, std::size_t>> scenes);
 
 /// Returns a line of CSV for each call, without a head: scene, call, size, seconds, rmse, bytes,
 /// and the same of the call that beat it.

@@ -39,14 +39,16 @@ std::vector<ScreenedCall> StudyScreen::screen(std::span<const Job> scene, SceneA
 Study StudyScreen::tell(std::span<const Job> jobs, std::size_t per_scene) const {
   Study told = study_;
   if (!study_.screen) return told;
+  std::vector<std::pair<std::string, std::size_t>> scenes;
   std::string csv = "scene,size,call,seconds,rmse,bytes,by,by_seconds,by_rmse,by_bytes\n";
   for (std::size_t first = 0; first < jobs.size(); first += per_scene) {
     const auto scene = jobs.subspan(first, per_scene);
     const auto calls = read_screen(file(scene), key(scene));
     if (!calls || calls->empty()) continue;
-    told.notes.push_back(screen_note(scene.front().cell.scene, *calls));
+    scenes.emplace_back(scene.front().cell.scene, calls->size());
     csv += csv_screen(scene.front().cell.scene, *calls);
   }
+  if (!scenes.empty()) told.notes.push_back(screen_note(scenes));
   write_text(options_.folder / "screened.csv", csv);
   return told;
 }

@@ -62,8 +62,9 @@ struct Start {
 }
 
 /// Waits for the end of the parent, however it ends, and ends the group then: the program's death
-/// signal does not reach what it has started, nor does Ctrl-C on the terminal.
-[[noreturn]] void guard(pid_t group, pid_t parent) {
+/// signal does not reach what it has started, nor does Ctrl-C on the terminal. Becomes the program
+/// that removes the folder, if there is one: after a fork nothing may be allocated here.
+[[noreturn]] void guard(pid_t group, pid_t parent, char* const* removal) {
   sigset_t all, told;
   ::sigfillset(&all);
   ::sigprocmask(SIG_BLOCK, &all, nullptr);
@@ -73,6 +74,7 @@ struct Start {
   int signal = 0;
   if (::getppid() == parent) ::sigwait(&told, &signal);
   ::kill(-group, SIGKILL);
+  if (removal) ::execv(removal[0], removal);
   ::_exit(0);
 }
 
@@ -145,6 +147,9 @@ ProgramRun run_program(const fs::path& program, const std::vector<std::string>& 
   std::vector<std::string> argv = words;
   for (std::string& word : argv) start.argv.push_back(word.data());
   start.argv.push_back(nullptr);
+  std::string removal[] = {"/bin/rm", "-rf", "--", place.folder.string()};
+  char* const removal_words[] = {removal[0].data(), removal[1].data(), removal[2].data(),
+                                 removal[3].data(), nullptr};
   const Stopwatch watch;
   const pid_t child = ::fork();
   if (child == 0) become(start);
@@ -157,7 +162,7 @@ ProgramRun run_program(const fs::path& program, const std::vector<std::string>& 
         fmt::format("{}: cannot be started: {}", program.string(), std::strerror(code)));
   }
   const pid_t guardian = ::fork();
-  if (guardian == 0) guard(child, start.parent);
+  if (guardian == 0) guard(child, start.parent, place.is_temporary ? removal_words : nullptr);
   ProgramRun run;
   run.limit = timeout;
   run.timed_out = !ends_within(child, timeout);

@@ -25,6 +25,7 @@ struct ProgramRun {
 struct ProgramPlace {
   std::filesystem::path folder;  // its current folder
   std::filesystem::path out, err;
+  bool is_temporary = false;  // the folder goes, with all in it, where this process ends first
 };
 
 /// Returns the file that the first word of a command names: relative to `base` where the word has a

@@ -21,5 +21,6 @@ function claimsSection({ claims }) {
   const blocks = claims.map(claimBlock);
   if (blocks.length === 0) return null;
   const lead = "Its orders, the best first, and its bounds, with the numbers measured here.";
-  return make("section", { id: "claims" }, make("h2", {}, "What the source found"), make("p", { class: "lead" }, lead), blocks);
+  return make("section", { id: "claims" }, make("h2", {}, "What the source found"), make("p", { class: "lead" }, lead),
+              make("div", { class: "claim-blocks" }, blocks));
 }

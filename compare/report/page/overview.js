@@ -41,11 +41,33 @@ function choice(rows, bound, cost) {
   const within = rows.filter((row) => !row.error && isWithin(errorColumn().value(row), bound));
   const known = ranked(within, cost.value), unknown = within.filter((row) => !known.includes(row)).map((row) => row.name);
   const [best] = known;
-  return [make("td", {}, choiceText(best, known, unknown, cost)), make("td", {}, best ? `${cost.textWithInterval(best)} ${cost.unit}` : "")];
+  return [choiceText(best, known, unknown, cost), best ? `${cost.textWithInterval(best)} ${cost.unit}` : ""];
 }
 
-const choiceRow = (rows, scene, bound) =>
-  make("tr", {}, make("td", {}, scene), make("td", {}, `≤ ${bound}`), costColumns().map((cost) => choice(rows, bound, cost)));
+/** A scene's choices, the same of neighbouring bounds as one. */
+function choicesOf(rows) {
+  const choices = [];
+  for (const bound of errorBounds) {
+    const texts = costColumns().flatMap((cost) => choice(rows, bound, cost));
+    const last = choices.at(-1);
+    if (last && texts.every((text, i) => text === last.texts[i])) last.bounds.push(bound);
+    else choices.push({ bounds: [bound], texts });
+  }
+  return choices;
+}
+
+const boundsText = (bounds) => `≤ ${bounds.length > 1 ? `${bounds.at(0)} … ${bounds.at(-1)}` : bounds[0]}`;
+
+function choiceRows(rows, scene) {
+  return choicesOf(rows).map(({ bounds, texts }, i) =>
+    make("tr", {}, make("td", {}, i === 0 ? scene : ""), make("td", {}, boundsText(bounds)), texts.map((text) => make("td", {}, text))));
+}
+
+/** Of how many views the numbers are, which limits what they say. */
+function viewsLead(rows) {
+  const views = Math.max(...rows.map(viewCount));
+  return views > 1 ? ` Errors and times are means over ${views} views of each scene.` : " Each scene is seen from one side: \"views\" in a study tell how far another one changes the answer.";
+}
 
 /** For a handful of pictures the plots are clearer than a table of choices. */
 const fewestChoices = 6;
@@ -54,11 +76,8 @@ function choicesSection(rows, scenes) {
   if (new Set(rows.map((row) => row.name)).size < fewestChoices) return null;
   const least = costColumns().flatMap(({ title }) => [`Least ${title.toLowerCase()}`, ""]);
   const head = make("tr", {}, ["Scene", errorColumn().title, ...least].map((text) => make("th", {}, text)));
-  const body = scenes.flatMap((scene) => {
-    const here = rows.filter((row) => row.scene === scene.name);
-    return errorBounds.map((bound) => choiceRow(here, scene.name, bound));
-  });
-  const lead = `The method of least cost within each bound on the error; tied with it are those of the same cost, or whose 95 % intervals overlap. Times of ${tooFewTimes} have no interval, and decide nothing.`;
+  const body = scenes.flatMap((scene) => choiceRows(rows.filter((row) => row.scene === scene.name), scene.name));
+  const lead = `The method of least cost within each bound on the error; tied with it are those of the same cost, or whose 95 % intervals overlap. Times of ${tooFewTimes} have no interval, and decide nothing.${viewsLead(rows.filter((row) => !row.error))}`;
   return make("section", { id: "choices" }, make("h2", {}, "What to choose"), make("p", { class: "lead" }, lead),
               make("div", { class: "wide choices" }, make("table", {}, make("thead", {}, head), make("tbody", {}, body))));
 }

@@ -26,7 +26,7 @@ function headSection() {
     data.study.source && make("p", { class: "source" }, data.study.source),
     make("p", { class: "lead" }, lead),
     ...data.study.notes.map((note) => make("p", { class: "note" }, note.replaceAll("`", ""))),
-    ...data.warnings.map((warning) => make("p", { class: "failed", role: "alert" }, warning)),
+    ...data.warnings.map((warning) => make("p", { class: "failed", role: "alert" }, warning.replaceAll("`", ""))),
     failed > 0 && make("p", { class: "failed" }, `${counted(failed, "cell")} failed; the table says why.`),
   ];
   return parts.filter(Boolean);
@@ -76,7 +76,7 @@ function redraw() {
 document.getElementById("head").append(...headSection());
 const sections = [
   claimsSection(data), laddersSection(data), growthSection(data), costsSection(data),
-  ...data.scenes.map(sceneSection), overviewSection(data.rows, data.scenes), choicesSection(data.rows, data.scenes),
+  choicesSection(data.rows, data.scenes), overviewSection(data.rows, data.scenes), ...data.scenes.map(sceneSection),
   tableSection(data.rows), provenanceSection(data),
 ].filter(Boolean);
 document.getElementById("nav").append(navigation(sections));

@@ -85,6 +85,26 @@ TEST_F(UnitProgramRun, GoesWithThisProcessAndSoDoItsChildren) {
   }
 }
 
+TEST_F(UnitProgramRun, ATemporaryFolderGoesWithThisProcess) {
+  for (const bool is_temporary : {true, false}) {
+    const std::filesystem::path place = folder_ / (is_temporary ? "temporary" : "kept");
+    std::filesystem::create_directory(place);
+    const pid_t here = ::fork();
+    if (here == 0) {
+      run_program("/bin/sh", {"sh", "-c", "touch begun; sleep 60"},
+                  {place, place / "out", place / "err", is_temporary}, 60);
+      ::_exit(0);
+    }
+    while (!std::filesystem::exists(place / "begun"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // for the guardian
+    ::kill(here, SIGINT);
+    ::waitpid(here, nullptr, 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    EXPECT_EQ(std::filesystem::exists(place), !is_temporary);
+  }
+}
+
 TEST_F(UnitProgramRun, IsEndedWhenItsWorkIsCancelled) {
   tbb::task_group_context context;
   std::thread later([&] {
