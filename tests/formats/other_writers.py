@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files that other programs write, each with what was written: for formats of which no package of Debian has a file."""
 
+import os
+import shlex
 import shutil
 import subprocess
 
@@ -211,7 +213,27 @@ def many_blocks(ending, data_set, writer):
     return write
 
 
-ALL = [tecplot, unstructured, nrrd, nhdr, cgns, mrc, vdb, csv, foam, ensight_of_foam, vtm_of_foam,
+def pvd(_, folder):
+    """ParaView's own series, by its pvbatch, or by what PELLUCID_PVBATCH names."""
+    script = folder / "series.py"
+    script.write_text('''
+from paraview.simple import *
+places = Calculator(Input=Wavelet(WholeExtent=[-4, 4, -3, 3, 0, 2]), ResultArrayName="xyz", Function="coords")
+steps = GenerateTimeSteps(Input=places, TimeStepValues=[0.0, 0.5, 2.0])
+wind = PythonCalculator(Input=steps, ArrayName="wind",
+                        Expression="make_vector(1 + time_value * xyz[:, 0], 2 * xyz[:, 1], time_value + 0 * xyz[:, 2])")
+steps.UpdatePipeline(0.0)
+SaveData("series.pvd", proxy=wind, WriteTimeSteps=1)
+''')
+    call(*shlex.split(os.environ.get("PELLUCID_PVBATCH", "pvbatch")), script, cwd=folder)
+    points = other_readers.placed((9, 7, 3), np.eye(4)) + [-4, -3, 0]
+    x, y, z = np.moveaxis(points, -1, 0)
+    at_half = np.stack([1 + 0.5 * x, 2 * y, 0.5 + 0 * z], axis=-1)
+    return folder / "series.pvd", other_readers.grid(points, {"wind": at_half})._replace(
+        counts={"files": 3}, data={}, choice="time=0.5")
+
+
+ALL = [tecplot, unstructured, nrrd, nhdr, cgns, mrc, vdb, csv, foam, ensight_of_foam, vtm_of_foam, pvd,
        *(vtk_file(kind, pieces) for kind in "pirsu" for pieces in (1, 2)),
        many_blocks(".vtm", "vtkMultiBlockDataSet", "vtkXMLMultiBlockDataWriter"),
        many_blocks(".vtpd", "vtkPartitionedDataSet", "vtkXMLPartitionedDataSetWriter"),
