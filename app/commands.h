@@ -52,9 +52,13 @@ void add_gl_option(CLI::App& command, GlobalOptions& globals);
 /// returns it.
 CLI::Option* add_opacities_option(CLI::App& command, std::string& opacities);
 
+/// The longest side of a picture that is held in memory, as a scene's file accepts it, and of one
+/// that is drawn by tiles; pixels.
+inline constexpr int largest_side = 1 << 14, largest_tiled_side = 1 << 15;
+
 /// Adds --camera, --view, --resolution and --samples to a subcommand that renders a scene; they go
 /// before what the scene's file says.
-void add_view_options(CLI::App& command, scene::ViewRequest& view);
+void add_view_options(CLI::App& command, scene::ViewRequest& view, int most = largest_side);
 
 /// Accepts paths with one of these endings: a wrong name of an output is met before the work that
 /// would be in vain.

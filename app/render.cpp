@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/deep.h"
+#include "app/drawn_picture.h"
 #include "app/part_number.h"
 #include "app/sums.h"
 #include "compare/methods/methods.h"
@@ -16,17 +17,14 @@
 #include "compare/parts/load_part.h"
 #include "compare/parts/scene_fingerprint.h"
 #include "compare/pictures/image_file.h"
-#include "compare/pictures/picture_pair.h"
 #include "compare/pictures/sums_file.h"
 #include "compare/results/probe_json.h"
-#include "compare/results/render_json.h"
 #include "compare/sums/draw_sums.h"
 #include "core/error.h"
 #include "core/files/files_read.h"
 #include "core/files/json_text.h"
 #include "core/files/output_file.h"
 #include "core/options/split.h"
-#include "scene/files/camera_file.h"
 #include "scene/files/scene_file.h"
 
 namespace pellucid::app {
@@ -38,6 +36,7 @@ struct RenderOptions {
   std::vector<int> probe;  // x, y, x, y, …
   scene::ViewRequest view;
   bool explain = false;
+  bool tiles = false;
 };
 
 void print_summary(const RenderOptions& options, const scene::Scene& scene,
@@ -111,50 +110,24 @@ void write_partial(const RenderOptions& options, const GlobalOptions& globals,
   print_sums(options.partial, sums.info, globals);
 }
 
-/// How the scene was made, and what the method made of it.
-std::vector<std::string> explanation(const scene::Scene& scene, const scene::Renderer& renderer) {
-  std::vector<std::string> lines{fmt::format("camera: {} ({})", scene::camera_text(scene.camera),
-                                             scene.provenance.at("camera"))};
-  for (const auto& [object, how] : scene.provenance)
-    if (object != "camera") lines.push_back(fmt::format("{}: {}", object, how));
-  std::ranges::copy(renderer.explain(), std::back_inserter(lines));
-  return lines;
-}
-
-/// A DrawnPicture is the picture by the method, and what it took.
-// Moving nlohmann::json asserts, which the check takes for throwing.
-// NOLINTNEXTLINE(bugprone-exception-escape)
-struct DrawnPicture {
-  scene::Rendering rendering;
-  nlohmann::json json;
-  std::vector<std::string> explanation;  // where it is asked for
-};
-
-DrawnPicture draw(const RenderOptions& options, const GlobalOptions& globals,
-                  const compare::MethodCall& call,
-                  const std::optional<compare::MethodCall>& opacities, const scene::Scene& scene,
-                  const Progress& progress) {
-  const auto renderer = call.row->make(scene, call.parameters, {.gl = globals.gl});
-  const std::string what = fmt::format("rendering {}", call.row->name);
-  report(progress, 0.5, what);
-  // A first frame compiles shaders and touches memory for the first time; the second is timed.
-  renderer->render({.progress = part_of(progress, 0.5, 0.75, what)});
-  DrawnPicture drawn;
-  drawn.rendering =
-      renderer->render({.layers = true, .progress = part_of(progress, 0.75, 1, what)});
-  report(progress, 1, fmt::format("rendered {}", call.row->name));
-  compare::require_finite(drawn.rendering.image, call.text());
-  drawn.json = compare::render_json(call, opacities, scene, drawn.rendering.stats, *renderer);
-  if (!options.explain) return drawn;
-  drawn.explanation = explanation(scene, *renderer);
-  drawn.json["explanation"] = drawn.explanation;
-  return drawn;
+/// Refuses what --tiles cannot do, and sizes that only it can.
+void check_tiles(const RenderOptions& options, const compare::MethodCall& call) {
+  const auto& size = options.view.resolution;
+  if (size && !options.tiles && std::max((*size)[0], (*size)[1]) > largest_side)
+    throw InputError(
+        fmt::format("--resolution: {}x{}; accepted: 1 … {} pixels, with --tiles 1 … {}", (*size)[0],
+                    (*size)[1], largest_side, largest_tiled_side));
+  if (!options.tiles) return;
+  if (call.row->name != "raytrace")
+    throw InputError(fmt::format("--tiles: the method is '{}'; accepted: raytrace", call.text()));
+  if (!options.output.ends_with(".exr"))
+    throw InputError(fmt::format("--tiles: {}; accepted: an .exr", options.output));
 }
 
 void write_picture(const RenderOptions& options, const GlobalOptions& globals,
                    const DrawnPicture& drawn, const scene::Scene& scene,
                    const compare::PictureForm& form) {
-  compare::write_image(options.output, drawn.rendering.image, form);
+  if (!options.tiles) compare::write_image(options.output, drawn.rendering.image, form);
   if (!options.layers.empty()) compare::write_counts(options.layers, drawn.rendering.layers, form);
   const std::string json = json_text(drawn.json, 2) + '\n';
   if (!options.stats.empty()) write_text(options.stats, json);
@@ -201,6 +174,7 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
   const ProtectedInputs inputs;
   const FilesRead read;
   const compare::MethodCall call = compare::parse_call(options.method);
+  check_tiles(options, call);
   if (!options.partial.empty()) return write_partial(options, globals, call);
   if (!options.part.empty()) return render_part(options, globals, call, read);
   const std::optional<compare::MethodCall> opacities = compare::parse_opacities(options.opacities);
@@ -213,12 +187,16 @@ void render(const RenderOptions& options, const GlobalOptions& globals) {
                                 compare::further_samplings({&call, 1}));
   }
   // Whatever may refuse the call comes before the first file.
-  std::optional<DrawnPicture> drawn;
-  if (!options.output.empty()) drawn = draw(options, globals, call, opacities, scene, progress);
   const std::string opacities_text = opacities ? opacities->text() : "";
   const bool without_background = options.view.without_background;
   const compare::PictureForm form =
       compare::form_of_picture(scene, {call.text(), opacities_text, without_background});
+  const DrawRequest request{call, opacities, scene, options.explain};
+  std::optional<DrawnPicture> drawn;
+  if (options.tiles)
+    drawn = draw_tiles(request, options.output, form, progress);
+  else if (!options.output.empty())
+    drawn = draw_picture(request, globals, progress);
   write_exact_sums(options, scene, form, progress);
   if (!options.deep.empty())
     write_deep({options.deep,
@@ -291,13 +269,21 @@ void add_render_command(CLI::App& app, GlobalOptions& globals) {
       "--totals", options->totals,
       "With --partial, of a method of two phases: draw the second, given the first one's totals "
       "over all parts (merge --partial FILE)");
-  add_view_options(*command, options->view);
+  CLI::Option* tiles =
+      command->add_flag("--tiles", options->tiles,
+                        fmt::format("With raytrace, a row of tiles at a time into a tiled .exr: up "
+                                    "to {0} x {0} pixels, a picture larger than the memory",
+                                    largest_tiled_side));
+  add_view_options(*command, options->view, largest_tiled_side);
   CLI::Option* opacities = add_opacities_option(*command, options->opacities);
   CLI::Option* explain =
       command->add_flag("--explain", options->explain,
                         "Print what was modelled and left out, and why; with --json "
                         "as its 'explanation'");
   totals->needs(partial);
+  tiles->needs(output);
+  for (CLI::Option* of_memory : {deep, part, sums, probe, layers, opacities})
+    tiles->excludes(of_memory);
   for (CLI::Option* of_picture : {output, deep, sums, probe, stats, layers, explain})
     partial->excludes(of_picture);
   for (CLI::Option* of_method : {stats, layers, explain}) {

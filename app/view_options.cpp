@@ -14,21 +14,20 @@
 namespace pellucid::app {
 namespace {
 
-constexpr int largest_side = 1 << 14;  // as a scene file accepts it
-
-int side_of(std::string_view text) {
+int side_of(std::string_view text, int most) {
   double side = 0;
-  const bool fits = parse_number(text, side) && side >= 1 && side <= largest_side;
+  const bool fits = parse_number(text, side) && side >= 1 && side <= most;
   return fits && side == int(side) ? int(side) : 0;
 }
 
-std::array<int, 2> resolution_of(const std::string& text) {
+std::array<int, 2> resolution_of(const std::string& text, int most) {
   const std::size_t cross = std::min(text.find_first_of("xX"), text.size());
-  const int width = side_of(std::string_view(text).substr(0, cross));
-  const int height = cross < text.size() ? side_of(std::string_view(text).substr(cross + 1)) : 0;
+  const int width = side_of(std::string_view(text).substr(0, cross), most);
+  const int height =
+      cross < text.size() ? side_of(std::string_view(text).substr(cross + 1), most) : 0;
   if (width == 0 || height == 0)
     throw InputError(
-        fmt::format("--resolution: '{}'; accepted: WxH, each 1 … {} pixels", text, largest_side));
+        fmt::format("--resolution: '{}'; accepted: WxH, each 1 … {} pixels", text, most));
   return {width, height};
 }
 
@@ -50,7 +49,7 @@ void take_background(const std::string& text, scene::ViewRequest& view) {
 
 }  // namespace
 
-void add_view_options(CLI::App& command, scene::ViewRequest& view) {
+void add_view_options(CLI::App& command, scene::ViewRequest& view, int most) {
   command.add_option("--camera", view.camera,
                      "In the place of the scene's: any of eye=X,Y,Z,target=X,Y,Z,up=X,Y,Z and "
                      "fov=DEGREES or, orthographic, height=LENGTH; or FILE[:NUMBER], a camera of "
@@ -59,7 +58,8 @@ void add_view_options(CLI::App& command, scene::ViewRequest& view) {
   command.add_option("--view", view.view,
                      "See all of the scene, as large as it can be, from: " + names_of_views());
   command.add_option_function<std::string>(
-      "--resolution", [&view](const std::string& text) { view.resolution = resolution_of(text); },
+      "--resolution",
+      [&view, most](const std::string& text) { view.resolution = resolution_of(text, most); },
       "Size of the picture, WxH pixels");
   command.add_option_function<std::string>(
       "--background", [&view](const std::string& text) { take_background(text, view); },

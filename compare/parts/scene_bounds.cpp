@@ -118,7 +118,8 @@ void check_unchanged(const SceneBounds& bounds, const std::set<fs::path>& files_
     const auto known = bounds.files.find(file);
     if (known == bounds.files.end() || known->second != hash)
       throw InputError(fmt::format(
-          "{}: --bounds are not of it: it {}; accepted: those that 'info SCENE --bounds' writes of "
+          "{}: --bounds are not of it: it {}; accepted: those that 'render SCENE --bounds' writes "
+          "of "
           "the scene as it is, on this machine",
           file, known == bounds.files.end() ? "was not read then" : "has changed since"));
   }

@@ -46,30 +46,39 @@ class Raytracer : public TurningRaytracer {
         more_samples_(scene::pixel_samples({.per_axis = options.adaptive})) {}
 
   scene::Rendering render(const scene::RenderRequest& request) override {
-    scene::Rendering result;
-    result.image = Image(scene_.width, scene_.height);
-    if (request.layers) result.layers = CountImage(scene_.width, scene_.height);
-    std::atomic<std::uint64_t> fragments = 0;
     tbb::enumerable_thread_specific<Buffers> crossings;
-    CountedProgress traced(request.progress, result.image.pixels.size(), "tracing");
-    const Stopwatch watch;
-    parallel_ranges(tbb::blocked_range2d<int>(0, scene_.height, tile, 0, scene_.width, tile),
-                    [&](const tbb::blocked_range2d<int>& range) {
-                      fragments += trace(range, crossings.local(), result);
-                      traced.add(range.rows().size() * range.cols().size());
-                    });
-    result.stats.steps = {{"trace", watch.seconds()}};
+    scene::Rendering result = draw({0, scene_.height}, request.layers, crossings, request.progress);
     if (options_.adaptive > 1) {
       const Stopwatch again;
-      fragments += refine(crossings, result);
+      result.stats.fragments += refine(crossings, result);
+      result.stats.stored = result.stats.fragments;
       result.stats.steps.push_back({"refine", again.seconds()});
     }
-    for (const std::uint32_t count : result.layers.pixels)
-      result.stats.max_layers = std::max(result.stats.max_layers, count);
-    result.stats.fragments = result.stats.stored = fragments;
-    result.stats.bytes = {{"hierarchy", finder_.bytes()}};
-    result.stats.bytes.push_back({"crossings", crossing_bytes(crossings)});
+    result.stats.bytes = bytes(crossings);
     return result;
+  }
+
+  scene::RenderStats render_rows(int rows, const TakeRows& take,
+                                 const Progress& progress) override {
+    if (options_.adaptive > 1)
+      throw InputError("adaptive: looks at all of a picture; accepted: adaptive=1");
+    tbb::enumerable_thread_specific<Buffers> crossings;
+    scene::RenderStats stats;
+    double seconds = 0;
+    for (int first = 0; first < scene_.height; first += rows) {
+      const int end = std::min(first + rows, scene_.height);
+      const double height = scene_.height;
+      scene::Rendering drawn = draw({first, end}, true, crossings,
+                                    part_of(progress, first / height, end / height, "tracing"));
+      seconds += drawn.stats.seconds();
+      stats.fragments += drawn.stats.fragments;
+      stats.max_layers = std::max(stats.max_layers, drawn.stats.max_layers);
+      take(first, drawn.image);
+    }
+    stats.stored = stats.fragments;
+    stats.steps = {{"trace", seconds}};
+    stats.bytes = bytes(crossings);
+    return stats;
   }
 
   void turn() override {
@@ -111,30 +120,58 @@ class Raytracer : public TurningRaytracer {
     return threads * RayPacket::width * longest * sizeof(Crossing);
   }
 
-  struct PixelSum {
-    glm::dvec4 rgba{0};
-    std::uint64_t crossings = 0;
-    std::uint32_t layers = 0;  // of the sample that has most
-  };
-
-  /// Traces the pixels of a tile; returns the number of crossings.
-  std::uint64_t trace(const tbb::blocked_range2d<int>& range, Buffers& crossings,
-                      scene::Rendering& result) const {
-    std::uint64_t count = 0;
-    for (int y = range.rows().begin(); y < range.rows().end(); y += packet_rows)
-      for (int x = range.cols().begin(); x < range.cols().end(); x += packet_columns)
-        count +=
-            trace_packet({x, std::min(x + packet_columns, range.cols().end())},
-                         {y, std::min(y + packet_rows, range.rows().end())}, crossings, result);
-    return count;
+  std::vector<scene::NamedBytes> bytes(
+      const tbb::enumerable_thread_specific<Buffers>& crossings) const {
+    return {{"hierarchy", finder_.bytes()}, {"crossings", crossing_bytes(crossings)}};
   }
 
   struct Interval {
     int begin, end;
   };
 
+  struct PixelSum {
+    glm::dvec4 rgba{0};
+    std::uint64_t crossings = 0;
+    std::uint32_t layers = 0;  // of the sample that has most
+  };
+
+  /// Traces some of the picture's rows, which are all that the result has.
+  scene::Rendering draw(const Interval& rows, bool layers,
+                        tbb::enumerable_thread_specific<Buffers>& crossings,
+                        const Progress& progress) const {
+    scene::Rendering result;
+    result.image = Image(scene_.width, rows.end - rows.begin);
+    if (layers) result.layers = CountImage(result.image.width, result.image.height);
+    std::atomic<std::uint64_t> fragments = 0;
+    CountedProgress traced(progress, result.image.pixels.size(), "tracing");
+    const Stopwatch watch;
+    parallel_ranges(tbb::blocked_range2d<int>(rows.begin, rows.end, tile, 0, scene_.width, tile),
+                    [&](const tbb::blocked_range2d<int>& range) {
+                      fragments += trace(range, crossings.local(), rows.begin, result);
+                      traced.add(range.rows().size() * range.cols().size());
+                    });
+    result.stats.steps = {{"trace", watch.seconds()}};
+    for (const std::uint32_t count : result.layers.pixels)
+      result.stats.max_layers = std::max(result.stats.max_layers, count);
+    result.stats.fragments = result.stats.stored = fragments;
+    return result;
+  }
+
+  /// Traces the pixels of a tile; returns the number of crossings. The result begins with row
+  /// `top`.
+  std::uint64_t trace(const tbb::blocked_range2d<int>& range, Buffers& crossings, int top,
+                      scene::Rendering& result) const {
+    std::uint64_t count = 0;
+    for (int y = range.rows().begin(); y < range.rows().end(); y += packet_rows)
+      for (int x = range.cols().begin(); x < range.cols().end(); x += packet_columns)
+        count += trace_packet({x, std::min(x + packet_columns, range.cols().end())},
+                              {y, std::min(y + packet_rows, range.rows().end())}, crossings, top,
+                              result);
+    return count;
+  }
+
   /// Traces the rays of a few pixels together, sample by sample.
-  std::uint64_t trace_packet(const Interval& x, const Interval& y, Buffers& crossings,
+  std::uint64_t trace_packet(const Interval& x, const Interval& y, Buffers& crossings, int top,
                              scene::Rendering& result) const {
     const int columns = x.end - x.begin, rows = y.end - y.begin;
     std::array<PixelSum, RayPacket::width> sums;
@@ -151,7 +188,7 @@ class Raytracer : public TurningRaytracer {
     std::uint64_t count = 0;
     for (std::size_t k = 0; k < rays.size(); ++k) {
       const std::size_t pixel =
-          std::size_t(y.begin + int(k) / columns) * scene_.width + x.begin + int(k) % columns;
+          std::size_t(y.begin + int(k) / columns - top) * scene_.width + x.begin + int(k) % columns;
       count += store(sums[k], samples_.size(), pixel, result);
     }
     return count;
@@ -217,9 +254,9 @@ class Raytracer : public TurningRaytracer {
 
 }  // namespace
 
-std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
-                                                const RaytraceOptions& options,
-                                                const std::optional<MarchOptions>& march) {
+std::unique_ptr<RowRaytracer> make_raytracer(const scene::Scene& scene,
+                                             const RaytraceOptions& options,
+                                             const std::optional<MarchOptions>& march) {
   scene::depth_range(scene);  // refuses a scene that lies behind the camera, as every method does
   check_adaptive(scene, options);
   return std::make_unique<Raytracer>(

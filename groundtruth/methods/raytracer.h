@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "core/options/option_table.h"
+#include "core/progress.h"
+#include "core/raster.h"
 #include "groundtruth/levels/level_march.h"
 #include "groundtruth/rays/exact_sign.h"
 #include "scene/renderer.h"
@@ -32,17 +35,30 @@ Option<Options> stop_below_option(double Options::*member) {
                  .help = "a ray ends where less than this shows: no pixel then errs by more"});
 }
 
+/// Takes rows of a picture, of which the first is row `first` of it (0 at the top).
+using TakeRows = std::function<void(int first, const Image& rows)>;
+
+/// A RowRaytracer can draw a picture that does not fit in the memory.
+class RowRaytracer : public scene::Renderer {
+ public:
+  /// Draws the picture so many rows at a time, from the top, and hands each over; the last may be
+  /// fewer. They are those of render() to the last bit. Throws InputError for adaptive samples,
+  /// which ask for a pixel's neighbours.
+  virtual scene::RenderStats render_rows(int rows, const TakeRows& take,
+                                         const Progress& progress) = 0;
+};
+
 /// With `march` isosurfaces are marched, not crossed exactly. Throws InputError for a scene that
 /// lies behind the camera, and for fewer adaptive samples than the scene's own. The scene has to
 /// outlive it.
-std::unique_ptr<scene::Renderer> make_raytracer(const scene::Scene& scene,
-                                                const RaytraceOptions& options,
-                                                const std::optional<MarchOptions>& march = {});
+std::unique_ptr<RowRaytracer> make_raytracer(const scene::Scene& scene,
+                                             const RaytraceOptions& options,
+                                             const std::optional<MarchOptions>& march = {});
 
 /// A TurningRaytracer draws a scene that turns: its camera, size, samples and halos may change
 /// before each turn(), which takes far less time than making a raytracer. Pictures are the same to
 /// the last bit; of a scene that lies behind the camera it is the background's.
-class TurningRaytracer : public scene::Renderer {
+class TurningRaytracer : public RowRaytracer {
  public:
   /// Takes the scene as it is now. Throws InputError for fewer adaptive samples than the scene's
   /// own.

@@ -60,6 +60,25 @@ TEST_F(UnitRenderOutputs, APngWithoutABackgroundHasAlpha) {
   EXPECT_THAT(refusal(render("raytrace") + " --background nun"), HasSubstr("none"));
 }
 
+/// More than one tile each way.
+TEST_F(UnitRenderOutputs, TilesAreTheSamePicture) {
+  const Image whole = drawn("--resolution 300x270"),
+              tiled = drawn("--resolution 300x270 --tiles", "tiled.exr");
+  EXPECT_TRUE(tiled.pixels == whole.pixels);
+  EXPECT_THAT(read_text(folder_ / "tiled.exr"), HasSubstr("raytrace"));
+  EXPECT_THAT(refusal(render("raytrace", "b.png") + " --tiles"), HasSubstr("accepted: an .exr"));
+  EXPECT_THAT(refusal(render("linked-list", "b.exr") + " --tiles"), HasSubstr("raytrace"));
+  EXPECT_THAT(refusal(render("raytrace:adaptive=4", "b.exr") + " --tiles"),
+              HasSubstr("adaptive=1"));
+  EXPECT_THAT(refusal(render("raytrace", "b.exr") + " --resolution 16385x1"),
+              HasSubstr("with --tiles 1 … 32768"));
+  EXPECT_THAT(refusal(render("raytrace", "b.exr") + " --tiles --resolution 32769x1"),
+              HasSubstr("each 1 … 32768"));
+  EXPECT_THAT(refusal(render("raytrace", "b.exr") + " --tiles --layers " + file("l.exr")),
+              HasSubstr("--layers"));
+  EXPECT_FALSE(fs::exists(folder_ / "b.exr"));
+}
+
 TEST_F(UnitRenderOutputs, APictureThatIsNotFiniteIsAFailure) {
   write_text(folder_ / "none.json", R"({"format": "pellucid-glsl-method", "version": 1,
     "title": "None", "passes": [{"step": "composite", "screen": "none.glsl"}]})");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene that turns is drawn as one that was loaded for each camera, to the last bit.
+// A scene that turns is drawn as one that was loaded for each camera, rows of a picture as all of
+// it, to the last bit.
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "groundtruth/methods/raytrace.h"
 #include "scene/halo.h"
 #include "tests/support/scenes.h"
@@ -40,6 +42,34 @@ void look_from(const Vec3& eye, int samples, scene::Scene& scene) {
   scene.samples = {.per_axis = samples};
   scene.width = 40 + samples;
   scene::place_halos(scene);
+}
+
+/// Also rows that part the packets of rays, which are four rows high.
+TEST(UnitRows, AreThoseOfTheWholePicture) {
+  scene::Scene scene = all_shapes();
+  scene.samples = {.per_axis = 2};
+  const auto raytracer = make_raytracer(scene, {});
+  const scene::Rendering whole = raytracer->render({.layers = true});
+  for (const int rows : {1, 7, 16, 30, 64}) {
+    Image joined(scene.width, 0);
+    const scene::RenderStats stats = raytracer->render_rows(
+        rows,
+        [&](int first, const Image& part) {
+          EXPECT_EQ(first, int(joined.pixels.size()) / scene.width);
+          EXPECT_EQ(part.height, std::min(rows, scene.height - first));
+          joined.pixels.insert(joined.pixels.end(), part.pixels.begin(), part.pixels.end());
+        },
+        {});
+    EXPECT_TRUE(joined.pixels == whole.image.pixels) << rows;
+    EXPECT_EQ(stats.fragments, whole.stats.fragments);
+    EXPECT_EQ(stats.max_layers, whole.stats.max_layers);
+  }
+}
+
+TEST(UnitRows, AreNotSampledAdaptively) {
+  const scene::Scene scene = all_shapes();
+  const auto raytracer = make_raytracer(scene, {.adaptive = 3});
+  EXPECT_THROW(raytracer->render_rows(8, [](int, const Image&) {}, {}), InputError);
 }
 
 TEST(UnitTurning, IsTheSameToTheLastBit) {
