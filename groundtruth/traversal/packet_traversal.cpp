@@ -25,14 +25,17 @@ RTCRay8 eight_of(const RTCRay16& rays, std::size_t first) {
   return eight;
 }
 
-/// Calls walk(valid, rays) for each eight of which a ray is valid.
+/// Calls walk(valid, rays) for each eight of which a ray is valid. There is room for hits behind
+/// the rays: without AVX Embree 4's rtcOccluded8 reads it before its callbacks, and writes what it
+/// has read behind them.
 template <class Walk>
 void by_eights(const int* valid, const RTCRay16& rays, const Walk& walk) {
   for (const std::size_t first : {0, 8}) {
     alignas(32) int of_eight[8];
     std::copy_n(valid + first, 8, of_eight);
     if (std::ranges::count(of_eight, 0) == 8) continue;
-    RTCRay8 eight = eight_of(rays, first);
+    RTCRayHit8 eight{};
+    eight.ray = eight_of(rays, first);
     walk(of_eight, eight);
   }
 }
@@ -42,18 +45,16 @@ void by_eights(const int* valid, const RTCRay16& rays, const Walk& walk) {
 void PacketTraversal::occluded(const int* valid, RTCScene scene, EmbreeContext& context,
                                RTCRay16& rays) const {
   if (sixteen_) return traverse_occluded(valid, scene, context, rays);
-  by_eights(valid, rays, [&](const int* valid_of_eight, RTCRay8& eight) {
-    traverse_occluded(valid_of_eight, scene, context, eight);
+  by_eights(valid, rays, [&](const int* valid_of_eight, RTCRayHit8& eight) {
+    traverse_occluded(valid_of_eight, scene, context, eight.ray);
   });
 }
 
 void PacketTraversal::intersect(const int* valid, RTCScene scene, EmbreeContext& context,
                                 RTCRayHit16& rays) const {
   if (sixteen_) return traverse_intersect(valid, scene, context, rays);
-  by_eights(valid, rays.ray, [&](const int* valid_of_eight, const RTCRay8& eight) {
-    RTCRayHit8 with_hits{};
-    with_hits.ray = eight;
-    traverse_intersect(valid_of_eight, scene, context, with_hits);
+  by_eights(valid, rays.ray, [&](const int* valid_of_eight, RTCRayHit8& eight) {
+    traverse_intersect(valid_of_eight, scene, context, eight);
   });
 }
 

@@ -69,6 +69,17 @@ void link(const Gl& gl, GLuint program) {
   throw WorkError(fmt::format("a shader program does not link: {}", log.c_str()));
 }
 
+/// Appends the name of each line "uniform TYPE NAME…".
+void add_declared(std::string_view text, std::vector<std::string>& names) {
+  constexpr std::string_view keyword = "uniform ";
+  constexpr const char* of_name = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  for (std::size_t at = 0; (at = text.find(keyword, at)) != text.npos; ++at) {
+    if (at > 0 && text[at - 1] != '\n' && text[at - 1] != ' ') continue;
+    const std::size_t type = at + keyword.size(), name = text.find(' ', type) + 1;
+    names.emplace_back(text.substr(name, text.find_first_not_of(of_name, name) - name));
+  }
+}
+
 }  // namespace
 
 std::string expand_includes(std::string_view source) {
@@ -93,12 +104,16 @@ Program::Program(const GlContext& context, std::string_view vertex, const Fragme
       id_(gl_->CreateProgram()),
       vertex_(path_of(vertex)),
       fragment_(path_of(fragment.body)) {
-  const Shader vertex_shader(*gl_, GL_VERTEX_SHADER, complete({vertex}, defines));
-  const Shader fragment_shader(*gl_, GL_FRAGMENT_SHADER, complete(fragment, defines));
+  const std::string vertex_text = complete({vertex}, defines),
+                    fragment_text = complete(fragment, defines);
+  const Shader vertex_shader(*gl_, GL_VERTEX_SHADER, vertex_text);
+  const Shader fragment_shader(*gl_, GL_FRAGMENT_SHADER, fragment_text);
   gl_->AttachShader(id_, vertex_shader.id());
   gl_->AttachShader(id_, fragment_shader.id());
   link(*gl_, id_);
   find_uniforms();
+  add_declared(vertex_text, declared_);
+  add_declared(fragment_text, declared_);
 }
 
 void Program::swap(Program& other) noexcept {
@@ -107,6 +122,7 @@ void Program::swap(Program& other) noexcept {
   std::swap(vertex_, other.vertex_);
   std::swap(fragment_, other.fragment_);
   std::swap(uniforms_, other.uniforms_);
+  std::swap(declared_, other.declared_);
 }
 
 void Program::find_uniforms() {
@@ -129,9 +145,9 @@ GLint Program::location(std::string_view name) const {
   return found != uniforms_.end() && found->name == name ? found->location : -1;
 }
 
-GLint Program::required_location(std::string_view name) const {
+GLint Program::declared_location(std::string_view name) const {
   const GLint at = location(name);
-  if (at < 0)
+  if (at < 0 && std::ranges::find(declared_, name) == declared_.end())
     throw WorkError(
         fmt::format("the program of {} and {} has no uniform '{}'", vertex_, fragment_, name));
   return at;

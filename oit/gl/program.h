@@ -42,10 +42,11 @@ class Program {
 
   void use() const { gl_->UseProgram(id_); }
   /// Sets a uniform; T: float, glm::vec2, glm::vec3, int (also for bool), std::uint32_t. Throws
-  /// WorkError that names the uniform and the shaders where they use none of that name.
+  /// WorkError that names the uniform and the shaders where they declare none of that name: one
+  /// that they declare, a driver may have found to change nothing.
   template <class T>
   void set(std::string_view name, const T& value) const {
-    set_at(required_location(name), value);
+    if (const GLint at = declared_location(name); at >= 0) set_at(at, value);
   }
   /// Sets a uniform that only some of the programs use that are set alike.
   template <class T>
@@ -62,7 +63,7 @@ class Program {
   void swap(Program& other) noexcept;
   void find_uniforms();
   GLint location(std::string_view name) const;  // -1: not used
-  GLint required_location(std::string_view name) const;
+  GLint declared_location(std::string_view name) const;
   void set_at(GLint location, float value) const;
   void set_at(GLint location, const glm::vec2& value) const;
   void set_at(GLint location, const glm::vec3& value) const;
@@ -72,7 +73,8 @@ class Program {
   const Gl* gl_ = nullptr;
   GLuint id_ = 0;
   std::string_view vertex_, fragment_;  // the embedded files' paths
-  std::vector<Uniform> uniforms_;       // by name
+  std::vector<Uniform> uniforms_;       // by name; those that change anything
+  std::vector<std::string> declared_;   // in the shaders' texts
 };
 
 /// Returns `source` with every line `#include "path"` replaced by the embedded file of that path,
