@@ -74,10 +74,14 @@ void print_family(const compare::FamilySummary& family) {
   fmt::print("\n");
 }
 
+void print(const nlohmann::ordered_json& json) {
+  fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
 void print_json(const std::vector<compare::CaseResult>& results) {
   nlohmann::ordered_json json{{"judged", "rgb"}};
   json.update(compare::json_of(results));
-  fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  print(json);
 }
 
 void make_scenes(const ConformArguments& arguments, const GlobalOptions& globals) {
@@ -105,9 +109,9 @@ class ConformReport {
   explicit ConformReport(const fs::path& folder) {
     if (!folder.empty()) folder_.emplace(folder);
   }
-  void write(const std::string& title, std::span<const compare::RendererResult> results) {
+  void write(const compare::RenderersHead& head, std::span<const compare::RendererResult> results) {
     if (!folder_) return;
-    folder_->fill([&](const fs::path& to) { compare::write_renderers_report(to, title, results); });
+    folder_->fill([&](const fs::path& to) { compare::write_renderers_report(to, head, results); });
     folder_->commit();
   }
 
@@ -144,7 +148,7 @@ void judge(const ConformArguments& arguments, const GlobalOptions& globals) {
   };
   const compare::RendererResult result{{.name = name_of_renderer(arguments)},
                                        compare::conform(request)};
-  report_folder.write("What does it draw?", {&result, 1});
+  report_folder.write({"What does it draw?", arguments.tolerance}, {&result, 1});
   if (globals.json)
     print_json(result.cases);
   else
@@ -170,14 +174,17 @@ void judge_all(const ConformArguments& arguments, const GlobalOptions& globals) 
     report(progress, done, result.name);
   };
   const auto results = compare::conform_all(list, request);
-  report_folder.write(list.title, results);
+  const compare::RenderersHead head{list.title, arguments.tolerance};
+  report_folder.write(head, results);
+  if (globals.json) print(compare::renderers_json(head, results));
   std::size_t failed = 0, cases = 0;
   for (const compare::RendererResult& result : results) {
-    if (!globals.quiet) print_renderer(result);
+    if (!globals.quiet && !globals.json) print_renderer(result);
     cases += result.cases.size();
     failed += result.cases.size() - result.passed();
   }
-  if (!globals.quiet) fmt::print("report: {}\n", (arguments.report / "report.html").string());
+  if (!globals.quiet && !globals.json)
+    fmt::print("report: {}\n", (arguments.report / "report.html").string());
   end_with(failed, cases);
 }
 

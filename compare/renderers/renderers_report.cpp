@@ -125,10 +125,11 @@ std::string fault_lists(const std::vector<const RendererResult*>& drew) {
   return lists;
 }
 
-std::string page_of(const std::string& title, Results results) {
+std::string page_of(const RenderersHead& head, Results results) {
   const auto drew = that_drew(results);
   return filled(renderers_files::renderers_html(),
-                {{"title", html_escaped(title)},
+                {{"title", html_escaped(head.title)},
+                 {"tolerance", fmt::format("{:g}", head.tolerance)},
                  {"css", std::string(renderers_files::renderers_css())},
                  {"summary", summary_rows(results)},
                  {"renderers", head_cells(drew)},
@@ -154,7 +155,9 @@ std::string markdown_of(const std::string& title, Results results) {
   return text;
 }
 
-nlohmann::ordered_json json_of(const std::string& title, Results results) {
+}  // namespace
+
+nlohmann::ordered_json renderers_json(const RenderersHead& head, Results results) {
   nlohmann::ordered_json renderers = nlohmann::ordered_json::array();
   for (const RendererResult& result : results) {
     nlohmann::ordered_json one{{"name", result.renderer.name}};
@@ -164,17 +167,16 @@ nlohmann::ordered_json json_of(const std::string& title, Results results) {
   }
   return {{"format", "pellucid-conformance-results"},
           {"version", 1},
-          {"title", title},
+          {"title", head.title},
           {"judged", "rgb"},
+          {"tolerance", head.tolerance},
           {"renderers", std::move(renderers)}};
 }
 
-}  // namespace
-
-void write_renderers_report(const fs::path& folder, const std::string& title, Results results) {
-  write_text(folder / "report.html", page_of(title, results));
-  write_text(folder / "table.md", markdown_of(title, results));
-  write_text(folder / "results.json", json_text(json_of(title, results)) + '\n');
+void write_renderers_report(const fs::path& folder, const RenderersHead& head, Results results) {
+  write_text(folder / "report.html", page_of(head, results));
+  write_text(folder / "table.md", markdown_of(head.title, results));
+  write_text(folder / "results.json", json_text(renderers_json(head, results)) + '\n');
 }
 
 }  // namespace pellucid::compare

@@ -42,6 +42,9 @@ TEST_F(UnitConformCommand, ReportsOneRendererOrAList) {
   EXPECT_THAT(two.out, HasSubstr("0 of 1 pass"));
   EXPECT_THAT(two.err, HasSubstr("1 of 2 cases failed"));
   EXPECT_THAT(read_text(folder_ / "two/report.html"), HasSubstr("misordered"));
+  const Outcome json = run("conform --only layers-2 --json --renderers " + path("list.json") +
+                           " --report " + path("two"));
+  EXPECT_EQ(nlohmann::json::parse(json.out), read_json(folder_ / "two/results.json"));
   fs::create_directory(folder_ / "mine");
   write_text(folder_ / "mine/notes.txt", "mine");
   EXPECT_THAT(refusal("conform -m raytrace --only layers-2 --report " + path("mine")),

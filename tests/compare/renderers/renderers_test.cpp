@@ -96,10 +96,11 @@ TEST_F(UnitRenderers, ReportShowsAllPicturesOnAPageWithoutScripts) {
   const auto results = conform(R"([
     "raytrace", "weighted-average",
     {"external": "<script>\"&", "command": ["no-such-program", "{output}"]}])");
-  write_renderers_report(folder_.path(), "<b>", results);
+  write_renderers_report(folder_.path(), {"<b>", 0.5}, results);
   const std::string page = read_text(folder_ / "report.html");
   EXPECT_THAT(page, AllOf(HasSubstr("<title>&lt;b&gt;</title>"), HasSubstr("1 of 1"),
-                          HasSubstr("&lt;script&gt;&quot;&amp;"), Not(HasSubstr("<script"))));
+                          HasSubstr("more than 0.5"), HasSubstr("&lt;script&gt;&quot;&amp;"),
+                          Not(HasSubstr("<script"))));
   std::size_t pictures = 0;
   for (std::size_t at = 0; (at = page.find("<img ", at)) != page.npos; ++at) ++pictures;
   EXPECT_EQ(pictures, 3u);  // right, and of the two that drew
