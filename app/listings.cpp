@@ -210,8 +210,9 @@ nlohmann::ordered_json list_all_studies() {
 
 nlohmann::ordered_json list_gl() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  rows.push_back(
-      {{"name", "osmesa"}, {"title", "Mesa's llvmpipe, without EGL"}, {"software", true}});
+  const char* software = oit::has_osmesa() ? "Mesa's llvmpipe, without EGL"
+                                           : "Mesa's llvmpipe, by EGL: this system has no OSMesa";
+  rows.push_back({{"name", "osmesa"}, {"title", software}, {"software", true}});
   const std::vector<oit::EglDevice> devices = oit::egl_devices();
   for (std::size_t i = 0; i < devices.size(); ++i)
     rows.push_back({{"name", fmt::format("egl:{}", i)},

@@ -8,11 +8,18 @@ say() { printf '\n== %s\n' "$*"; }
 is_installed() { [ "$(dpkg-query -W -f='${Status}' "$1" 2>/dev/null)" = "install ok installed" ]; }
 
 # install_packages LIST…: installs the packages of the lists that are missing, as root or through a
-# sudo that does not ask; otherwise prints the line to type and stops.
+# sudo that does not ask; otherwise prints the line to type and stops. A name with a ? is left out
+# where the system has no such package.
 install_packages() {
   local missing=() package
   for package in $(cat "$@"); do
-    is_installed "$package" || missing+=("$package")
+    is_installed "${package%\?}" || missing+=("$package")
+  done
+  for package in "${!missing[@]}"; do
+    case ${missing[package]} in *\?)
+      missing[package]=${missing[package]%\?}
+      apt-cache show "${missing[package]}" >/dev/null 2>&1 || unset "missing[package]" ;;
+    esac
   done
   [ ${#missing[@]} -eq 0 ] && return
   local install="apt-get install -y --no-install-recommends ${missing[*]}"

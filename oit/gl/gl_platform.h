@@ -17,8 +17,12 @@ class GlPlatform {
   virtual Function entry_point(const char* name) = 0;
 };
 
-/// Makes Mesa's off-screen software context, 4.5 core, no multisampling. Throws WorkError when its
-/// library cannot be loaded or offers no such context.
+/// Returns whether the program was built with OSMesa.
+bool has_osmesa();
+
+/// Makes Mesa's software context, 4.5 core, no multisampling: OSMesa's, or without it that of
+/// EGL without a surface, on the same driver. Throws WorkError when its library cannot be loaded or
+/// offers no such context.
 std::unique_ptr<GlPlatform> make_osmesa_platform();
 
 /// Makes a 4.5 core context of EGL without a surface: the graphics card's where there is one,

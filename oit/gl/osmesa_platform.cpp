@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Mesa comes without OSMesa from 25.1 on: a program that was built there asks EGL for the same
+// driver.
+#if __has_include(<GL/osmesa.h>)
 #include <GL/osmesa.h>
+#define PELLUCID_HAS_OSMESA 1
+#else
+#define PELLUCID_HAS_OSMESA 0
+#endif
 
-#include "oit/gl/gl_platform.h"
+#include "oit/gl/egl_devices.h"
 #include "oit/gl/shared_library.h"
 
 namespace pellucid::oit {
+
+bool has_osmesa() { return PELLUCID_HAS_OSMESA; }
+
+#if PELLUCID_HAS_OSMESA
 namespace {
 
 class OsmesaPlatform final : public GlPlatform {
@@ -52,5 +63,8 @@ class OsmesaPlatform final : public GlPlatform {
 }  // namespace
 
 std::unique_ptr<GlPlatform> make_osmesa_platform() { return std::make_unique<OsmesaPlatform>(); }
+#else
+std::unique_ptr<GlPlatform> make_osmesa_platform() { return make_egl_platform("egl:software"); }
+#endif
 
 }  // namespace pellucid::oit
