@@ -2,6 +2,7 @@
 #include "app/info/inspect.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The costs, step by step, as Markdown, LaTeX and CSV.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "compare/report/markdown_text.h"
 #include "compare/report/tables.h"

@@ -2,6 +2,7 @@
 #include "fields/files/meta_image_header.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <initializer_list>

@@ -8,6 +8,7 @@
 // ";" a decimal comma is read as a point.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,8 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
@@ -14,6 +16,7 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersionMacros.h>
 
 #include "readers/vtk/data_set_blocks.h"
 
@@ -98,13 +101,37 @@ void write_points(vtkPointSet& data, BlockWriter& out) {
   write_array("points", data.GetPoints() ? data.GetPoints()->GetData() : nullptr, out);
 }
 
+/// Polyhedra's faces, one cell's after the other's, each cell as its number of faces and of each
+/// face its number of points and these; and where a cell's begin, -1 for other cells.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+void write_faces(vtkUnstructuredGrid& grid, BlockWriter& out) {
+  if (!grid.GetFaces()) return;
+  write_array("faces", grid.GetFaces(), out);
+  write_array("face_locations", grid.GetFaceLocations(), out);
+}
+#else
+void write_faces(vtkUnstructuredGrid& grid, BlockWriter& out) {
+  if (!grid.GetPolyhedronFaces()) return;
+  const vtkNew<vtkIdTypeArray> faces, locations;
+  const vtkNew<vtkIdList> of_cell;
+  for (vtkIdType cell = 0; cell < grid.GetNumberOfCells(); ++cell) {
+    const bool has_faces = grid.GetCellType(cell) == VTK_POLYHEDRON;
+    locations->InsertNextValue(has_faces ? faces->GetNumberOfValues() : -1);
+    if (!has_faces) continue;
+    grid.GetFaceStream(cell, of_cell);
+    for (vtkIdType i = 0; i < of_cell->GetNumberOfIds(); ++i)
+      faces->InsertNextValue(of_cell->GetId(i));
+  }
+  write_array("faces", faces, out);
+  write_array("face_locations", locations, out);
+}
+#endif
+
 void write_unstructured(vtkUnstructuredGrid& grid, BlockWriter& out) {
   write_points(grid, out);
   write_array("types", grid.GetCellTypesArray(), out);
   write_cells("cells", grid.GetCells(), out);
-  if (!grid.GetFaces()) return;
-  write_array("faces", grid.GetFaces(), out);
-  write_array("face_locations", grid.GetFaceLocations(), out);
+  write_faces(grid, out);
 }
 
 void write_poly(vtkPolyData& data, BlockWriter& out) {

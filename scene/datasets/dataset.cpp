@@ -2,6 +2,7 @@
 #include "scene/datasets/dataset.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "core/options/names.h"

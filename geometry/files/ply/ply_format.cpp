@@ -2,6 +2,7 @@
 #include "geometry/files/ply/ply_format.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 // Writers of the VTK formats, XML and legacy.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
