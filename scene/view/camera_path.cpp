@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#define GLM_ENABLE_EXPERIMENTAL  // rotate_vector.hpp, from GLM 1.0 on
+
 #include "scene/view/camera_path.h"
 
 #include <algorithm>
