@@ -14,6 +14,7 @@ namespace {
 
 using namespace testing;
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 template <class Call>
@@ -28,7 +29,7 @@ std::string message_of(Call&& call) {
 
 TEST(UnitContext, SaysWhatItsDriverIs) {
   const GlContext context("osmesa");
-  EXPECT_THAT(context.driver(), HasSubstr("OpenGL 4.5"));
+  EXPECT_THAT(context.driver(), ContainsRegex("OpenGL 4\\.[56]"));
   EXPECT_NO_THROW(check_driver(context));
 }
 
