@@ -6,18 +6,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/files/mesh_file.h"
 #include "geometry/unused_vertices.h"
-#include "scene/appearance/face_scalars.h"
-#include "scene/appearance/map_span.h"
 #include "scene/datasets/dataset.h"
 #include "scene/files/any_number.h"
 #include "scene/files/appearance_file.h"
 #include "scene/files/flow_file.h"
 #include "scene/files/isosurface_file.h"
+#include "scene/files/object_look.h"
 #include "scene/files/radius_file.h"
 #include "scene/files/transform_file.h"
 
@@ -65,15 +63,16 @@ class ObjectReader {
     read_look(node_, object_);
     (this->*kind->read)(node_[kind->key]);
     if (node_.has("transform")) place(node_["transform"]);
-    apply();
+    apply_look(node_, context_.folder, values_, object_);
     return std::move(object_);
   }
 
   SceneObject restyle(SceneObject object) {
     const bool is_extracted =
         node_.has("isosurface") && !std::holds_alternative<Isosurface>(object.shape);
-    if (is_extracted) return read();                // its triangles are those of the value
-    if (asks_percentiles_of_file()) return read();  // the vertices may repeat its values
+    if (is_extracted) return read();  // its triangles are those of the value
+    if (asks_percentiles_of_file(node_, context_.folder))
+      return read();  // the vertices may repeat its values
     if (asks_attributes_of_field(object)) return read();
     object_ = std::move(object);
     read_look(node_, object_);
@@ -83,7 +82,7 @@ class ObjectReader {
       draw(geometry::PointSet(std::move(points->set)));
     if (auto* surface = std::get_if<Isosurface>(&object_.shape))
       restyle_isosurface(read_appearance(node_, context_.folder), node_["isosurface"], *surface);
-    apply();
+    apply_look(node_, context_.folder, values_, object_);
     return std::move(object_);
   }
 
@@ -228,87 +227,11 @@ class ObjectReader {
     object_.source.reset();  // its field is elsewhere
   }
 
-  void apply() {
-    Appearance appearance = read_appearance(node_, context_.folder);
-    if (node_.has("isosurface")) {  // what is by a scalar, it has: none is at its vertices
-      if (std::holds_alternative<ScalarColor>(appearance.color)) appearance.color = {};
-      if (std::holds_alternative<ScalarOpacity>(appearance.opacity)) appearance.opacity = {};
-    }
-    find_percentiles(appearance);
-    at_place(node_, [&] {
-      if (auto* mesh = std::get_if<geometry::TriangleMesh>(&object_.shape)) {
-        bring_to_vertices(appearance, *mesh);
-        mesh->face_scalars.clear();  // nobody asks for them any more
-      }
-      apply_appearance(appearance, object_.vertices());
-    });
-    if (const auto* by = std::get_if<ScalarColor>(&appearance.color)) {
-      remark_map_span(*by);
-      remark_lack(by->scalar, "colour");
-    }
-    if (const auto* by = std::get_if<ScalarOpacity>(&appearance.opacity))
-      remark_lack(by->scalar, "opacity");
-    if (object_.source) fill_in(appearance);
-  }
-
-  /// Colours are the map's at vertices alone.
-  void remark_map_span(const ScalarColor& by) {
-    if (auto* mesh = std::get_if<geometry::TriangleMesh>(&object_.shape))
-      scene::remark_map_span(map_span(by, *mesh), "triangle", *mesh);
-    if (auto* lines = std::get_if<LineObject>(&object_.shape))
-      scene::remark_map_span(map_span(by, lines->set), "segment", lines->set);
-  }
-
-  /// Where no value of a scalar is a number, nothing is by it.
-  void remark_lack(const std::string& scalar, std::string_view what) {
-    geometry::Vertices& vertices = object_.vertices();
-    const auto found = vertices.scalars.find(scalar);
-    if (found == vertices.scalars.end() ||
-        std::ranges::any_of(found->second, [](double value) { return std::isfinite(value); }))
-      return;
-    vertices.remarks.push_back(
-        fmt::format("no value of '{}' is a number: its {} is that of none", scalar, what));
-  }
-
   bool asks_attributes_of_field(const SceneObject& object) const {
     if (!node_.has("surface") && !(node_.has("lines") && node_["lines"].is_object())) return false;
     return !std::ranges::all_of(scalars_asked(), [&](const std::string& name) {
       return object.vertices().scalars.contains(name);
     });
-  }
-
-  bool asks_percentiles_of_file() const {
-    if (!node_.has("mesh") && !(node_.has("lines") && !node_["lines"].is_object())) return false;
-    const Appearance appearance = read_appearance(node_, context_.folder);
-    const auto asks = [](const auto* by) { return by && by->range && !has_given_range(*by); };
-    return asks(std::get_if<ScalarColor>(&appearance.color)) ||
-           asks(std::get_if<ScalarOpacity>(&appearance.opacity));
-  }
-
-  /// Of the values as the file has them, before vertices of faces are made to have them.
-  void find_percentiles(Appearance& appearance) const {
-    const auto find = [&](auto* by) {
-      if (!by || !by->range || has_given_range(*by)) return;
-      const auto& of_vertices = object_.vertices().scalars;
-      const auto of_file = values_.find(by->scalar), of_vertex = of_vertices.find(by->scalar);
-      if (of_file == values_.end() && of_vertex == of_vertices.end()) return;
-      by->range = range_over(*by, of_file == values_.end() ? of_vertex->second : of_file->second);
-      by->in_percent = {};
-    };
-    at_place(node_, [&] {
-      find(std::get_if<ScalarColor>(&appearance.color));
-      find(std::get_if<ScalarOpacity>(&appearance.opacity));
-    });
-  }
-
-  /// The ranges of the whole surface, for lines on it.
-  void fill_in(Appearance appearance) {
-    const auto& scalars = object_.vertices().scalars;
-    if (auto* by = std::get_if<ScalarColor>(&appearance.color))
-      by->range = range_over(*by, scalars.at(by->scalar)), by->in_percent = {};
-    if (auto* by = std::get_if<ScalarOpacity>(&appearance.opacity))
-      by->range = range_over(*by, scalars.at(by->scalar)), by->in_percent = {};
-    object_.source->appearance = appearance;
   }
 
   fs::path path_of(const JsonNode& node) const { return context_.folder / node.string(); }
@@ -324,7 +247,7 @@ class ObjectReader {
   const JsonNode& node_;
   const ObjectContext& context_;
   SceneObject object_;
-  std::map<std::string, std::vector<double>> values_;  // of the file, where vertices repeat them
+  FileValues values_;
 };
 
 const std::array<ObjectReader::Kind, 6> ObjectReader::kinds{

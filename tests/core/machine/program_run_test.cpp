@@ -30,6 +30,23 @@ class UnitProgramRun : public ::testing::Test {
   testing::TemporaryFolder folder_;
 };
 
+/// Ends a process that runs `work` by the signal, once the file is there, and gives its guardian
+/// some time.
+template <class Work>
+void end_while_running(const Work& work, const std::filesystem::path& begun, int signal) {
+  const pid_t here = ::fork();
+  if (here == 0) {
+    work();
+    ::_exit(0);
+  }
+  while (!std::filesystem::exists(begun))
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until the guardian waits
+  ::kill(here, signal);
+  ::waitpid(here, nullptr, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+}
+
 TEST_F(UnitProgramRun, KeepsWhatIsPrintedAndHowItEnds) {
   const ProgramRun run = this->run("pwd; echo wrong >&2; exit 3");
   EXPECT_EQ(run.exit_code, 3);
@@ -70,17 +87,8 @@ TEST_F(UnitProgramRun, EndsAProgramAndItsChildrenInTime) {
 TEST_F(UnitProgramRun, GoesWithThisProcessAndSoDoItsChildren) {
   for (const int signal : {SIGTERM, SIGKILL}) {
     std::filesystem::remove(folder_ / "begun");
-    const pid_t here = ::fork();
-    if (here == 0) {
-      run("(sleep 1; touch late) & touch begun; wait");
-      ::_exit(0);
-    }
-    while (!std::filesystem::exists(folder_ / "begun"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // for the guardian
-    ::kill(here, signal);
-    ::waitpid(here, nullptr, 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    end_while_running([&] { run("(sleep 1; touch late) & touch begun; wait"); }, folder_ / "begun",
+                      signal);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "late")) << signal;
   }
 }
@@ -89,18 +97,12 @@ TEST_F(UnitProgramRun, ATemporaryFolderGoesWithThisProcess) {
   for (const bool is_temporary : {true, false}) {
     const std::filesystem::path place = folder_ / (is_temporary ? "temporary" : "kept");
     std::filesystem::create_directory(place);
-    const pid_t here = ::fork();
-    if (here == 0) {
-      run_program("/bin/sh", {"sh", "-c", "touch begun; sleep 60"},
-                  {place, place / "out", place / "err", is_temporary}, 60);
-      ::_exit(0);
-    }
-    while (!std::filesystem::exists(place / "begun"))
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // for the guardian
-    ::kill(here, SIGINT);
-    ::waitpid(here, nullptr, 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    const ProgramPlace in{place, place / "out", place / "err", is_temporary};
+    end_while_running(
+        [&] {
+          run_program("/bin/sh", {"sh", "-c", "touch begun; sleep 60"}, in, 60);
+        },
+        place / "begun", SIGINT);
     EXPECT_EQ(std::filesystem::exists(place), !is_temporary);
   }
 }
