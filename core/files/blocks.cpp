@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "core/error.h"
-#include "core/files/huge_pages.h"
+#include "core/files/pages.h"
 
 namespace pellucid {
 namespace {
@@ -25,6 +25,7 @@ constexpr std::string_view mark = "PLBLOCK1";
 constexpr std::size_t alignment = 16;         // of names and numbers, for every type of number
 constexpr std::size_t buffer_size = 1 << 16;  // of pieces that are not worth a call of the system
 constexpr std::size_t worth_lending = 1 << 20;
+constexpr std::size_t worth_forgetting = 16 << 20;  // of pages that are given back together
 constexpr std::uint32_t longest_name = 1 << 20;
 
 struct Head {
@@ -140,16 +141,21 @@ void wait_until_drained(int pipe) {
     std::this_thread::sleep_for(moment);
 }
 
-/// Lends pages to a pipe, from which the reader copies them: one copy in place of two. Returns how
-/// many bytes went that way: none where the file is no pipe.
-std::size_t lend(int file, const std::byte* bytes, std::size_t size) {
-  std::size_t lent = 0;
+/// Lends pages to a pipe, from which the reader copies them: one copy in place of two. Those that
+/// `forgets` go back to the system once they are lent. Returns how many bytes went that way: none
+/// where the file is no pipe.
+std::size_t lend(int file, const std::byte* bytes, std::size_t size, bool forgets) {
+  std::size_t lent = 0, forgotten = 0;
   while (lent < size) {
     const iovec pages{const_cast<std::byte*>(bytes) + lent, size - lent};
     const ssize_t more = ::vmsplice(file, &pages, 1, 0);
     if (more < 0 && errno == EINTR) continue;
     if (more <= 0) break;
     lent += std::size_t(more);
+    if (forgets && lent - forgotten >= worth_forgetting) {
+      forget_pages(bytes + forgotten, lent - forgotten);
+      forgotten = lent;
+    }
   }
   if (lent > 0) wait_until_drained(file);  // the memory is the caller's again
   return lent;
@@ -189,6 +195,13 @@ void BlockWriter::add(std::string_view name, NumberType type, std::uint32_t comp
   append(numbers, size_);
 }
 
+void BlockWriter::add_and_forget(std::string_view name, NumberType type, std::uint32_t components,
+                                 std::uint64_t tuples, void* numbers) {
+  forgets_ = true;
+  add(name, type, components, tuples, numbers);
+  forgets_ = false;
+}
+
 void BlockWriter::begin(std::string_view name, NumberType type, std::uint32_t components,
                         std::uint64_t tuples) {
   assert(to_come_ == 0);
@@ -223,7 +236,7 @@ void BlockWriter::write(const void* data, std::size_t size) {
   if (size <= buffer_size) {
     waiting_.insert(waiting_.end(), bytes, bytes + size);
   } else {
-    const std::size_t lent = size < worth_lending ? 0 : lend(file_, bytes, size);
+    const std::size_t lent = size < worth_lending ? 0 : lend(file_, bytes, size, forgets_);
     write_all(file_, bytes + lent, size - lent);
   }
 }

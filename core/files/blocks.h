@@ -78,6 +78,10 @@ class BlockWriter {
   void add(std::string_view name, std::span<const T> numbers, std::uint32_t components = 1) {
     add(name, number_type<T>(), components, numbers.size() / components, numbers.data());
   }
+  /// Adds numbers of the heap that nobody reads again: of an array of many MiB the pages go back to
+  /// the system as they are copied, so that writer and reader together hold it once.
+  void add_and_forget(std::string_view name, NumberType type, std::uint32_t components,
+                      std::uint64_t tuples, void* numbers);
   void add_text(std::string_view name, std::string_view text);
   /// Begins an array whose numbers come piece by piece: append() has to be called for all of them
   /// before anything else is added.
@@ -98,6 +102,7 @@ class BlockWriter {
   std::string prefix_;
   std::vector<std::byte> waiting_;        // small pieces, written together
   std::uint64_t to_come_ = 0, size_ = 0;  // bytes of the array that was begun
+  bool forgets_ = false;
 };
 
 /// Blocks are what a BlockWriter has written to a file.

@@ -2,11 +2,13 @@
 #include "readers/vdb/grid_blocks.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
 
+#include "core/files/pages.h"
 #include "core/parallel.h"
 
 namespace pellucid::readers {
@@ -15,6 +17,9 @@ namespace {
 constexpr const char* affine_name = "pellucid.affine";  // of metadata
 constexpr std::int32_t leaf_width = 8;
 constexpr std::size_t leaf_size = 512, mask_words = 8, tile_words = 5;
+/// Leaves after which the memory of those that are copied goes back to the system: 32 MiB of
+/// floats, so that what is there twice is little, and what giving it back takes is little too.
+constexpr std::size_t leaves_between = 1 << 14;
 /// Coordinates of voxels stay below 2^30, a tile's 4096 voxels included: the width of any box is an
 /// int then, and a loop up to its last voxel ends.
 constexpr std::int32_t farthest = (1 << 30) - 4096;
@@ -46,9 +51,11 @@ std::span<const Value> values_of(const Block& block) {
   return {reinterpret_cast<const Value*>(numbers.data()), block.tuples};
 }
 
+/// Writes the leaves, each of which loses its values when they are written.
 template <class Grid>
-void write_leaves(const std::string& prefix, const Grid& grid, BlockWriter& out) {
+void write_leaves(const std::string& prefix, Grid& grid, BlockWriter& out) {
   using Value = typename Grid::ValueType;
+  using Leaf = typename Grid::TreeType::LeafNodeType;
   using Parts = Components<Value>;
   std::vector<std::int32_t> origins;
   std::vector<std::uint64_t> masks;
@@ -62,8 +69,13 @@ void write_leaves(const std::string& prefix, const Grid& grid, BlockWriter& out)
   out.add(prefix + ".masks", std::span<const std::uint64_t>(masks), mask_words);
   out.begin(prefix + ".values", number_type<typename Parts::Number>(), Parts::count,
             origins.size() / 3 * leaf_size);
-  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
-    out.append(leaf->buffer().data(), leaf_size * sizeof(Value));
+  std::size_t written = 0;
+  for (auto leaf = grid.tree().beginLeaf(); leaf; ++leaf) {
+    typename Leaf::Buffer values(openvdb::PartialCreate(), grid.background());  // none yet
+    leaf->swap(values);
+    out.append(values.data(), leaf_size * sizeof(Value));
+    if (++written % leaves_between == 0) ::malloc_trim(0);
+  }
 }
 
 template <class Grid>
@@ -84,7 +96,7 @@ void write_tiles(const std::string& prefix, const Grid& grid, BlockWriter& out) 
 }
 
 template <class Grid>
-void write_tree(const std::string& prefix, const Grid& grid, BlockWriter& out) {
+void write_tree(const std::string& prefix, Grid& grid, BlockWriter& out) {
   const typename Grid::ValueType background = grid.background();
   add_values<typename Grid::ValueType>(prefix + ".background", {&background, 1}, out);
   write_leaves(prefix, grid, out);
@@ -129,6 +141,12 @@ class Leaves {
     return leaf;
   }
 
+  /// Gives the memory of the values of these leaves back: they are made.
+  void forget(std::size_t first, std::size_t count) const {
+    forget_pages(values_.data() + first * leaf_size,
+                 count * leaf_size * sizeof(typename Grid::ValueType));
+  }
+
  private:
   openvdb::Coord origin(std::size_t i) const {
     return {origins_[3 * i], origins_[3 * i + 1], origins_[3 * i + 2]};
@@ -146,14 +164,19 @@ class Leaves {
 };
 
 /// Leaves are made on all threads, since touching their memory first is what takes long, and put
-/// into the tree one after another.
+/// into the tree one after another. Blocks keep no values that the tree has: it is
+/// the second copy of many that would not fit.
 template <class Grid>
 void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
   const Leaves<Grid> leaves(prefix, blocks);
-  std::vector<std::unique_ptr<typename Leaves<Grid>::Leaf>> made(leaves.count());
-  parallel_for(std::size_t(0), made.size(),
-               [&](std::size_t i) { made[i] = leaves.make(i, grid.background()); });
-  for (auto& leaf : made) grid.tree().addLeaf(leaf.release());
+  std::vector<std::unique_ptr<typename Leaves<Grid>::Leaf>> made(leaves_between);
+  for (std::size_t first = 0; first < leaves.count(); first += made.size()) {
+    made.resize(std::min(leaves.count() - first, leaves_between));
+    parallel_for(std::size_t(0), made.size(),
+                 [&](std::size_t i) { made[i] = leaves.make(first + i, grid.background()); });
+    if (made.size() == leaves_between) leaves.forget(first, made.size());
+    for (auto& leaf : made) grid.tree().addLeaf(leaf.release());
+  }
 }
 
 template <class Grid>
@@ -185,15 +208,15 @@ openvdb::GridBase::Ptr read_tree(const std::string& prefix, const Blocks& blocks
 
 /// One row per type of values that is taken.
 struct TypeRow {
-  void (*write)(const std::string&, const openvdb::GridBase&, BlockWriter&);
+  void (*write)(const std::string&, openvdb::GridBase&, BlockWriter&);
   openvdb::GridBase::Ptr (*read)(const std::string&, const Blocks&);
   std::string type;
 };
 
 template <class Grid>
 TypeRow row_of() {
-  return {[](const std::string& prefix, const openvdb::GridBase& grid, BlockWriter& out) {
-            write_tree(prefix, static_cast<const Grid&>(grid), out);
+  return {[](const std::string& prefix, openvdb::GridBase& grid, BlockWriter& out) {
+            write_tree(prefix, static_cast<Grid&>(grid), out);
           },
           read_tree<Grid>, Grid::gridType()};
 }
@@ -234,7 +257,7 @@ bool holds_vectors(const VdbGrid& grid) {
          grid.value_type == openvdb::typeNameAsString<openvdb::Vec3d>();
 }
 
-void write_grid(int number, const openvdb::GridBase& grid, bool with_tree, BlockWriter& out) {
+void write_grid(int number, openvdb::GridBase& grid, bool with_tree, BlockWriter& out) {
   const std::string prefix = std::to_string(number);
   out.add_text(prefix + ".name", grid.getName());
   out.add_text(prefix + ".value", grid.valueType());

@@ -35,11 +35,13 @@ openvdb::Mat4d affine_of(const openvdb::GridBase& grid);
 /// Says whether the grid's values are vectors of three floats or doubles.
 bool holds_vectors(const VdbGrid& grid);
 
-/// Writes grid `number`, its tree too when `with_tree` and its type is one of those above.
-void write_grid(int number, const openvdb::GridBase& grid, bool with_tree, BlockWriter& out);
+/// Writes grid `number`, its tree too when `with_tree` and its type is one of those above; its
+/// leaves lose their values, so that they are in memory once.
+void write_grid(int number, openvdb::GridBase& grid, bool with_tree, BlockWriter& out);
 
 /// Builds all grids of the blocks anew. Throws BlockError for leaves off their lattice, for leaves
-/// and tiles 2^30 voxels or more from the origin, and for numbers of values that do not fit.
+/// and tiles 2^30 voxels or more from the origin, and for numbers of values that do not fit. Blocks
+/// of many leaves are zero afterwards, to be in memory once.
 std::vector<VdbGrid> grids_of(const Blocks& blocks);
 
 }  // namespace pellucid::readers

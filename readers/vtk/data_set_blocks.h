@@ -23,9 +23,13 @@ class vtkDataSet;
 
 namespace pellucid::readers {
 
+/// Whether somebody reads the arrays of a data set after it was written.
+enum class Numbers { kept, for_once };
+
 /// Writes a data set as it is. Nothing that it says is trusted or looked at, so that a library may
-/// have filled it from any file; arrays of texts are left out.
-void write_data_set(vtkDataSet& data, BlockWriter& out);
+/// have filled it from any file; arrays of texts are left out. Large arrays `for_once` go back to
+/// the system as they are written, where nothing else refers to them.
+void write_data_set(vtkDataSet& data, BlockWriter& out, Numbers use = Numbers::kept);
 
 /// Builds the data set anew. Throws BlockError when an offset, an index or a number of points,
 /// cells or values does not fit the others: every cell of the result can be used by VTK's filters.

@@ -130,21 +130,22 @@ FileTimes parse_vtk_file(const std::filesystem::path& path, std::span<const VtkR
   reader->UpdateInformation();
   refuse_messages(messages, path);
   refuse_absurd_extent(reader, path);
-  const auto parse = [&](std::optional<double> time) {
+  const auto parse = [&](std::optional<double> time, bool is_last) {
     ParsedTime parsed = parse_time(*reader, time, request, messages, path);
     parsed.left_out = left_out;
+    parsed.is_last = is_last;
     take(parsed);
   };
   std::vector<double> times = times_of(*reader);
   if (times.empty()) {
     if (request.time != "first" && !request.time.empty()) chosen_time(times, request.time, path);
-    parse(std::nullopt);
+    parse(std::nullopt, true);
     return {};
   }
   const std::vector<double> all = times;
   if (!request.time.empty()) times = {times[chosen_time(times, request.time, path)]};
   for (const double time : times) try {
-      parse(time);
+      parse(time, time == times.back());
     } catch (const InputError& error) {
       if (all.size() == 1) throw;
       throw InputError(fmt::format("{} (at time {} of {}; time=last reads the last alone)",

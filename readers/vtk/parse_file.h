@@ -28,6 +28,7 @@ struct ParsedTime {
   vtkSmartPointer<vtkDataSet> data;
   std::vector<std::string> blocks;    // names of those in `data`, when they are parts of more
   std::vector<std::string> left_out;  // arrays that do not fit those in `data`
+  bool is_last = false;               // the reader is not asked again
 };
 
 /// FileTimes are the times that were read, and all that there are: none of a file without.

@@ -43,15 +43,31 @@ NumberType type_of(vtkDataArray& array) {
   }
 }
 
-void write_array(const std::string& name, vtkDataArray* array, BlockWriter& out) {
+void write_array(const std::string& name, vtkDataArray* array, BlockWriter& out,
+                 Numbers use = Numbers::kept) {
   if (!array) return out.add(name, NumberType::f64, 1, 0, nullptr);
   vtkNew<vtkUnsignedCharArray> bytes;
   if (array->GetDataType() == VTK_BIT) {
     bytes->DeepCopy(array);
     array = bytes;
   }
-  out.add(name, type_of(*array), std::uint32_t(array->GetNumberOfComponents()),
-          std::uint64_t(array->GetNumberOfTuples()), array->GetVoidPointer(0));
+  const auto components = std::uint32_t(array->GetNumberOfComponents());
+  const auto tuples = std::uint64_t(array->GetNumberOfTuples());
+  if (use == Numbers::for_once)
+    out.add_and_forget(name, type_of(*array), components, tuples, array->GetVoidPointer(0));
+  else
+    out.add(name, type_of(*array), components, tuples, array->GetVoidPointer(0));
+}
+
+/// Whether nothing but the data set has the array, and no other array of it has the same numbers.
+bool is_alone(vtkDataArray& array, vtkDataSet& data) {
+  int users = 0;
+  for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(data.GetPointData()),
+                                       static_cast<vtkDataSetAttributes*>(data.GetCellData())})
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+      if (vtkDataArray* other = arrays->GetArray(i))
+        users += other->GetVoidPointer(0) == array.GetVoidPointer(0);
+  return users == 1 && array.GetReferenceCount() == 1;
 }
 
 void write_cells(const std::string& group, vtkCellArray* cells, BlockWriter& out) {
@@ -62,7 +78,8 @@ void write_cells(const std::string& group, vtkCellArray* cells, BlockWriter& out
   write_array(group + ".connectivity", cells->GetConnectivityArray(), out);
 }
 
-void write_attributes(const std::string& group, vtkDataSetAttributes& arrays, BlockWriter& out) {
+void write_attributes(const std::string& group, vtkDataSetAttributes& arrays, vtkDataSet& data,
+                      Numbers use, BlockWriter& out) {
   std::int32_t active[4] = {-1, -1, -1, -1}, number = 0;
   const vtkAbstractArray* special[4] = {arrays.GetScalars(), arrays.GetVectors(),
                                         arrays.GetNormals(), arrays.GetTCoords()};
@@ -70,7 +87,8 @@ void write_attributes(const std::string& group, vtkDataSetAttributes& arrays, Bl
     vtkDataArray* array = arrays.GetArray(i);
     if (!array) continue;  // texts
     const char* name = array->GetName();
-    write_array(fmt::format("{}:{}", group, name ? name : ""), array, out);
+    write_array(fmt::format("{}:{}", group, name ? name : ""), array, out,
+                is_alone(*array, data) ? use : Numbers::kept);
     for (int k = 0; k < 4; ++k)
       if (special[k] == array) active[k] = number;
     ++number;
@@ -166,10 +184,10 @@ void write_structure(vtkDataSet& data, BlockWriter& out) {
 
 }  // namespace
 
-void write_data_set(vtkDataSet& data, BlockWriter& out) {
+void write_data_set(vtkDataSet& data, BlockWriter& out, Numbers use) {
   write_structure(data, out);
-  write_attributes("point", *data.GetPointData(), out);
-  write_attributes("cell", *data.GetCellData(), out);
+  write_attributes("point", *data.GetPointData(), data, use, out);
+  write_attributes("cell", *data.GetCellData(), data, use, out);
 }
 
 }  // namespace pellucid::readers

@@ -16,7 +16,7 @@ void write_parsed(const std::filesystem::path& path, std::span<const VtkReader> 
   int number = 0;
   const auto take = [&](const ParsedTime& parsed) {
     out.name_within(fmt::format("{}|", number++));
-    write_data_set(*parsed.data, out);
+    write_data_set(*parsed.data, out, parsed.is_last ? Numbers::for_once : Numbers::kept);
     out.add_text("blocks", fmt::format("{}", fmt::join(parsed.blocks, "\n")));
     out.add_text("left out", fmt::format("{}", fmt::join(parsed.left_out, "\n")));
   };

@@ -94,6 +94,29 @@ TEST(UnitBlocks, ThroughAPipeComesWhatIsClaimedAndNoMoreThanIsAllowed) {
   ::close(ends[0]);
 }
 
+/// 40 MiB, so that pages go back twice while others are on their way.
+TEST(UnitBlocks, WhatIsForgottenCameThroughThePipeAndIsNoMoreThere) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  std::vector<double> numbers(5 << 20);
+  std::iota(numbers.begin(), numbers.end(), 1.);
+  std::thread writer([&, file = ends[1]] {
+    BlockWriter out(file);
+    out.add_and_forget("numbers", NumberType::f64, 1, numbers.size(), numbers.data());
+    out.add("kept", std::span<const double>(numbers));
+    out.finish();
+    ::close(file);
+  });
+  const Blocks blocks(ends[0]);
+  writer.join();
+  ::close(ends[0]);
+  const auto came = blocks.at("numbers").values<double>();
+  double expected = 1;
+  for (const double number : came) ASSERT_EQ(number, expected++);
+  EXPECT_GE(std::ranges::count(numbers, 0.), 4 << 20);
+  EXPECT_TRUE(std::ranges::equal(blocks.at("kept").values<double>(), numbers));
+}
+
 TEST(UnitBlocks, AClaimBeyondTheLimitIsRefusedBeforeItsMemoryIsAskedFor) {
   const MemoryFile file;
   BlockWriter out(file.descriptor());

@@ -37,7 +37,8 @@ void expect_same_after_blocks(const typename Grid::ValueType& background,
   grid->fill(openvdb::CoordBBox({0, 0, 0}, {31, 31, 31}), value, false);
   for (int i = -9; i < 9; ++i) grid->tree().setValueOn({i * 1000, i, i * i}, background + value);
   grid->tree().setValueOff({5000, 5, 5}, value);
-  const auto copies = through_blocks([&](BlockWriter& out) { write_grid(0, *grid, true, out); });
+  const auto written = grid->deepCopy();
+  const auto copies = through_blocks([&](BlockWriter& out) { write_grid(0, *written, true, out); });
   ASSERT_EQ(copies.size(), 1u);
   EXPECT_EQ(copies[0].name, "velocity");
   EXPECT_EQ(copies[0].value_type, grid->valueType());
@@ -50,6 +51,22 @@ void expect_same_after_blocks(const typename Grid::ValueType& background,
   EXPECT_TRUE(copy->tree().hasSameTopology(grid->tree()));
   for (auto at = grid->cbeginValueAll(); at; ++at)
     ASSERT_EQ(copy->tree().getValue(at.getCoord()), at.getValue()) << at.getCoord();
+}
+
+/// More leaves than are made, and given back, at once.
+TEST_F(UnitGridBlocks, ManyLeavesLoseNoValueWhereTheirMemoryGoesBack) {
+  const auto grid = openvdb::DoubleGrid::create(-1);
+  auto accessor = grid->getAccessor();
+  for (int i = 0; i < 40000; ++i) accessor.setValue({8 * (i % 50), 8 * (i / 50), i % 8}, i + 0.5);
+  ASSERT_EQ(grid->tree().leafCount(), 40000u);
+  const auto copies = through_blocks([&](BlockWriter& out) { write_grid(0, *grid, true, out); });
+  const auto copy = openvdb::gridPtrCast<openvdb::DoubleGrid>(copies.at(0).grid);
+  EXPECT_EQ(copy->tree().leafCount(), 40000u);
+  for (int i = 0; i < 40000; ++i) {
+    const openvdb::Coord at(8 * (i % 50), 8 * (i / 50), i % 8);
+    ASSERT_EQ(copy->tree().getValue(at), i + 0.5);
+    ASSERT_EQ(copy->tree().getValue(at.offsetBy(1, 0, 0)), -1);
+  }
 }
 
 TEST_F(UnitGridBlocks, KeepsEveryValueAndPlace) {

@@ -10,4 +10,8 @@ namespace pellucid {
 /// does nothing for less than some such pages, and where the system has none.
 void ask_for_huge_pages(void* memory, std::size_t bytes);
 
+/// Gives the pages that lie wholly in memory of the heap back to the system. The memory stays the
+/// caller's, but what it held is lost; a pipe to which its pages were lent keeps them.
+void forget_pages(const void* memory, std::size_t bytes);
+
 }  // namespace pellucid
