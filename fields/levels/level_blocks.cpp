@@ -222,21 +222,20 @@ std::vector<DoubleVectorLevel> joined_blocks(std::vector<DoubleVectorLevel> leve
 
 // Every block looks at the cells around it, also at those that a block before it has taken: they
 // are part of a level by then.
-std::vector<ScalarLevel> seams(const std::vector<ScalarLevel>& levels) {
-  std::vector<ScalarLevel> with_seams = levels;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const Neighbourhood near(with_seams, i);
+void add_seams(std::vector<ScalarLevel>& levels) {
+  const std::size_t blocks = levels.size();
+  for (std::size_t i = 0; i < blocks; ++i) {
+    std::vector<ScalarLevel> found;
+    const Neighbourhood near(levels, i);
     if (!near.has_neighbours()) continue;
     std::set<Index> cells = cells_between(near, levels[i].size);
-    std::vector<ScalarLevel> found;
     while (!cells.empty()) {
       const Index first = *cells.begin();
       const Index size = take_box(cells, first);
       found.push_back(seam(levels[i], near, first, size));
     }
-    with_seams.insert(with_seams.end(), found.begin(), found.end());
+    std::ranges::move(found, std::back_inserter(levels));
   }
-  return {with_seams.begin() + std::ptrdiff_t(levels.size()), with_seams.end()};
 }
 
 }  // namespace pellucid::fields

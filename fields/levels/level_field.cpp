@@ -18,8 +18,7 @@ std::vector<ScalarLevel> prepared(std::vector<ScalarLevel> levels, Reconstructio
   for (std::size_t i = 0; i < levels.size(); ++i)
     check_level(fmt::format("level {}", i), levels[i]);
   levels = joined_blocks(std::move(levels));
-  if (kind != Reconstruction::hat)  // hats of neighbouring blocks overlap by themselves
-    for (ScalarLevel& seam : seams(levels)) levels.push_back(std::move(seam));
+  if (kind != Reconstruction::hat) add_seams(levels);  // hats of blocks overlap by themselves
   std::stable_sort(levels.begin(), levels.end(),
                    [](const auto& a, const auto& b) { return a.width < b.width; });
   return levels;

@@ -15,6 +15,7 @@
 #include "fields/files/grid_choice.h"
 #include "fields/files/staggered_grid.h"
 #include "fields/files/vdb_box.h"
+#include "fields/files/vdb_values.h"
 #include "fields/levels/derived_scalar.h"
 #include "fields/levels/narrow_band.h"
 #include "readers/vdb/vdb_file.h"
@@ -51,8 +52,9 @@ void place(const openvdb::GridBase& grid, const openvdb::Coord& first, const std
   level.origin = {origin[0], origin[1], origin[2]};
 }
 
+/// Of a level set the band says more than the level does: it keeps its voxels.
 template <class Grid>
-auto level_of(const Grid& grid, const std::string& name) {
+auto level_of(Grid& grid, const std::string& name) {
   Level<decltype(sample_of(typename Grid::ValueType()))> level;
   const openvdb::CoordBBox box = box_of_values(grid);
   if (box.empty()) throw InputError(fmt::format("{}: it has no active voxels", name));
@@ -68,12 +70,9 @@ auto level_of(const Grid& grid, const std::string& name) {
   place(grid, box.min(), name, level);
   const openvdb::Coord size = box.dim();
   level.size = {size.x(), size.y(), size.z()};
-  level.samples.reserve(std::size_t(size.x()) * std::size_t(size.y()) * std::size_t(size.z()));
-  const auto accessor = grid.getConstAccessor();
-  for (int k = box.min().z(); k <= box.max().z(); ++k)
-    for (int j = box.min().y(); j <= box.max().y(); ++j)
-      for (int i = box.min().x(); i <= box.max().x(); ++i)
-        level.samples.push_back(sample_of(accessor.getValue({i, j, k})));
+  level.samples = values_in(
+      grid, box, grid.getGridClass() == openvdb::GRID_LEVEL_SET ? GridUse::kept : GridUse::emptied,
+      [](const typename Grid::ValueType& value) { return sample_of(value); });
   check_level(name, level);
   return level;
 }
@@ -81,7 +80,7 @@ auto level_of(const Grid& grid, const std::string& name) {
 /// The levels of the grids of this kind of values.
 template <class Grid>
 auto levels_of_kind(std::span<const openvdb::GridBase::Ptr> grids, const std::string& name) {
-  std::vector<decltype(level_of(std::declval<Grid>(), name))> levels;
+  std::vector<decltype(level_of(std::declval<Grid&>(), name))> levels;
   for (const openvdb::GridBase::Ptr& grid : grids)
     if (const auto typed = openvdb::gridPtrCast<Grid>(grid))
       levels.push_back(level_of(*typed, name));

@@ -20,7 +20,8 @@ namespace pellucid::fields {
 /// is empty, at_centres() when they are staggered. Of a level set or a fog volume the level is the
 /// box around its active voxels. `path` names the grids' file in messages. Throws InputError where
 /// there is no such grid, and for a grid of another class whose active voxels do not fill a box,
-/// whose voxels are not cubes along the world's axes, or that check_level() refuses.
+/// whose voxels are not cubes along the world's axes, or that check_level() refuses. Grids that
+/// became levels are empty afterwards, but level sets, so that no voxel is in memory twice.
 ExactLevels levels_of(std::span<const readers::VdbGrid> grids, const std::filesystem::path& path,
                       std::string_view scalar, std::string_view velocity = {});
 

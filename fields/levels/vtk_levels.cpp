@@ -2,6 +2,7 @@
 #include "fields/levels/vtk_levels.h"
 
 #include <fmt/format.h>
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -14,6 +15,7 @@
 
 #include "core/error.h"
 #include "core/files/bad_file.h"
+#include "core/files/pages.h"
 #include "fields/files/array_list.h"
 #include "fields/files/vector_array.h"
 #include "fields/levels/derived_scalar.h"
@@ -107,13 +109,35 @@ bool holds_floats(const vtkDataArray& array) {
   return type == VTK_FLOAT || const_cast<vtkDataArray&>(array).GetDataTypeSize() < 4;
 }
 
+/// The numbers of an array of one component, whose pages go back as they are copied where it is
+/// large and nothing else has it.
+template <class T>
+std::vector<T> taken_numbers(vtkDataArray& array) {
+  constexpr std::size_t at_once = std::size_t(1) << 23;
+  const auto count = std::size_t(array.GetNumberOfTuples());
+  std::vector<T> numbers;
+  numbers.reserve(count);
+  const auto* own = vtkArrayDownCast<vtkAOSDataArrayTemplate<T>>(&array);
+  if (!own) {
+    for (std::size_t i = 0; i < count; ++i)
+      numbers.push_back(T(array.GetComponent(vtkIdType(i), 0)));
+    return numbers;
+  }
+  const T* begin = const_cast<vtkAOSDataArrayTemplate<T>*>(own)->GetPointer(0);
+  for (std::size_t done = 0; done < count; done = numbers.size()) {
+    const std::size_t more = std::min(at_once, count - done);
+    numbers.insert(numbers.end(), begin + done, begin + done + more);
+    if (more == at_once && array.GetReferenceCount() == 1)
+      forget_pages(begin + done, more * sizeof(T));
+  }
+  return numbers;
+}
+
 template <class T>
 std::vector<Level<T>> scalars_in(const PointLattice& lattice, vtkDataArray& array, bool of_cells,
                                  const fs::path& path) {
   Level<T> level = empty_level<T>(lattice, of_cells, path);
-  level.samples.reserve(std::size_t(array.GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
-    level.samples.push_back(T(array.GetComponent(i, 0)));
+  level.samples = taken_numbers<T>(array);
   check_level(path.string(), level);
   std::vector<Level<T>> levels;
   levels.push_back(std::move(level));

@@ -24,7 +24,8 @@ struct ArrayChoice {
 /// world's axes, a scalar of points, or of cells, whose centres are the samples then; or, where
 /// none has the name and it is a derived one, that of the `velocity` (pick_vectors()). Throws
 /// InputError, naming `path`, for what is no such grid, with a way to make one, and for samples
-/// that check_level() refuses; when there is no such array it lists those that there are.
+/// that check_level() refuses; when there is no such array it lists those that there are. Of a
+/// large scalar that nothing but the data set has, the numbers are gone from there afterwards.
 ExactLevels level_of(vtkDataSet& data, const std::filesystem::path& path, std::string_view scalar,
                      const std::string& velocity = {});
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/error.h"
 #include "fields/finite.h"
@@ -38,7 +39,7 @@ class Maker {
 
   std::unique_ptr<VectorField> field() {
     const auto repeats = find_repeats();
-    if (source_.averaged) join_ends(repeats);
+    if (source_.averaged && (repeats[0] || repeats[1] || repeats[2])) join_ends(repeats);
     std::array<GridLayers, 3> layers{layers_along(0, repeats[0]), layers_along(1, repeats[1]),
                                      layers_along(2, repeats[2])};
     DenseGrid<Sample> grid{
@@ -197,14 +198,16 @@ class Maker {
 
   /// The first and the last layer are one: each is the mean of the cells on its own side.
   void join_ends(const Repeats& repeats) {
+    std::vector<Sample> samples(source_.samples.begin(), source_.samples.end());
     for (std::size_t a = 0; a < 3; ++a)
       if (repeats[a])
         for_each_across(a, [&](std::size_t i, std::size_t j) {
-          Sample& first = source_.samples[index(a, 0, i, j)];
-          Sample& last = source_.samples[index(a, size_[a] - 1, i, j)];
+          Sample& first = samples[index(a, 0, i, j)];
+          Sample& last = samples[index(a, size_[a] - 1, i, j)];
           using Number = typename Sample::value_type;
           first = last = (first + last) * Number(0.5);
         });
+    source_.samples = std::move(samples);
   }
 
   // The dense grid.
@@ -224,7 +227,7 @@ class Maker {
     return smallest;
   }
 
-  std::vector<Sample> laid_out(const std::array<GridLayers, 3>& layers) {
+  SharedSamples<Sample> laid_out(const std::array<GridLayers, 3>& layers) {
     const std::size_t nx = layers[0].source.size(), ny = layers[1].source.size(),
                       nz = layers[2].source.size();
     if (nx == size_[0] && ny == size_[1] && nz == size_[2]) return std::move(source_.samples);

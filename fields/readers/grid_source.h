@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "fields/field.h"
 #include "fields/files/periods.h"
@@ -28,7 +27,7 @@ struct FileAxis {
 template <class Sample>
 struct GridSource {
   std::array<FileAxis, 3> axes;
-  std::vector<Sample> samples;     // at the points or in the cells (Interpolation::constant)
+  SharedSamples<Sample> samples;   // at the points or in the cells (Interpolation::constant)
   std::optional<GridFrame> frame;  // none: the axes are the world's
   Interpolation interpolation = Interpolation::linear;
   Periods periods;

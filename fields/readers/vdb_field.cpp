@@ -13,6 +13,7 @@
 #include "fields/files/grid_choice.h"
 #include "fields/files/staggered_grid.h"
 #include "fields/files/vdb_box.h"
+#include "fields/files/vdb_values.h"
 #include "fields/finite.h"
 #include "fields/lazy.h"
 #include "fields/readers/vdb_components.h"
@@ -86,21 +87,17 @@ GridFrame frame_of(const openvdb::GridBase& grid, const Path& path) {
 }
 
 template <class Grid>
-std::unique_ptr<VectorField> make_dense(const Grid& grid, const openvdb::CoordBBox& box,
+std::unique_ptr<VectorField> make_dense(Grid& grid, const openvdb::CoordBBox& box,
                                         const GridFrame& frame, Interpolation interpolation,
                                         std::string description) {
   const openvdb::Coord size = box.dim();
   const auto axis = [&](int a) { return Axis::uniform(box.min()[a], 1, std::size_t(size[a])); };
   using Sample = glm::vec<3, typename Grid::ValueType::ValueType>;
-  DenseGrid<Sample> dense{{axis(0), axis(1), axis(2)}, {}, frame};
-  dense.samples.reserve(grid.activeVoxelCount());
-  const auto accessor = grid.getConstAccessor();
-  for (int k = box.min().z(); k <= box.max().z(); ++k)
-    for (int j = box.min().y(); j <= box.max().y(); ++j)
-      for (int i = box.min().x(); i <= box.max().x(); ++i) {
-        const auto& v = accessor.getValue({i, j, k});
-        dense.samples.emplace_back(v[0], v[1], v[2]);
-      }
+  DenseGrid<Sample> dense{
+      {axis(0), axis(1), axis(2)},
+      values_in(grid, box, GridUse::emptied,
+                [](const typename Grid::ValueType& v) { return Sample(v[0], v[1], v[2]); }),
+      frame};
   return make_dense_field(std::move(dense), interpolation, std::move(description));
 }
 
@@ -115,8 +112,8 @@ bool is_dense(const Grid& grid, const openvdb::CoordBBox& box) {
 }
 
 template <class Grid>
-std::unique_ptr<VectorField> make_vdb_field(typename Grid::ConstPtr grid,
-                                            const FileOptions& options, const Path& path) {
+std::unique_ptr<VectorField> make_vdb_field(typename Grid::Ptr grid, const FileOptions& options,
+                                            const Path& path) {
   const GridFrame frame = frame_of(*grid, path);
   const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
   if (box.empty()) bad_file(path, fmt::format("grid '{}' has no active voxels", grid->getName()));

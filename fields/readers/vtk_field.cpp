@@ -5,6 +5,7 @@
 #include "fields/readers/vtk_field.h"
 
 #include <fmt/format.h>
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
@@ -12,6 +13,9 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "core/files/bad_file.h"
 #include "fields/files/periods.h"
@@ -85,11 +89,25 @@ FileAxis axis_of(vtkDataArray* coordinates, int number, const Path& path) {
   return {even_or_not(std::move(positions))};
 }
 
+/// The array's own numbers, where they lie in memory as samples do.
+template <class Sample>
+std::optional<SharedSamples<Sample>> own_samples(vtkDataArray& array) {
+  using Number = typename Sample::value_type;
+  static_assert(sizeof(Sample) == 3 * sizeof(Number));
+  auto* numbers = vtkArrayDownCast<vtkAOSDataArrayTemplate<Number>>(&array);
+  if (!numbers) return std::nullopt;
+  const auto* first = reinterpret_cast<const Sample*>(numbers->GetPointer(0));
+  return SharedSamples<Sample>({first, std::size_t(array.GetNumberOfTuples())},
+                               std::make_shared<vtkSmartPointer<vtkDataArray>>(&array));
+}
+
 /// Samples that the file hides become NaN.
 template <class Sample>
-std::vector<Sample> copy_samples(vtkDataSet* data, const Vectors& vectors) {
-  std::vector<Sample> samples(std::size_t(vectors.values->GetNumberOfTuples()));
+SharedSamples<Sample> samples_of(vtkDataSet* data, const Vectors& vectors) {
   const bool hides = !vectors.of_cells && data->GetPointGhostArray();
+  if (!hides)
+    if (auto own = own_samples<Sample>(*vectors.values)) return *std::move(own);
+  std::vector<Sample> samples(std::size_t(vectors.values->GetNumberOfTuples()));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     double v[3];
     vectors.values->GetTuple(vtkIdType(i), v);
@@ -141,7 +159,7 @@ std::unique_ptr<VectorField> make_dense_of(Shape shape, vtkDataSet* data, const 
   std::string description = fmt::format("{}: {} × {} × {} samples of {}", path.filename().string(),
                                         count(0), count(1), count(2), vectors.title);
   return make_grid_field(GridSource<Sample>{
-      std::move(shape.axes), copy_samples<Sample>(data, vectors), shape.frame,
+      std::move(shape.axes), samples_of<Sample>(data, vectors), shape.frame,
       interpolation_of(vectors, options, path), periods_of(options, path.string()),
       vectors.averaged, vectors.quantity, path.string(), std::move(description)});
 }

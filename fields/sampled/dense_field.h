@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "fields/field.h"
 #include "fields/sampled/axis.h"
+#include "fields/sampled/shared_samples.h"
 
 namespace pellucid::fields {
 
@@ -36,7 +36,7 @@ struct GridFrame {
 template <class Sample>
 struct DenseGrid {
   std::array<Axis, 3> axes;
-  std::vector<Sample> samples;     // the first axis runs fastest
+  SharedSamples<Sample> samples;   // the first axis runs fastest
   std::optional<GridFrame> frame;  // none: the axes are the world's
 };
 

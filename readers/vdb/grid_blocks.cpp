@@ -130,15 +130,18 @@ class Leaves {
 
   std::size_t count() const { return origins_.size() / 3; }
 
+  /// Without memory for values.
   std::unique_ptr<Leaf> make(std::size_t i, const typename Grid::ValueType& background) const {
     auto leaf = std::make_unique<Leaf>(openvdb::PartialCreate(), origin(i), background);
-    leaf->allocate();
     typename Leaf::NodeMaskType mask;
     for (openvdb::Index word = 0; word < mask_words; ++word)
       mask.template getWord<openvdb::Index64>(word) = masks_[i * mask_words + word];
     leaf->setValueMask(mask);
-    std::copy_n(values_.data() + i * leaf_size, leaf_size, leaf->buffer().data());
     return leaf;
+  }
+  void fill(std::size_t i, Leaf& leaf) const {
+    leaf.allocate();
+    std::copy_n(values_.data() + i * leaf_size, leaf_size, leaf.buffer().data());
   }
 
   /// Gives the memory of the values of these leaves back: they are made.
@@ -163,17 +166,19 @@ class Leaves {
   std::span<const typename Grid::ValueType> values_;
 };
 
-/// Leaves are made on all threads, since touching their memory first is what takes long, and put
-/// into the tree one after another. Blocks keep no values that the tree has: it is
-/// the second copy of many that would not fit.
+/// Leaves are filled on all threads, since touching their memory first is what takes long, and put
+/// into the tree one after another. Of many leaves the blocks keep no values that the tree has. Nor
+/// is a leaf's memory beside that of its values, which is full pages then when they are freed.
 template <class Grid>
 void read_leaves(const std::string& prefix, const Blocks& blocks, Grid& grid) {
   const Leaves<Grid> leaves(prefix, blocks);
   std::vector<std::unique_ptr<typename Leaves<Grid>::Leaf>> made(leaves_between);
   for (std::size_t first = 0; first < leaves.count(); first += made.size()) {
     made.resize(std::min(leaves.count() - first, leaves_between));
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = leaves.make(first + i, grid.background());
     parallel_for(std::size_t(0), made.size(),
-                 [&](std::size_t i) { made[i] = leaves.make(first + i, grid.background()); });
+                 [&](std::size_t i) { leaves.fill(first + i, *made[i]); });
     if (made.size() == leaves_between) leaves.forget(first, made.size());
     for (auto& leaf : made) grid.tree().addLeaf(leaf.release());
   }
