@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields/sampled/sampling_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
 
 namespace pellucid::fields {
 namespace {
@@ -36,7 +40,8 @@ class AxisError {
     std::array<Vec3, 5> table{};
     for (std::size_t k = 0; k <= order; ++k) table[k] = Vec3(line[(first + k) * stride_]);
     const double gap = divide(table, first, order);
-    const double error = glm::length(table[0]) * std::pow(gap, double(order));
+    double error = glm::length(table[0]);
+    for (std::size_t k = 0; k < order; ++k) error *= gap;
     return std::isfinite(error) ? error : 0;
   }
 
@@ -58,6 +63,22 @@ class AxisError {
   std::size_t stride_ = 1;
 };
 
+/// The largest of `error_at(index, i, j, k)` over all places of a lattice whose first axis runs
+/// fastest, or 0; layers on all threads.
+template <class ErrorAt>
+double largest_of(std::size_t nx, std::size_t ny, std::size_t nz, const ErrorAt& error_at) {
+  std::vector<double> of_layers(nz);
+  parallel_for(std::size_t(0), nz, [&](std::size_t k) {
+    double largest = 0;
+    std::size_t index = k * nx * ny;
+    for (std::size_t j = 0; j < ny; ++j)
+      for (std::size_t i = 0; i < nx; ++i, ++index)
+        largest = std::max(largest, error_at(index, i, j, k));
+    of_layers[k] = largest;
+  });
+  return of_layers.empty() ? 0 : *std::ranges::max_element(of_layers);
+}
+
 /// |difference| / 2 from a cell to the next along each axis, summed; the largest of all cells.
 template <class Sample>
 double error_of_steps(const DenseGrid<Sample>& grid) {
@@ -68,14 +89,10 @@ double error_of_steps(const DenseGrid<Sample>& grid) {
     const double half = glm::length(Vec3(grid.samples[index + stride] - grid.samples[index])) / 2;
     return std::isfinite(half) ? half : 0;
   };
-  double largest = 0;
-  std::size_t index = 0;
-  for (std::size_t k = 0; k < nz; ++k)
-    for (std::size_t j = 0; j < ny; ++j)
-      for (std::size_t i = 0; i < nx; ++i, ++index)
-        largest = std::max(
-            largest, step(index, i, nx, 1) + step(index, j, ny, nx) + step(index, k, nz, nx * ny));
-  return largest;
+  return largest_of(
+      nx, ny, nz, [&](std::size_t index, std::size_t i, std::size_t j, std::size_t k) {
+        return step(index, i, nx, 1) + step(index, j, ny, nx) + step(index, k, nz, nx * ny);
+      });
 }
 
 }  // namespace
@@ -87,13 +104,10 @@ double estimate_sampling_error(const DenseGrid<Sample>& grid, int support) {
   const auto error = [&](int axis, std::size_t index, std::size_t i) {
     return support == 2 ? axes[axis].of_lines(index, i) : axes[axis].of_cubics(index, i);
   };
-  double largest = 0;
-  std::size_t index = 0;
-  for (std::size_t k = 0; k < grid.axes[2].size(); ++k)
-    for (std::size_t j = 0; j < grid.axes[1].size(); ++j)
-      for (std::size_t i = 0; i < grid.axes[0].size(); ++i, ++index)
-        largest = std::max(largest, error(0, index, i) + error(1, index, j) + error(2, index, k));
-  return largest;
+  return largest_of(grid.axes[0].size(), grid.axes[1].size(), grid.axes[2].size(),
+                    [&](std::size_t index, std::size_t i, std::size_t j, std::size_t k) {
+                      return error(0, index, i) + error(1, index, j) + error(2, index, k);
+                    });
 }
 
 template double estimate_sampling_error(const DenseGrid<glm::vec3>&, int);
