@@ -65,17 +65,18 @@ TEST(UnitSeedFeatures, TheMeasureOfErrorSeesWhatAMeshSteppedOver) {
 /// A uniform flow along x on samples over 0 ≤ x ≤ 4, 0 ≤ y ≤ 8, without those of low < y < high and
 /// x ≥ from.
 std::unique_ptr<fields::VectorField> with_hole(double low, double high, double from = 0) {
-  fields::DenseGrid<glm::vec3> grid{
-      {fields::Axis::uniform(0, 0.5, 9), fields::Axis::uniform(0, 0.25, 33),
-       fields::Axis::uniform(0, 1, 3)},
-      {},
-      std::nullopt};
+  std::vector<glm::vec3> samples;
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < 33; ++j)
       for (int i = 0; i < 9; ++i) {
         const bool hole = 0.25 * j > low && 0.25 * j < high && 0.5 * i >= from;
-        grid.samples.emplace_back(hole ? std::numeric_limits<float>::quiet_NaN() : 1.f, 0.f, 0.f);
+        samples.emplace_back(hole ? std::numeric_limits<float>::quiet_NaN() : 1.f, 0.f, 0.f);
       }
+  fields::DenseGrid<glm::vec3> grid{
+      {fields::Axis::uniform(0, 0.5, 9), fields::Axis::uniform(0, 0.25, 33),
+       fields::Axis::uniform(0, 1, 3)},
+      std::move(samples),
+      std::nullopt};
   return fields::make_dense_field(std::move(grid), fields::Interpolation::linear, "hole");
 }
 

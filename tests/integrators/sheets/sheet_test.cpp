@@ -198,8 +198,8 @@ TEST(UnitSheets, ATearMayBeCurved) {
 /// all particles start on the edge: what facets have there are lines.
 TEST(UnitSheets, ABorderThroughVerticesHasNoSlivers) {
   const fields::Axis axis = fields::Axis::uniform(0, 0.1, 11);
-  fields::DenseGrid<glm::vec3> grid{{axis, axis, axis}, {}, std::nullopt};
-  grid.samples.assign(11 * 11 * 11, glm::vec3(1, 0.5, 0));
+  fields::DenseGrid<glm::vec3> grid{
+      {axis, axis, axis}, std::vector<glm::vec3>(11 * 11 * 11, glm::vec3(1, 0.5, 0)), std::nullopt};
   const auto field =
       fields::make_dense_field(std::move(grid), fields::Interpolation::linear, "uniform");
   const IntegratedSheet sheet =

@@ -28,14 +28,16 @@ struct Obstacle {
 /// obstacle: the cells beside one that is missing are missing, too, up to its edge.
 std::unique_ptr<fields::VectorField> straight(double slope, const Obstacle& obstacle = {}) {
   const fields::Axis axis = fields::Axis::uniform(0, 0.25, 33);
-  fields::DenseGrid<glm::vec3> grid{{axis, axis, fields::Axis::uniform(0, 1, 3)}, {}, std::nullopt};
+  std::vector<glm::vec3> samples;
   const auto inside = [&](int i) { return 0.25 * i > obstacle.low && 0.25 * i < obstacle.high; };
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < 33; ++j)
       for (int i = 0; i < 33; ++i) {
         const float u = inside(i) && inside(j) ? std::numeric_limits<float>::quiet_NaN() : 1.f;
-        grid.samples.emplace_back(u, float(slope), 0.f);
+        samples.emplace_back(u, float(slope), 0.f);
       }
+  fields::DenseGrid<glm::vec3> grid{
+      {axis, axis, fields::Axis::uniform(0, 1, 3)}, std::move(samples), std::nullopt};
   return fields::make_dense_field(std::move(grid), fields::Interpolation::linear, "straight");
 }
 
