@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +14,12 @@ namespace pellucid::fields {
 /// A SampleStatus says whether a velocity could be given, and why not: the position is outside of
 /// the field, or the velocity there is not finite.
 enum class SampleStatus { ok, outside, not_finite };
+
+/// A LastCell is where in a field's cells a particle was last, which its sampler knows how to read.
+/// Between samplers of one field it may be handed on.
+struct LastCell {
+  std::uint32_t number = std::numeric_limits<std::uint32_t>::max();
+};
 
 /// A FieldSampler is one thread's view of a field: it owns whatever caches a look-up needs (grid
 /// accessors, cell locators, a formula's stack) and is not shared between threads. Counting
@@ -31,6 +39,11 @@ class FieldSampler {
   /// Says that the flow is looked at over this length, in world units: who takes its Jacobian from
   /// differences takes them over a small part of it.
   virtual void resolve(double /*length*/) {}
+
+  /// Makes a sampler of cells look for places in the particle's last cell first, and keep it up to
+  /// date; with nullptr in none, as at the beginning. Where cells overlap, the last one may decide
+  /// which counts: so it is one particle's, and its way depends on nothing but itself.
+  virtual void follow(LastCell* /*last*/) {}
 };
 
 /// A VectorField is a velocity v(x, t) in world coordinates. It is immutable and shared between

@@ -23,6 +23,7 @@ class ReversedSampler final : public FieldSampler {
     return status;
   }
   void resolve(double length) override { inner_->resolve(length); }
+  void follow(LastCell* last) override { inner_->follow(last); }
 
  private:
   /// Of `start` itself exactly that: 2 start - t may be rounded.

@@ -93,6 +93,12 @@ class SeriesSampler final : public FieldSampler {
       return status;
     });
   }
+  /// Frames mostly have the same cells.
+  void follow(LastCell* last) override {
+    last_ = last;
+    for (const auto& sampler : samplers_)
+      if (sampler) sampler->follow(last);
+  }
 
  private:
   /// `add` takes the first frame with a negative weight and mixes the second into it. At a frame's
@@ -107,13 +113,17 @@ class SeriesSampler final : public FieldSampler {
   }
 
   FieldSampler& sampler(std::size_t frame) {
-    if (!samplers_[frame]) samplers_[frame] = frames_[frame].field->sampler();
+    if (!samplers_[frame]) {
+      samplers_[frame] = frames_[frame].field->sampler();
+      samplers_[frame]->follow(last_);
+    }
     return *samplers_[frame];
   }
 
   const Frames& frames_;
   const TimeRange& times_;
   std::vector<std::unique_ptr<FieldSampler>> samplers_;  // made when first needed
+  LastCell* last_ = nullptr;
 };
 
 class SeriesField final : public VectorField {

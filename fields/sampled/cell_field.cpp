@@ -4,29 +4,34 @@
 #include <fmt/format.h>
 #include <vtkCellType.h>
 #include <vtkGenericCell.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkStaticCellLocator.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include "fields/finite.h"
 #include "fields/lazy.h"
+#include "fields/sampled/cell_corners.h"
 #include "fields/sampled/cell_error.h"
 #include "fields/sampled/cell_grid.h"
 #include "fields/sampled/cell_inverse.h"
+#include "fields/sampled/cell_locator.h"
+#include "fields/sampled/linear_cells.h"
 #include "fields/sampled/planar_field.h"
 
 namespace pellucid::fields {
 namespace {
 
-/// FindCell, FindCellsWithinBounds and GetCell are safe on several threads as long as each brings
-/// its own vtkGenericCell and list; the grid and the locator do not change once built.
+/// GetCell is safe on several threads as long as each brings its own vtkGenericCell; the grid and
+/// the locator do not change once built. Of cells that hold a place together, on their borders or
+/// where a file's overlap, the particle's last one counts, else the first.
 class CellSampler final : public FieldSampler {
  public:
-  CellSampler(vtkStaticCellLocator* locator, const CellGrid& grid)
-      : locator_(locator), grid_(grid), rounding_(1e-14 * grid.search_box.diagonal()) {}
+  CellSampler(const CellLocator& locator, const CellCorners& corners, const CellGrid& grid,
+              double rounding)
+      : locator_(locator), corners_(corners), grid_(grid), rounding_(rounding) {}
 
   SampleStatus velocity(const Vec3& x, double, Vec3& v) override {
     if (!find(x)) return SampleStatus::outside;
@@ -37,44 +42,97 @@ class CellSampler final : public FieldSampler {
   SampleStatus velocity_and_jacobian(const Vec3& x, double, Vec3& v, Mat3& jacobian) override {
     if (!find(x)) return SampleStatus::outside;
     v = interpolate();
-    jacobian = grid_.constant ? Mat3(0) : grid_.jacobian(*cell_, parametric_);
+    jacobian = grid_.constant ? Mat3(0) : slope();
     return is_finite(v) && is_finite(jacobian) ? SampleStatus::ok : SampleStatus::not_finite;
   }
 
+  void follow(LastCell* last) override { last_ = last; }
+
  private:
+  /// By whom the cell was solved.
+  enum class Kind { tetrahedron, hexahedron, vtk };
+
   bool find(const Vec3& x) {
-    if (!grid_.search_box.contains(x)) return false;
-    double position[3] = {x.x, x.y, x.z};
-    number_ = locator_->FindCell(position, 0, cell_, parametric_, weights_.data());
-    if (number_ < 0) return search(x);
+    if (last_ && last_->number < corners_.cells() && holds(last_->number, x)) return true;
+    if (!search(x)) return false;
+    if (last_) last_->number = cell_;
+    return true;
+  }
+
+  bool search(const Vec3& x) {
+    const std::span<const std::uint32_t> near = locator_.cells_at(x);
+    for (const std::uint32_t cell : near)
+      if (holds(cell, x)) return true;
+    for (const std::uint32_t cell : near)
+      if (solve(cell, x)) return true;
+    return false;
+  }
+
+  bool holds(std::uint32_t cell, const Vec3& x) {
+    numbers_ = corners_.points(cell, eight_);
+    cell_ = cell;
+    switch (corners_.type(cell)) {
+      case VTK_TETRA:
+        return in_tetrahedron(x);
+      case VTK_HEXAHEDRON:
+        return in_hexahedron(x);
+      default:
+        return by_vtk(x);
+    }
+  }
+
+  template <std::size_t N>
+  std::array<Vec3, N> arms(const Vec3& x) const {
+    std::array<Vec3, N> arms;
+    for (std::size_t i = 0; i < N; ++i) arms[i] = corners_.place(numbers_[i]) - x;
+    return arms;
+  }
+
+  bool in_tetrahedron(const Vec3& x) {
+    const auto weights = tetrahedron_weights(arms<4>(x));
+    if (!weights) return false;
+    std::ranges::copy(*weights, weights_.begin());
+    kind_ = Kind::tetrahedron;
+    return true;
+  }
+
+  bool in_hexahedron(const Vec3& x) {
+    const Side side = place_in_hexahedron(arms<8>(x), parametric_);
+    if (side == Side::unsure) return solve(cell_, x);
+    if (side == Side::outside) return false;
+    std::ranges::copy(hexahedron_weights(parametric_), weights_.begin());
+    kind_ = Kind::hexahedron;
+    return true;
+  }
+
+  bool by_vtk(const Vec3& x) {
+    if (!corners_.box(cell_).contains(x)) return false;
+    grid_.cells->GetCell(cell_, vtk_cell_);
+    int part;
+    double squared_distance;
+    if (vtk_cell_->EvaluatePosition(&x.x, nullptr, part, &parametric_.x, squared_distance,
+                                    weights_.data()) != 1)
+      return false;
+    kind_ = Kind::vtk;
     if (!grid_.constant) polish(x);
     return true;
   }
 
-  /// Finds the cell where VTK finds none: its iteration gives up in some that hold x.
-  bool search(const Vec3& x) {
-    double box[6] = {x.x, x.x, x.y, x.y, x.z, x.z};
-    for (int axis = 0; axis < 3; ++axis) box[2 * axis] -= rounding_, box[2 * axis + 1] += rounding_;
-    near_->Reset();
-    locator_->FindCellsWithinBounds(box, near_);
-    for (vtkIdType i = 0; i < near_->GetNumberOfIds(); ++i) {
-      number_ = near_->GetId(i);
-      grid_.cells->GetCell(number_, cell_);
-      if (solve(x)) return true;
-    }
-    return false;
-  }
-
-  /// Finds where in the cell x is, by an iteration of our own.
-  bool solve(const Vec3& x) {
-    const std::optional<Vec3> place = place_in_cell(*cell_, x);
+  /// Finds where in the cell x is by an iteration that ends also where those above give up, and
+  /// forgives a rounding.
+  bool solve(std::uint32_t cell, const Vec3& x) {
+    numbers_ = corners_.points(cell, eight_);
+    cell_ = cell;
+    grid_.cells->GetCell(cell, vtk_cell_);
+    const std::optional<Vec3> place = place_in_cell(*vtk_cell_, x);
     if (place) move_to(*place);
+    kind_ = Kind::vtk;
     return place.has_value();
   }
 
   void move_to(const Vec3& place) {
-    for (int axis = 0; axis < 3; ++axis) parametric_[axis] = place[axis];
-    cell_->InterpolateFunctions(parametric_, weights_.data());
+    parametric_ = place;
+    vtk_cell_->InterpolateFunctions(&parametric_.x, weights_.data());
   }
 
   /// One more step of Newton's iteration: VTK stops when a step is below a thousandth of a cell,
@@ -82,47 +140,92 @@ class CellSampler final : public FieldSampler {
   /// flat there.
   void polish(const Vec3& x) {
     constexpr double longest = 1e-3;
-    const int type = cell_->GetCellType();
-    if (type == VTK_TETRA || type == VTK_VOXEL) return;  // solved directly
+    if (vtk_cell_->GetCellType() == VTK_VOXEL) return;  // solved directly
     Vec3 miss = x;
-    for (int i = 0; i < cell_->GetNumberOfPoints(); ++i)
-      miss -= weights_[std::size_t(i)] * grid_.point(cell_->GetPointId(i));
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      miss -= weights_[i] * corners_.place(numbers_[i]);
     if (glm::length(miss) <= rounding_) return;
-    const Vec3 step = glm::inverse(grid_.slopes(*cell_, parametric_).position) * miss;
+    const Vec3 step = glm::inverse(grid_.slopes(*vtk_cell_, &parametric_.x).position) * miss;
     if (glm::length(step) <= longest)
-      move_to(Vec3(parametric_[0], parametric_[1], parametric_[2]) + step);
+      move_to(parametric_ + step);
     else
-      solve(x);
+      solve(cell_, x);
   }
 
   Vec3 interpolate() const {
-    if (grid_.constant) return grid_.velocity(number_);
+    if (grid_.constant) return grid_.velocity(cell_);
     Vec3 sum(0);
-    for (vtkIdType i = 0; i < cell_->GetNumberOfPoints(); ++i)
-      sum += weights_[std::size_t(i)] * grid_.velocity(cell_->GetPointId(int(i)));
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      sum += weights_[i] * grid_.velocity(numbers_[i]);
     return sum;
   }
 
-  vtkStaticCellLocator* locator_;
+  Mat3 slope() {
+    switch (kind_) {
+      case Kind::tetrahedron:
+        return slope_of_tetrahedron();
+      case Kind::hexahedron:
+        return CellGrid::jacobian([this](const Vec3& at) { return slopes_of_hexahedron(at); },
+                                  parametric_, Vec3(0.5));
+      case Kind::vtk:
+        return grid_.jacobian(*vtk_cell_, &parametric_.x);
+    }
+    return {};
+  }
+
+  Mat3 slope_of_tetrahedron() const {
+    CellGrid::Slopes slopes;
+    for (int k = 0; k < 3; ++k) {
+      const vtkTypeInt64 corner = numbers_[std::size_t(k + 1)];
+      slopes.position[k] = corners_.place(corner) - corners_.place(numbers_[0]);
+      slopes.velocity[k] = grid_.velocity(corner) - grid_.velocity(numbers_[0]);
+    }
+    return slopes.velocity * glm::inverse(slopes.position);
+  }
+
+  CellGrid::Slopes slopes_of_hexahedron(const Vec3& at) const {
+    const std::array<Vec3, 8> of_weights = hexahedron_slopes(at);
+    CellGrid::Slopes slopes{Mat3(0), Mat3(0)};
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < 8; ++i) {
+        slopes.position[axis] += of_weights[i][axis] * corners_.place(numbers_[i]);
+        slopes.velocity[axis] += of_weights[i][axis] * grid_.velocity(numbers_[i]);
+      }
+    return slopes;
+  }
+
+  const CellLocator& locator_;
+  const CellCorners& corners_;
   const CellGrid& grid_;
   double rounding_;  // of a position in the grid
-  vtkNew<vtkGenericCell> cell_;
-  vtkNew<vtkIdList> near_;  // cells that search() looks at
-  vtkIdType number_ = -1;   // of the cell
+  vtkNew<vtkGenericCell> vtk_cell_;
+
+  LastCell* last_ = nullptr;
+
+  // The cell that was found.
+  std::uint32_t cell_ = 0;
+  Kind kind_ = Kind::vtk;
+  CellCorners::Numbers numbers_;  // of its points
+  std::array<vtkTypeInt64, 8> eight_;
   std::array<double, CellGrid::largest_cell> weights_{};
-  double parametric_[3] = {0, 0, 0};
+  Vec3 parametric_{0};
 };
 
 class CellField final : public VectorField {
  public:
   CellField(CellGrid grid, std::string description)
-      : grid_(std::move(grid)), description_(std::move(description)) {
-    locator_->SetDataSet(grid_.cells);
-    locator_->BuildLocator();
-  }
+      : grid_(std::move(grid)),
+        corners_(*grid_.cells),
+        rounding_(1e-14 * grid_.search_box.diagonal()),
+        locator_(std::size_t(grid_.cells->GetNumberOfCells()),
+                 [this](std::size_t cell) {
+                   const Box3 box = corners_.box(cell);
+                   return Box3{box.min - rounding_, box.max + rounding_};
+                 }),
+        description_(std::move(description)) {}
 
   std::unique_ptr<FieldSampler> sampler() const override {
-    return std::make_unique<CellSampler>(locator_.Get(), grid_);
+    return std::make_unique<CellSampler>(locator_, corners_, grid_, rounding_);
   }
   Box3 domain() const override { return grid_.bounds; }
   bool steady() const override { return true; }
@@ -134,7 +237,9 @@ class CellField final : public VectorField {
 
  private:
   CellGrid grid_;
-  vtkNew<vtkStaticCellLocator> locator_;
+  CellCorners corners_;
+  double rounding_;  // of a position in the grid
+  CellLocator locator_;
   std::string description_;
   Lazy<double> sampling_error_;
 };

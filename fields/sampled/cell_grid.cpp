@@ -47,18 +47,10 @@ CellGrid::Slopes CellGrid::slopes(vtkGenericCell& cell, const double parametric[
 // VTK's own Derivatives() does the same, but prints where a cell is flat; here that gives
 // infinities.
 Mat3 CellGrid::jacobian(vtkGenericCell& cell, const double parametric[3]) const {
-  constexpr double flat = 1e-8, way_in = 1e-3;
-  Slopes at = slopes(cell, parametric);
-  const auto [shortest, longest] = std::minmax(
-      {glm::length(at.position[0]), glm::length(at.position[1]), glm::length(at.position[2])});
-  if (shortest <= flat * longest) {
-    double inner[3];
-    cell.GetParametricCenter(inner);
-    for (int axis = 0; axis < 3; ++axis)
-      inner[axis] = parametric[axis] + way_in * (inner[axis] - parametric[axis]);
-    at = slopes(cell, inner);
-  }
-  return at.velocity * glm::inverse(at.position);
+  Vec3 middle;
+  cell.GetParametricCenter(&middle.x);
+  return jacobian([&](const Vec3& at) { return slopes(cell, &at.x); },
+                  Vec3(parametric[0], parametric[1], parametric[2]), middle);
 }
 
 double CellGrid::smallest_width() const {

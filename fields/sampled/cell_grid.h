@@ -4,6 +4,7 @@
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -43,6 +44,16 @@ struct CellGrid {
   /// along axis j. Where points of the cell coincide, as on the axis of a polar grid, it is that of
   /// a thousandth of the way to the cell's middle; of a cell that is flat it is infinite.
   Mat3 jacobian(vtkGenericCell& cell, const double parametric[3]) const;
+  /// The same of a cell whose slopes at parametric coordinates `slopes_at` returns.
+  template <class SlopesAt>
+  static Mat3 jacobian(const SlopesAt& slopes_at, const Vec3& parametric, const Vec3& middle) {
+    constexpr double flat = 1e-8, way_in = 1e-3;
+    Slopes at = slopes_at(parametric);
+    const auto [shortest, longest] = std::minmax(
+        {glm::length(at.position[0]), glm::length(at.position[1]), glm::length(at.position[2])});
+    if (shortest <= flat * longest) at = slopes_at(parametric + way_in * (middle - parametric));
+    return at.velocity * glm::inverse(at.position);
+  }
 
   /// Returns the smallest width of all cells, in world units: a cell's width is the diagonal of its
   /// box over √3, a cube's edge. Slivers do not count as thin, since they say little about how

@@ -33,6 +33,7 @@ class PeriodicSampler final : public FieldSampler {
   SampleStatus velocity_and_jacobian(const Vec3& x, double t, Vec3& v, Mat3& jacobian) override {
     return inner_->velocity_and_jacobian(folded(along_, x), t, v, jacobian);
   }
+  void follow(LastCell* last) override { inner_->follow(last); }
 
  private:
   std::unique_ptr<FieldSampler> inner_;

@@ -28,6 +28,7 @@ class PlanarSampler final : public FieldSampler {
     jacobian = flatten_ * jacobian * along_;
     return status;
   }
+  void follow(LastCell* last) override { inner_->follow(last); }
 
  private:
   bool is_on_plane(const Vec3& x) const { return std::abs(plane_.distance(x)) <= plane_.slack; }

@@ -28,6 +28,7 @@ class CountingSampler final : public fields::FieldSampler {
   }
 
   void resolve(double length) override { sampler_->resolve(length); }
+  void follow(fields::LastCell* last) override { sampler_->follow(last); }
 
   std::uint64_t evaluations() const { return evaluations_; }
 

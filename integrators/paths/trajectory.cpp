@@ -56,6 +56,20 @@ double fastest(const std::array<ParticleState, 7>& k) {
   return speed;
 }
 
+/// Has a sampler look in a particle's last cell first, for as long as it lives.
+class Following {
+ public:
+  Following(fields::FieldSampler& sampler, fields::LastCell& last) : sampler_(sampler) {
+    sampler_.follow(&last);
+  }
+  ~Following() { sampler_.follow(nullptr); }
+  Following(const Following&) = delete;
+  Following& operator=(const Following&) = delete;
+
+ private:
+  fields::FieldSampler& sampler_;
+};
+
 }  // namespace
 
 Trajectory::Trajectory(const TrajectoryOptions& options, const Vec3& seed, const Vec3& companion,
@@ -156,6 +170,11 @@ bool Trajectory::skip_to(double t, fields::FieldSampler& sampler) {
 }
 
 void Trajectory::step(fields::FieldSampler& sampler) {
+  const Following following(sampler, last_cell_);
+  advance(sampler);
+}
+
+void Trajectory::advance(fields::FieldSampler& sampler) {
   const double left = options_->duration - t_;
   const double wanted = std::min(h_, largest_step());
   // The last two steps share what is left rather than leave a sliver to the last one.

@@ -117,6 +117,7 @@ class Trajectory {
                                 fields::FieldSampler& sampler);
   double error_of(double h, const std::array<State, 7>& k, const State& y1) const;
   void step(fields::FieldSampler& sampler);
+  void advance(fields::FieldSampler& sampler);
   void accept(double h, const std::array<State, 7>& k, const State& y1,
               fields::FieldSampler& sampler);
   void restrain_ghost(fields::FieldSampler& sampler);
@@ -144,6 +145,7 @@ class Trajectory {
   bool exists_ = false;
   bool near_edge_ = false;  // a step failed: the domain's edge is close
   std::uint64_t step_count_ = 0;
+  fields::LastCell last_cell_;
 
   /// A Rest is a stretch of the way on which the particle may be going nowhere.
   struct Rest {

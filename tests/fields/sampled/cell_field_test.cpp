@@ -126,5 +126,54 @@ TEST(UnitCells, HiddenOnesAreOutsideInEveryKindOfGrid) {
     }
 }
 
+/// Two unit cubes, the second half within the first, which flows the other way.
+std::unique_ptr<VectorField> overlapping(const TemporaryFolder& folder) {
+  std::string points, cells, vectors;
+  for (int i = 0; i < 16; ++i) {
+    points += fmt::format("{} {} {}\n", i % 2 + 0.5 * (i / 8), i / 2 % 2, i / 4 % 2);
+    vectors += i < 8 ? "1 0 0\n" : "-1 0 0\n";
+  }
+  for (int i = 0; i < 16; i += 8)
+    cells += fmt::format("8 {} {} {} {} {} {} {} {}\n", i, i + 1, i + 3, i + 2, i + 4, i + 5, i + 7,
+                         i + 6);
+  write_bytes(folder / "two.vtk",
+              "# vtk DataFile Version 3.0\ntwo\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 16 "
+              "double\n" +
+                  points + "CELLS 2 18\n" + cells +
+                  "CELL_TYPES 2\n12 12\nPOINT_DATA 16\nVECTORS v double\n" + vectors);
+  return make_field((folder / "two.vtk").string());
+}
+
+/// Whatever was asked before, the first cell counts; for a particle its own last one does.
+TEST(UnitCells, WhereCellsOverlapTheFirstCountsOrTheParticlesLast) {
+  const TemporaryFolder folder;
+  const auto field = overlapping(folder);
+  const Vec3 in_first(0.25, 0.5, 0.5), in_both(0.75, 0.5, 0.5), in_second(1.25, 0.5, 0.5);
+  const auto sampler = field->sampler();
+  const auto velocity_at = [&](const Vec3& x) {
+    Vec3 v(0);
+    EXPECT_EQ(sampler->velocity(x, 0, v), SampleStatus::ok);
+    return v.x;
+  };
+  EXPECT_EQ(velocity_at(in_second), -1);
+  EXPECT_EQ(velocity_at(in_both), 1);
+  LastCell one, other;
+  sampler->follow(&one);
+  EXPECT_EQ(velocity_at(in_second), -1);
+  EXPECT_EQ(velocity_at(in_both), -1);
+  sampler->follow(&other);
+  EXPECT_EQ(velocity_at(in_both), 1);
+  sampler->follow(&one);
+  EXPECT_EQ(velocity_at(in_both), -1);
+  EXPECT_EQ(velocity_at(in_first), 1);
+  EXPECT_EQ(velocity_at(in_both), 1);
+  sampler->follow(nullptr);
+  EXPECT_EQ(velocity_at(in_second), -1);
+  EXPECT_EQ(velocity_at(in_both), 1);
+  LastCell of_another_field{7};
+  sampler->follow(&of_another_field);
+  EXPECT_EQ(velocity_at(in_second), -1);
+}
+
 }  // namespace
 }  // namespace pellucid::fields
