@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Image and rectilinear data become a dense array of our own; curvilinear and unstructured grids
-// are searched with VTK's cell locator.
+// Image and rectilinear data are a dense array, VTK's own where it lies as ours does; curvilinear
+// and unstructured grids are searched cell by cell.
 
 #include "fields/readers/vtk_field.h"
 
