@@ -153,6 +153,23 @@ class PageTest(unittest.TestCase):
         self.changed(plain)
         self.assertEqual(self.console(), [])
 
+    def test_a_picture_whose_body_is_cut_short_is_asked_for_again(self):
+        """A slider that moves aborts the picture that is on its way: its head may have come by then."""
+        self.browser.execute_script("""
+            const fetchIt = window.fetch;
+            window.fetch = async (...words) => {
+              const response = await fetchIt(...words);
+              if (!window.wasCut && words[0] === "frame")
+                response.arrayBuffer = () => { window.wasCut = true; return Promise.reject(new DOMException("", "AbortError")); };
+              return response;
+            };""")
+        plain = self.seen()
+        self.control("opacity of objects[0]").send_keys(Keys.END)
+        WebDriverWait(self.browser, LONGEST, 0.02).until(lambda _: self.browser.execute_script("return window.wasCut"))
+        self.changed(plain)
+        self.settle("raytrace")
+        self.assertEqual(self.console(), [])
+
     def test_sliders_reach_bounds_and_defaults(self):
         Select(self.control("second method")).select_by_visible_text("fourier")
         self.settle("fourier", "RMSE")

@@ -14,23 +14,24 @@ class Refusal extends Error {
   }
 }
 
-async function ask(name, body, signal) {
+/** `read` takes the answer's body, which may be cut short as well as its head. */
+async function ask(name, body, signal, read) {
   let response;
   try {
     response = await fetch(name, body && { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal });
+    if (response.ok) return await read(response);
   } catch (error) {
     if (error.name === "AbortError") throw new Refusal("aborted", true);
     throw new Refusal("The program has ended: start pellucid view again, and open the address that it prints.");
   }
-  if (!response.ok) throw new Refusal((await response.json()).error, response.status === 409);
-  return response;
+  throw new Refusal((await response.json()).error, response.status === 409);
 }
 
-const askJson = async (name, body, signal) => (await ask(name, body, signal)).json();
+const askJson = (name, body, signal) => ask(name, body, signal, (response) => response.json());
 
 /** Pictures as Painter::frame packs them: {size, samples, metrics, pictures: [{method, seconds, floats}]}. */
 async function askFrame(body, signal) {
-  const bytes = await (await ask("frame", { ...body, page }, signal)).arrayBuffer();
+  const bytes = await ask("frame", { ...body, page }, signal, (response) => response.arrayBuffer());
   const length = new DataView(bytes).getUint32(0, true);
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
   const count = 3 * header.size[0] * header.size[1];
