@@ -16,6 +16,7 @@ import argparse
 import json
 import os
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -27,6 +28,7 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 
 POINTS, IMAGE, VOXELS, CELLS = 16_300_000, 430_000_000, 512_000_000, 5_000_000
+RUNS = 3  # of which the median counts: the first may wait for its memory
 
 
 # What is measured
@@ -65,6 +67,10 @@ def measured(*words):
     if process.returncode:
         sys.exit(f"{' '.join(map(str, words))}: exit {process.returncode}")
     return {"seconds": time.perf_counter() - start, "bytes": most}, told[0]
+
+
+def median_of(runs):
+    return {what: statistics.median(run[what] for run in runs) for what in runs[0]}
 
 
 # What VTK does, in a process of its own: large_files.py --vtk FILE [TRACE]
@@ -231,11 +237,11 @@ def seed_places():
 
 def row_of_reading(program, path, numbers):
     """`numbers`: bytes of them in memory."""
-    ours, _ = measured(program, "info", path)
+    ours = median_of([measured(program, "info", path)[0] for _ in range(RUNS)])
     by_vtk = None
     if path.suffix in READERS:
-        by_vtk, told = measured(sys.executable, __file__, "--vtk", path)
-        by_vtk |= json.loads(told)  # without the start of Python
+        runs = [measured(sys.executable, __file__, "--vtk", path) for _ in range(RUNS)]
+        by_vtk = median_of([run | json.loads(told) for run, told in runs])  # without the start of Python
     return {"what": path.name, "numbers": numbers, "ours": ours, "vtk": by_vtk}
 
 
@@ -243,7 +249,7 @@ def row_of_isosurface(program, path, numbers, folder):
     scene = folder / "sphere.json"
     scene.write_text(json.dumps({"format": "pellucid-scene", "version": 1, "resolution": [500, 500], "objects": [
         {"isosurface": {"file": path.name, "scalar": "d", "value": 0}, "opacity": 0.5}]}))
-    ours, _ = measured(program, "render", scene, "-m", "raytrace", "-o", folder / "sphere.png", "--quiet")
+    ours = median_of([measured(program, "render", scene, "-m", "raytrace", "-o", folder / "sphere.png", "--quiet")[0] for _ in range(RUNS)])
     return {"what": f"isosurface of {path.name}", "numbers": numbers, "ours": ours, "vtk": None}
 
 

@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "core/files/descriptor.h"
 #include "core/files/files_read.h"
+#include "core/files/pages.h"
 #include "core/files/process_and_number.h"
 #include "core/files/write_failure.h"
 
@@ -203,6 +204,9 @@ std::string read_text(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.fd < 0) cannot_read(path, std::strerror(errno));
   std::string text;
+  struct stat about {};
+  if (::fstat(file.fd, &about) == 0 && S_ISREG(about.st_mode))
+    reserve_in_huge_pages(text, std::size_t(about.st_size));
   char block[1 << 16];
   for (;;) {
     const ssize_t got = ::read(file.fd, block, sizeof block);

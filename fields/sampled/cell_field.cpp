@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -49,11 +50,18 @@ class CellSampler final : public FieldSampler {
   void follow(LastCell* last) override { last_ = last; }
 
  private:
+  /// Takes a place x to the weights inverse (x - corner) of a tetrahedron's other corners.
+  struct TetrahedronMap {
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t cell = none;
+    Vec3 corner{0};
+    Mat3 inverse{0};
+  };
   /// By whom the cell was solved.
   enum class Kind { tetrahedron, hexahedron, vtk };
 
   bool find(const Vec3& x) {
-    if (last_ && last_->number < corners_.cells() && holds(last_->number, x)) return true;
+    if (last_ && last_->number < corners_.cells() && holds(last_->number, x, true)) return true;
     if (!search(x)) return false;
     if (last_) last_->number = cell_;
     return true;
@@ -68,12 +76,12 @@ class CellSampler final : public FieldSampler {
     return false;
   }
 
-  bool holds(std::uint32_t cell, const Vec3& x) {
+  bool holds(std::uint32_t cell, const Vec3& x, bool is_last = false) {
     numbers_ = corners_.points(cell, eight_);
     cell_ = cell;
     switch (corners_.type(cell)) {
       case VTK_TETRA:
-        return in_tetrahedron(x);
+        return in_tetrahedron(x, is_last);
       case VTK_HEXAHEDRON:
         return in_hexahedron(x);
       default:
@@ -88,10 +96,15 @@ class CellSampler final : public FieldSampler {
     return arms;
   }
 
-  bool in_tetrahedron(const Vec3& x) {
-    const auto weights = tetrahedron_weights(arms<4>(x));
-    if (!weights) return false;
-    std::ranges::copy(*weights, weights_.begin());
+  /// Of the particle's last cell by its map, which is known most often; of others by volumes, which
+  /// tell first that it is not. Neither asks what was known: that would let chance decide on faces.
+  bool in_tetrahedron(const Vec3& x, bool is_last) {
+    if (!is_last && !is_in_tetrahedron(arms<4>(x))) return false;
+    if (tetrahedron_.cell != cell_) tetrahedron_ = map_of_tetrahedron();
+    const Vec3 p = tetrahedron_.inverse * (x - tetrahedron_.corner);
+    const double first = 1 - p.x - p.y - p.z;
+    if (is_last && !(p.x >= 0 && p.y >= 0 && p.z >= 0 && first >= 0)) return false;
+    weights_[0] = first, weights_[1] = p.x, weights_[2] = p.y, weights_[3] = p.z;
     kind_ = Kind::tetrahedron;
     return true;
   }
@@ -173,14 +186,17 @@ class CellSampler final : public FieldSampler {
     return {};
   }
 
+  TetrahedronMap map_of_tetrahedron() const {
+    const Vec3& corner = corners_.place(numbers_[0]);
+    Mat3 edges;
+    for (int k = 0; k < 3; ++k) edges[k] = corners_.place(numbers_[std::size_t(k + 1)]) - corner;
+    return {cell_, corner, glm::inverse(edges)};
+  }
   Mat3 slope_of_tetrahedron() const {
-    CellGrid::Slopes slopes;
-    for (int k = 0; k < 3; ++k) {
-      const vtkTypeInt64 corner = numbers_[std::size_t(k + 1)];
-      slopes.position[k] = corners_.place(corner) - corners_.place(numbers_[0]);
-      slopes.velocity[k] = grid_.velocity(corner) - grid_.velocity(numbers_[0]);
-    }
-    return slopes.velocity * glm::inverse(slopes.position);
+    Mat3 slopes;
+    for (int k = 0; k < 3; ++k)
+      slopes[k] = grid_.velocity(numbers_[std::size_t(k + 1)]) - grid_.velocity(numbers_[0]);
+    return slopes * tetrahedron_.inverse;
   }
 
   CellGrid::Slopes slopes_of_hexahedron(const Vec3& at) const {
@@ -207,6 +223,7 @@ class CellSampler final : public FieldSampler {
   Kind kind_ = Kind::vtk;
   CellCorners::Numbers numbers_;  // of its points
   std::array<vtkTypeInt64, 8> eight_;
+  TetrahedronMap tetrahedron_;  // of the last cell that was one
   std::array<double, CellGrid::largest_cell> weights_{};
   Vec3 parametric_{0};
 };

@@ -51,21 +51,15 @@ bool is_beyond(const std::array<Vec3, 8>& arms) {
 
 }  // namespace
 
-std::optional<std::array<double, 4>> tetrahedron_weights(const std::array<Vec3, 4>& arms) {
+bool is_in_tetrahedron(const std::array<Vec3, 4>& arms) {
   // Outside, some volumes have another sign than others: most often two are enough to tell.
-  std::array<double, 4> volumes;
   const Vec3 of_01 = glm::cross(arms[0], arms[1]), of_23 = glm::cross(arms[2], arms[3]);
-  volumes[0] = glm::dot(arms[1], of_23);
-  volumes[1] = -glm::dot(arms[0], of_23);
-  if (volumes[0] * volumes[1] < 0) return std::nullopt;
-  volumes[2] = glm::dot(arms[3], of_01);
-  volumes[3] = -glm::dot(arms[2], of_01);
-  const auto [least, most] = std::minmax({volumes[0], volumes[1], volumes[2], volumes[3]});
-  const double sum = (volumes[0] + volumes[1]) + (volumes[2] + volumes[3]);
-  if (!(sum > 0 ? least >= 0 : sum < 0 && most <= 0)) return std::nullopt;
-  std::array<double, 4> weights;
-  for (std::size_t i = 0; i < 4; ++i) weights[i] = volumes[i] / sum;
-  return weights;
+  const double a = glm::dot(arms[1], of_23), b = -glm::dot(arms[0], of_23);
+  if (a * b < 0) return false;
+  const double c = glm::dot(arms[3], of_01), d = -glm::dot(arms[2], of_01);
+  const auto [least, most] = std::minmax({a, b, c, d});
+  const double sum = (a + b) + (c + d);
+  return sum > 0 ? least >= 0 : sum < 0 && most <= 0;
 }
 
 Side place_in_hexahedron(const std::array<Vec3, 8>& arms, Vec3& parametric) {

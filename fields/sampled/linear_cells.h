@@ -5,15 +5,14 @@
 // order, in world units: a cell far from the origin then loses no digits.
 
 #include <array>
-#include <optional>
 
 #include "core/vec.h"
 
 namespace pellucid::fields {
 
-/// Returns the weights of a tetrahedron's corners at the position, whose sum is 1; nothing where it
-/// is outside, on a face by rounding alone among them, and in a tetrahedron without volume.
-std::optional<std::array<double, 4>> tetrahedron_weights(const std::array<Vec3, 4>& arms);
+/// Says whether the position is in a tetrahedron, its border among it but for roundings. Nothing is
+/// in one without volume.
+bool is_in_tetrahedron(const std::array<Vec3, 4>& arms);
 
 /// Whether a position is in a cell: on a border it is inside, or so by rounding alone.
 enum class Side { inside, outside, unsure };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/files/pages.h"
 #include "geometry/files/color_names.h"
 
 namespace pellucid::geometry::ply {
@@ -58,7 +59,7 @@ Columns::Columns(const Element& element) {
     columns_.push_back(
         {property.is_list ? nullptr : &values_[is_color ? channel->second : property.name],
          is_color ? color_scale(property.type) : 1});
-    if (columns_.back().values) columns_.back().values->reserve(element.count);
+    if (columns_.back().values) reserve_in_huge_pages(*columns_.back().values, element.count);
   }
 }
 

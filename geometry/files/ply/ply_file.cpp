@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/files/output_file.h"
+#include "core/files/pages.h"
 #include "geometry/default_color.h"
 #include "geometry/files/face_colors.h"
 #include "geometry/files/mesh_formats.h"
@@ -29,6 +30,7 @@ VertexAttributes read_vertices(ply::Reader& reader, const ply::Element& element,
       throw InputError(
           fmt::format("{}: element 'vertex' has no property '{}'", reader.where(), axis));
   const auto x = attributes.extract("x"), y = attributes.extract("y"), z = attributes.extract("z");
+  reserve_in_huge_pages(vertices.positions, element.count);
   vertices.positions.resize(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i)
     vertices.positions[i] = {x.mapped()[i], y.mapped()[i], z.mapped()[i]};
