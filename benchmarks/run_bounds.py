@@ -24,6 +24,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -59,10 +60,15 @@ def is_met(bound, value):
 
 
 def require_quiet_machine():
-    """Another process that computes would be in every number."""
-    load = os.getloadavg()[0]
-    if load > 0.3 * os.cpu_count():
-        sys.exit(f"bench: the machine is busy (load {load:.2f}): wait, or say --busy")
+    """Another process that computes would be in every number. What has just been built is gone soon: it is waited for."""
+    longest, most = 180, 0.3 * os.cpu_count()  # seconds; the load is a mean over a minute
+    for second in range(longest):
+        if os.getloadavg()[0] <= most:
+            return
+        if second == 0:
+            print(f"bench: waiting for the machine to be quiet (load {os.getloadavg()[0]:.2f})", file=sys.stderr)
+        time.sleep(1)
+    sys.exit(f"bench: the machine is busy (load {os.getloadavg()[0]:.2f}): wait, or say --busy")
 
 
 def command_of(program, build):

@@ -157,11 +157,14 @@ fields::SampleStatus Trajectory::slope(double t, const State& y, State& f,
 }
 
 bool Trajectory::reach(double t, fields::FieldSampler& sampler) {
+  if (t_ >= t || end_) return t_ >= t;
+  const Following following(sampler, last_cell_);
   while (t_ < t && !end_) step(sampler);
   return t_ >= t;
 }
 
 bool Trajectory::skip_to(double t, fields::FieldSampler& sampler) {
+  const Following following(sampler, last_cell_);
   while (t_ < t && !end_) {
     step(sampler);
     release(t_);
@@ -170,11 +173,6 @@ bool Trajectory::skip_to(double t, fields::FieldSampler& sampler) {
 }
 
 void Trajectory::step(fields::FieldSampler& sampler) {
-  const Following following(sampler, last_cell_);
-  advance(sampler);
-}
-
-void Trajectory::advance(fields::FieldSampler& sampler) {
   const double left = options_->duration - t_;
   const double wanted = std::min(h_, largest_step());
   // The last two steps share what is left rather than leave a sliver to the last one.

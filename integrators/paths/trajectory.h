@@ -117,7 +117,6 @@ class Trajectory {
                                 fields::FieldSampler& sampler);
   double error_of(double h, const std::array<State, 7>& k, const State& y1) const;
   void step(fields::FieldSampler& sampler);
-  void advance(fields::FieldSampler& sampler);
   void accept(double h, const std::array<State, 7>& k, const State& y1,
               fields::FieldSampler& sampler);
   void restrain_ghost(fields::FieldSampler& sampler);
