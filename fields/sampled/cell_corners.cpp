@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fields/sampled/cell_corners.h"
 
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
 #include <vtkStructuredGrid.h>
-#include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -13,10 +13,15 @@
 namespace pellucid::fields {
 namespace {
 
-std::span<const vtkTypeInt64> numbers_of(vtkDataArray* array) {
-  auto* numbers = vtkTypeInt64Array::SafeDownCast(array);
-  assert(numbers);
-  return {numbers->GetPointer(0), std::size_t(numbers->GetNumberOfValues())};
+/// The numbers of an array where it has them, or a copy of them: VTK 9.1 keeps them one after
+/// another, later versions need not.
+std::span<const vtkTypeInt64> numbers_of(vtkDataArray* array, std::vector<vtkTypeInt64>& copy) {
+  if (auto* numbers = vtkArrayDownCast<vtkAOSDataArrayTemplate<vtkTypeInt64>>(array))
+    return {numbers->GetPointer(0), std::size_t(numbers->GetNumberOfValues())};
+  copy.resize(std::size_t(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < copy.size(); ++i)
+    copy[i] = vtkTypeInt64(array->GetComponent(vtkIdType(i), 0));
+  return copy;
 }
 
 }  // namespace
@@ -37,8 +42,8 @@ CellCorners::CellCorners(vtkDataSet& cells) : cells_(std::size_t(cells.GetNumber
   for (std::size_t i = 0; i < types_.size(); ++i)
     types_[i] = std::uint8_t(grid->GetCellType(vtkIdType(i)));
   grid->GetCells()->ConvertTo64BitStorage();
-  ends_ = numbers_of(grid->GetCells()->GetOffsetsArray());
-  points_ = numbers_of(grid->GetCells()->GetConnectivityArray());
+  ends_ = numbers_of(grid->GetCells()->GetOffsetsArray(), own_ends_);
+  points_ = numbers_of(grid->GetCells()->GetConnectivityArray(), own_points_);
 }
 
 void CellCorners::compute(std::size_t cell, std::array<vtkTypeInt64, 8>& numbers) const {

@@ -21,6 +21,8 @@ class CellCorners {
   using Numbers = std::span<const vtkTypeInt64>;
 
   explicit CellCorners(vtkDataSet& cells);
+  CellCorners(const CellCorners&) = delete;
+  CellCorners& operator=(const CellCorners&) = delete;
 
   std::size_t cells() const { return cells_; }
   /// VTK's number of the cell's type.
@@ -45,10 +47,11 @@ class CellCorners {
 
   std::size_t cells_;
   std::vector<Vec3> places_;
-  std::vector<std::uint8_t> types_;           // none of a structured grid
-  std::span<const vtkTypeInt64> ends_;        // where a cell's points begin and end in `points_`
-  std::span<const vtkTypeInt64> points_;      // of all cells
-  std::array<vtkTypeInt64, 3> dimensions_{};  // points of a structured grid along its axes
+  std::vector<std::uint8_t> types_;       // none of a structured grid
+  std::span<const vtkTypeInt64> ends_;    // where a cell's points begin and end in `points_`
+  std::span<const vtkTypeInt64> points_;  // of all cells
+  std::vector<vtkTypeInt64> own_ends_, own_points_;  // empty where the grid's own serve
+  std::array<vtkTypeInt64, 3> dimensions_{};         // points of a structured grid along its axes
 };
 
 }  // namespace pellucid::fields
